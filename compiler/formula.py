@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from ..stdlib.builtins import BUILTINS
-from .ir.leaves import Attribute, Parameter, Resource
+from .ir.leaves import Attribute, Buffer, Parameter, Resource
 from .ir.node import Formal, Node
 from .ir.operations import CALL, CONSTANT, CROSS, FOLD, MEMBER, SWIZZLE, builtin_of
 from .ir.shader import Notes
@@ -130,8 +130,8 @@ class Formulas:
 def _leaf_name(node: Node) -> str | None:
     """What is declared with a name, or ``None`` for any other node."""
     match node.data:
-        case Parameter(name=name) | Attribute(name=name) | Resource(name=name):
-            return name
+        case Parameter() | Attribute() | Resource() | Buffer():
+            return node.data.name
         case Formal(name=name) if node.op == "formal":
             return name
     return None

@@ -7,14 +7,22 @@ which block it lies, and the order of the declarations decides the order in the 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from .ir.leaves import Parameter
 from .ir.program import Block, StoredMember
-from .ir.storage import ROW, byte_size, padding_names, place, rounded_to_row, stored_type
-from .ir.types import FLOAT, Array, Struct, Type, Vector
+from .ir.storage import (
+    ROW,
+    byte_size,
+    padding_names,
+    place,
+    rounded_to_row,
+    stored_type,
+    structs_in,
+)
+from .ir.types import FLOAT, Array, Type, Vector
 
 if TYPE_CHECKING:
     from .ir.shader import ExternInfo
@@ -72,7 +80,7 @@ def _extern_block(extern: ExternInfo) -> Block:
         derived=False,
         members=tuple(members),
         size=rounded_to_row(end),
-        structs=_structs(member.type for member in members),
+        structs=structs_in(member.type for member in members),
         host=extern.place,
     )
 
@@ -126,7 +134,7 @@ def _block(
         derived=derived,
         members=tuple(members),
         size=size,
-        structs=_structs(member.type for member in members),
+        structs=structs_in(member.type for member in members),
     )
 
 
@@ -136,14 +144,3 @@ def suggested_name(parameter: Parameter) -> str:
     If there is also a parameter ``sun_direction``, a backend's namer distinguishes the two.
     """
     return parameter.name.replace(".", "_")
-
-
-def _structs(types: Iterable[Type]) -> tuple[Struct, ...]:
-    """The structs that ``types`` use, each once; a struct comes after those that it contains."""
-    found: dict[Struct, None] = {}
-    for type_ in types:
-        inner = type_.element if isinstance(type_, Array) else type_
-        if isinstance(inner, Struct):
-            found.update(dict.fromkeys(_structs(member for _, member in inner.members)))
-            found[inner] = None
-    return tuple(found)

@@ -9,7 +9,15 @@ bytes after lane 0. All lanes are little-endian and 32 bits wide.
 from __future__ import annotations
 
 from ..frozen import changed, frozen
-from .ir.storage import ROW, byte_size, elements_in_row, place, stored_type
+from .ir.storage import (
+    ROW,
+    byte_size,
+    element_stride,
+    elements_in_row,
+    place,
+    stored_element,
+    stored_type,
+)
 from .ir.types import Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector, width
 
 
@@ -32,7 +40,7 @@ class Packing:
     count: int | None = None
     """The number of elements of an array; the other fields then describe one element."""
     stride: int = 0
-    """The distance between elements of an array, in bytes."""
+    """The distance between elements of an array, or of a storage buffer, in bytes."""
     members: tuple[PackedMember, ...] = ()
     """The members of a struct, or of an array's elements, without padding."""
 
@@ -61,6 +69,11 @@ def packing(type_: Type) -> Packing:
             return _array(type_, element, count)
         case _:
             raise TypeError(f"{type_} cannot be kept in a uniform block")
+
+
+def element_packing(type_: Type) -> Packing:
+    """Where the lanes of an element of a storage buffer are, and how far the next one is."""
+    return changed(packing(type_), stored=stored_element(type_), stride=element_stride(type_))
 
 
 def _array(array: Array, element: Type, count: int) -> Packing:

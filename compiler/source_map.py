@@ -73,6 +73,7 @@ class _Places:
         self._leaves: dict[Hashable, Span] = {
             **{info.parameter: info.span for info in shader.parameters},
             **{info.resource: info.span for info in shader.resources},
+            **{info.buffer: info.span for info in shader.buffers},
             **{info.attribute: info.span for info in shader.attributes},
         }
 

@@ -13,6 +13,7 @@ from .types import (
     VEC4,
     Array,
     Matrix,
+    RuntimeArray,
     ScalarKind,
     Struct,
     TallMatrix,
@@ -90,11 +91,11 @@ def swizzle(graph: Graph, operand: Node, lanes: tuple[int, ...]) -> Node:
 
 
 def index(graph: Graph, operand: Node, position: Node) -> Node:
-    """Element of an array, column of a matrix or lane of a vector."""
+    """Element of an array or a buffer, column of a matrix or lane of a vector."""
     if operand.op == "array" and position.op == "constant" and isinstance(position.data, int):
         return operand.operands[position.data]
     match operand.type:
-        case Array(element=element):
+        case Array(element=element) | RuntimeArray(element):
             type_: Type = element
         case Matrix(size=size):
             type_ = Vector("float", size)

@@ -6,7 +6,10 @@ from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
 from .meaning import Meaning
 from .stages import VERTICES, Domain
-from .types import Type
+from .types import INT, RuntimeArray, Type
+
+MOST_ELEMENTS = float(2**31 - 1)
+"""Elements of a storage buffer: their numbers are of type ``int``."""
 
 
 @frozen
@@ -48,6 +51,25 @@ class Resource:
     default: str = "white"
     state: tuple[tuple[str, str], ...] = ()
     """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
+
+
+@frozen(key=True)
+class Buffer:
+    """A storage buffer: any number of elements of one type, which the host binds."""
+
+    name: str
+    type: RuntimeArray
+    group: str
+    fact: Fact = UNKNOWN
+    """What holds of each element."""
+    member_facts: tuple[tuple[str, Fact], ...] = ()
+    meaning: Meaning | None = None
+
+    @property
+    def count(self) -> Parameter:
+        """The parameter that says how many elements there are; the runtime sets it."""
+        fact = Fact(0.0, MOST_ELEMENTS, kind="int")
+        return Parameter(f"{self.name}.count", INT, self.group, fact)
 
 
 @frozen(key=True)

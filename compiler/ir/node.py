@@ -16,7 +16,7 @@ from ...frozen import frozen
 from .types import INT, Type
 
 Op = Literal[
-    "constant", "parameter", "resource", "attribute", "input", "bound", "formal",
+    "constant", "parameter", "resource", "buffer", "attribute", "input", "bound", "formal",
     "call", "native",
     "vector", "splat", "matrix", "struct", "array",
     "swizzle", "index", "member",

@@ -21,7 +21,7 @@ from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
 from . import result_types
-from .leaves import Attribute, Parameter, Resource
+from .leaves import Attribute, Buffer, Parameter, Resource
 from .meaning import Meaning
 from .node import Applying, Folding, Formal, Iterating, Node, Op
 from .stages import Crossing, SystemInput
@@ -126,6 +126,12 @@ RESOURCE = Operation(
 """A texture with the state of its sampler. It is an operand of the builtins that read it, and
 nothing else is made of it."""
 
+BUFFER = Operation(
+    "buffer", "outside", Buffer, result_types.declared, rate="varying", is_global=True
+)
+"""A storage buffer. Its elements are read by ``index``, and nothing else is made of it. Once reads
+are lowered, it has its stored type."""
+
 ATTRIBUTE = Operation("attribute", "outside", Attribute, result_types.declared, rate="varying")
 """A vertex input."""
 
@@ -189,8 +195,8 @@ SWIZZLE = Operation[tuple[int, ...]](
 """Lanes of a vector, by their numbers, in any order and also more than once."""
 
 INDEX = Operation("index", "part", NoneType, result_types.index, arity=2, noun="element")
-"""Of (aggregate, position): an element of an array, a column of a matrix or a lane of a vector. The
-position lies within bounds: whoever makes an index that is computed clamps it."""
+"""Of (aggregate, position): an element of an array or a buffer, a column of a matrix or a lane of a
+vector. The position lies within bounds: whoever makes an index that is computed clamps it."""
 
 MEMBER = Operation("member", "part", str, result_types.member, arity=1, noun="part")
 """A member of a structure, by name: of a uniform block's, or of the states that a loop leaves."""
@@ -243,7 +249,7 @@ data says which function. Semantics makes these and erases them."""
 
 
 def _rows() -> Iterator[Operation[Any]]:
-    yield from (CONSTANT, PARAMETER, RESOURCE, ATTRIBUTE, INPUT, BOUND, FORMAL)
+    yield from (CONSTANT, PARAMETER, RESOURCE, BUFFER, ATTRIBUTE, INPUT, BOUND, FORMAL)
     yield from (CALL, NATIVE)
     yield from (VECTOR, SPLAT, MATRIX, STRUCT, ARRAY)
     yield from (SWIZZLE, INDEX, MEMBER)

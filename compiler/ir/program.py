@@ -12,10 +12,11 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
-from .leaves import HostPlace, Parameter, Resource
+from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
 from .stages import VERTICES, Domain, InterpolationMode, StageRow
+from .storage import stored_type, structs_in
 from .types import Struct, Type
 
 StageName = str
@@ -295,6 +296,8 @@ class Stage:
     region: Region
     results: tuple[Output, ...]
     """All that it delivers: the shader's own results first, and then what crosses."""
+    buffers: tuple[Buffer, ...] = ()
+    """The storage buffers that it reads."""
     builtin_inputs: tuple[str, ...] = ()
     """Those of the row's ``inputs`` that it reads, by name."""
     reads: tuple[TextureRead, ...] = ()
@@ -344,6 +347,7 @@ class Program:
     resources: tuple[Resource, ...]
     interfaces: tuple[Interface, ...]
     """What crosses between each stage and the next, in pipeline order."""
+    buffers: tuple[Buffer, ...] = ()
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""
@@ -375,6 +379,13 @@ class Program:
     def results_of(self, kind: str) -> tuple[Output, ...]:
         """The results of one kind, of all stages."""
         return tuple(output for stage in self.stages for output in stage.results_of(kind))
+
+    @property
+    def structs(self) -> tuple[Struct, ...]:
+        """The stored structs that blocks and buffers use, in order of definition."""
+        of_buffers = structs_in(stored_type(buffer.type) for buffer in self.buffers)
+        of_blocks = (struct for block in self.blocks for struct in block.structs)
+        return tuple(dict.fromkeys((*of_blocks, *of_buffers)))
 
     @property
     def reads(self) -> tuple[TextureRead, ...]:

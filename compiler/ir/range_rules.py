@@ -17,11 +17,11 @@ from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, UNKNOWN, Fact
 from ...stdlib.builtins.intervals import product
 from ...stdlib.builtins.weakest import ROUNDING
 from . import rulebook
-from .leaves import Parameter
+from .leaves import Buffer, Parameter
 from .node import Formal, Node
-from .operations import ASCRIBE, CALL, CONSTANT, CROSS, FOLD, FORMAL, ITERATE, MEMBER, PARAMETER
+from .operations import ASCRIBE, CALL, CONSTANT, CROSS, FOLD, FORMAL, ITERATE, MEMBER, OPERATIONS
 from .refinements import refinements
-from .types import Array, Matrix, Struct
+from .types import Array, Matrix, RuntimeArray, Struct
 
 
 class Analysis(Protocol):
@@ -67,12 +67,18 @@ def _constant(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
     return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= SMALLEST_NORMAL for n in numbers))
 
 
-def _parameter(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
-    return PARAMETER.data(node).fact
+def _declared(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
+    """What the host promises of a parameter, or of a buffer's elements."""
+    return _leaf(node).fact
 
 
 def _contract(node: Node) -> str:
-    return rulebook.UNIT if PARAMETER.data(node).fact.unit else rulebook.DECLARED
+    return rulebook.UNIT if _leaf(node).fact.unit else rulebook.DECLARED
+
+
+def _leaf(node: Node) -> Parameter | Buffer:
+    leaf: Parameter | Buffer = OPERATIONS[node.op].data(node)
+    return leaf
 
 
 def _call(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
@@ -108,19 +114,20 @@ def _index(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     whole = known[0]
     if isinstance(node.operands[0].type, Matrix):
         return UNKNOWN
-    if isinstance(node.operands[0].type, Array):
+    if isinstance(node.operands[0].type, Array | RuntimeArray):
         return whole
     return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
 
 
 def _member(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """A member of a light of many, whose parameter carries a fact for each, or a loop's state."""
+    """A member of a light of many, or of a buffer's element, which carries a fact for each; or a
+    loop's state."""
     source = node.operands[0]
     if source.op == "iterate":
         return _union(known)
     while source.op in ("index", "as"):
         source = source.operands[0]
-    if isinstance(source.data, Parameter) and isinstance(node.operands[0].type, Struct):
+    if isinstance(source.data, Parameter | Buffer) and isinstance(node.operands[0].type, Struct):
         return dict(source.data.member_facts).get(MEMBER.data(node), UNKNOWN)
     return UNKNOWN
 
@@ -220,7 +227,8 @@ IN_TURN = _named(rulebook.IN_TURN, _in_turn)
 _BUILTIN = RangeRule(CALL.data, _call)
 RULES: Mapping[str, RangeRule] = {
     "constant": _named(rulebook.CONSTANT, _constant),
-    "parameter": RangeRule(_contract, _parameter),
+    "parameter": RangeRule(_contract, _declared),
+    "buffer": RangeRule(_contract, _declared),
     "as": _named(rulebook.UNIT, _ascribed),
     "call": _BUILTIN,
     "native": _BUILTIN,

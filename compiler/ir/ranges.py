@@ -17,7 +17,7 @@ from .invariants import invariants, parts_of
 from .node import Formal, Node, Op, formals_of, reachable
 from .operations import FOLD, FORMAL, ITERATE, MEMBER
 from .range_rules import FOLD_INDEX, IN_TURN, RULES, RangeRule
-from .types import Array, Matrix, Struct, Type, scalar_kind
+from .types import Array, Matrix, RuntimeArray, Struct, Type, scalar_kind
 
 _NEEDING: frozenset[Op] = frozenset({"formal", "member"})
 """Operations whose facts are derived from those of other values than their operands."""
@@ -186,7 +186,7 @@ class Ranges:
 
 @lru_cache(maxsize=1024)
 def _kind(type_: Type) -> Kind:
-    while isinstance(type_, Array):
+    while isinstance(type_, Array | RuntimeArray):
         type_ = type_.element
     return "matrix" if isinstance(type_, Matrix) else scalar_kind(type_) or "float"
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from . import signatures
 from .build import parts_of, states_type
-from .leaves import Attribute, Parameter, Resource
+from .leaves import Attribute, Buffer, Parameter, Resource
 from .node import Applying, Folding, Iterating, Node
 from .stages import Crossing, SystemInput
 from .types import (
@@ -19,11 +19,12 @@ from .types import (
     VEC4,
     Array,
     Matrix,
+    Opaque,
+    RuntimeArray,
     Scalar,
     ScalarKind,
     Struct,
     TallMatrix,
-    Texture,
     Type,
     Vector,
     scalar_kind,
@@ -31,7 +32,7 @@ from .types import (
     with_width,
 )
 
-_DECLARED = (Attribute, Parameter, Resource, SystemInput)
+_DECLARED = (Attribute, Buffer, Parameter, Resource, SystemInput)
 _LANES: Mapping[ScalarKind, type] = {"float": float, "int": int, "uint": int, "bool": bool}
 
 
@@ -130,12 +131,12 @@ def swizzle(node: Node) -> Type | None:
 
 
 def index(node: Node) -> Type | None:
-    """The element of an array, the column of a matrix, the lane of a vector."""
+    """The element of an array or a buffer, the column of a matrix, the lane of a vector."""
     aggregate, position = (operand.type for operand in node.operands)
     if position not in (INT, Scalar("uint")):
         return None
     match aggregate:
-        case Array(element=element):
+        case Array(element=element) | RuntimeArray(element):
             return element
         case Matrix(size=size):
             return Vector("float", size)
@@ -155,9 +156,9 @@ def member(node: Node) -> Type | None:
 
 
 def select(node: Node) -> Type | None:
-    """That of both sides; textures cannot be selected."""
+    """That of both sides; textures and buffers cannot be selected."""
     condition, then, otherwise = (operand.type for operand in node.operands)
-    fits = condition == BOOL and then == otherwise and not isinstance(then, Texture)
+    fits = condition == BOOL and then == otherwise and not isinstance(then, Opaque)
     return then if fits else None
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .expansion import Expansion
-from .leaves import Attribute, HostPlace, Parameter, Resource
+from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
 
@@ -81,6 +81,19 @@ class MeshInput:
     """The corner of the primitive whose value it is; ``None`` if it is the same at all of them."""
     is_number: bool = False
     """Whether it is such a number: ``vertex_index``, ``instance_index`` or ``primitive_index``."""
+
+
+@frozen
+class BufferInfo:
+    """A declared storage buffer."""
+
+    buffer: Buffer
+    element: ParameterInfo
+    """What is known of one element, as of a parameter."""
+    count: ParameterInfo
+    """The parameter that says how many there are."""
+    doc: str
+    span: Span
 
 
 @frozen
@@ -211,6 +224,7 @@ class Shader:
     are written to, reads these rows."""
     externs: tuple[ExternInfo, ...] = ()
     """The host's own blocks."""
+    buffers: tuple[BufferInfo, ...] = ()
     chain: Chain = RASTERISED
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None

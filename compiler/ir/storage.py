@@ -1,4 +1,4 @@
-"""Defines how values are stored in uniform blocks, so that std140, D3D and WGSL agree.
+"""Defines how values are stored in uniform blocks and storage buffers, so that all backends agree.
 
 ``compiler/layout.py`` asks for it when it lays out a shader's blocks, ``lower_reads`` when it reads
 from them, and the reflection when it describes them to hosts. The three rule sets differ wherever
@@ -14,6 +14,10 @@ they have a choice, so the text leaves them none:
 - structs start at multiples of 16 bytes, and explicit padding makes them end at one;
 - bools are uints (there is no size of a bool on which all rule sets agree).
 
+Storage buffers follow std430, WGSL's rules, and those of Direct3D's structured buffers, which pad
+nothing. There, structures are stored as in blocks, but a scalar or a vector of two lanes
+has no padding between the elements.
+
 Sources: OpenGL 4.6 specification, 7.6.2.2 "Standard Uniform Block Layout"; Microsoft, "Packing
 Rules for Constant Variables"; WGSL, "Memory Layout" and "Address Space Layout Constraints".
 """
@@ -25,7 +29,18 @@ from functools import cache
 from itertools import count, filterfalse
 
 from ...frozen import frozen
-from .types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, TallMatrix, Type, Vector
+from .types import (
+    FLOAT,
+    Array,
+    Matrix,
+    RuntimeArray,
+    Scalar,
+    ScalarKind,
+    Struct,
+    TallMatrix,
+    Type,
+    Vector,
+)
 
 ROW = 16
 """The size of a ``vec4`` in bytes, which is the unit of arrays, matrices, structs and blocks."""
@@ -87,6 +102,8 @@ def stored_type(type_: Type) -> Type:
             return type_
         case Array(element, count):
             return _stored_array(element, count)
+        case RuntimeArray(element):
+            return RuntimeArray(stored_element(element))
         case Struct():
             return stored_struct(type_)
         case _:
@@ -98,6 +115,35 @@ def stored_struct(struct: Struct) -> Struct:
     """A struct with stored members, in which gaps are members too."""
     placed = place((name, stored_type(type_)) for name, type_ in struct.members)
     return Struct(struct.name, tuple((row.name, row.type) for row in placed))
+
+
+@cache
+def stored_element(element: Type) -> Type:
+    """What the elements of a storage buffer are that hold values of a type.
+
+    All rule sets agree on the distance between scalars, between vectors of two or four lanes, and
+    between padded structures. A vector of three lanes takes four. A matrix is several elements, one
+    for each column.
+    """
+    match element:
+        case Vector(kind, 3):
+            return Vector(_stored_kind(kind), 4)
+        case Matrix():
+            return Vector("float", 4)
+        case Scalar() | Vector() | Struct():
+            return stored_type(element)
+        case _:
+            raise TypeError(f"{element} cannot be an element of a storage buffer")
+
+
+def stored_elements(element: Type) -> int:
+    """How many elements of the stored type hold one value."""
+    return element.size if isinstance(element, Matrix) else 1
+
+
+def element_stride(element: Type) -> int:
+    """The distance in bytes from one value of a storage buffer to the next."""
+    return stored_elements(element) * byte_size(stored_element(element))
 
 
 def _stored_array(element: Type, count: int) -> Array:
@@ -171,3 +217,14 @@ def alignment(stored: Type) -> int:
 def padding_names(stem: str, taken: Iterable[str]) -> Iterator[str]:
     """``stem_0``, ``stem_1`` and so on, without the names that are taken."""
     return filterfalse(frozenset(taken).__contains__, (f"{stem}_{i}" for i in count()))
+
+
+def structs_in(types: Iterable[Type]) -> tuple[Struct, ...]:
+    """The structs that ``types`` use, each once; a struct comes after those that it contains."""
+    found: dict[Struct, None] = {}
+    for type_ in types:
+        inner = type_.element if isinstance(type_, Array | RuntimeArray) else type_
+        if isinstance(inner, Struct):
+            found.update(dict.fromkeys(structs_in(member for _, member in inner.members)))
+            found[inner] = None
+    return tuple(found)

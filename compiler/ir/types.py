@@ -73,6 +73,16 @@ class Array:
 
 
 @frozen(interned=True)
+class RuntimeArray:
+    """The elements of a storage buffer, whose number only the host knows."""
+
+    element: Type
+
+    def __str__(self) -> str:
+        return f"{self.element}[]"
+
+
+@frozen(interned=True)
 class Struct:
     """Named members in declaration order."""
 
@@ -118,8 +128,10 @@ class Texture:
         return _PREFIXES[self.sample] + _SUFFIXES[self.dimension]
 
 
-Type = Scalar | Vector | Matrix | TallMatrix | Array | Struct | Texture
+Type = Scalar | Vector | Matrix | TallMatrix | Array | RuntimeArray | Struct | Texture
 Numeric = Scalar | Vector
+Opaque = Texture | RuntimeArray
+"""What is read where it is, and is never a value by itself."""
 
 FLOAT = Scalar("float")
 INT = Scalar("int")

@@ -13,7 +13,16 @@ from typing import Any
 
 from .domains import Domains, MixedDomainsError, exists
 from .node import Binder, Formal, Node, Op, binders, bodies_of, reachable
-from .operations import BOUND, CROSS, FORMAL, OPERATIONS, PARAMETER, Form, Operation
+from .operations import (
+    BOUND,
+    BUFFER,
+    CROSS,
+    FORMAL,
+    OPERATIONS,
+    PARAMETER,
+    Form,
+    Operation,
+)
 from .shader import Result
 from .stages import Chain
 from .storage import stored_type
@@ -147,6 +156,6 @@ def _check_row(node: Node, row: Operation[Any], form: Form) -> None:
 
 def _wanted(node: Node, row: Operation[Any], form: Form) -> Type | None:
     declared = row.result(node)
-    if row is PARAMETER and form == "stored" and declared is not None:
+    if row in (PARAMETER, BUFFER) and form == "stored" and declared is not None:
         return stored_type(declared)
     return declared

@@ -1,4 +1,4 @@
-"""Lowers reads of parameters to the form in which uniform blocks store them.
+"""Lowers reads of parameters and buffers to the form in which memory has them.
 
 Every conversion from the stored form becomes a node of its own. Scalars, vectors and matrices are
 converted where they are read. Structs and arrays keep their stored form through selects, binders
@@ -16,7 +16,7 @@ from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node, Roots
 from ..ir.operations import MEMBER, SWIZZLE
 from ..ir.rewrite import rewrite
-from ..ir.storage import elements_in_row, stored_type
+from ..ir.storage import elements_in_row, stored_elements, stored_type
 from ..ir.types import (
     BOOL,
     INT,
@@ -24,6 +24,7 @@ from ..ir.types import (
     VEC4,
     Array,
     Matrix,
+    RuntimeArray,
     Scalar,
     Struct,
     TallMatrix,
@@ -32,7 +33,7 @@ from ..ir.types import (
     width,
 )
 
-_READS = frozenset({"parameter", "member", "index"})
+_READS = frozenset({"parameter", "buffer", "member", "index"})
 """Apart from these and from variables, operations change only where an operand has changed."""
 
 _MADE = frozenset({"array", "struct", "iterate"})
@@ -40,9 +41,10 @@ _MADE = frozenset({"array", "struct", "iterate"})
 
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:
-    """The roots, with every ``parameter`` node of its stored type. Lowering twice changes nothing.
+    """The roots, with every parameter and buffer of its stored type.
 
-    Indices are expected within bounds: whoever made them has clamped them.
+    Lowering twice changes nothing. Indices are expected within bounds: whoever made them has
+    clamped them.
     """
     return rewrite(graph, roots, _lower, moved)
 
@@ -53,12 +55,16 @@ def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
     if node.op == "parameter":
         stored = graph.node("parameter", stored_type(node.type), (), node.data)
         return _loaded(graph, node.type, stored)
+    if node.op == "buffer":
+        return graph.node("buffer", stored_type(node.type), (), node.data)
     if node.op in _MADE or (operands and node.operands[0].op in _MADE):
         return None
     if node.op == "member":
         return _loaded(graph, node.type, member(graph, operands[0], MEMBER.data(node)))
     if node.op == "index" and isinstance(node.operands[0].type, Array):
         return _element(graph, node.type, *operands)
+    if node.op == "index" and isinstance(node.operands[0].type, RuntimeArray):
+        return _buffered(graph, node.type, *operands)
     if isinstance(node.type, Vector) and operands and (whole := _whole(graph, operands[0])):
         return _from_whole(graph, node, whole, operands)
     if node.op == "swizzle" and operands[0].op == "swizzle":
@@ -95,6 +101,18 @@ def _element(graph: Graph, element: Type, stored: Node, position: Node) -> Node:
             return _loaded(graph, element, _from_row(graph, element, stored, position))
         case _:
             return index(graph, stored, position)
+
+
+def _buffered(graph: Graph, element: Type, stored: Node, position: Node) -> Node:
+    """Element ``position`` of a storage buffer in stored form."""
+    if isinstance(element, Matrix):
+        first = _computed(graph, "mul", position, stored_elements(element))
+        columns = [_computed(graph, "add", first, column) for column in range(element.size)]
+        return _matrix(graph, element.size, stored, columns)
+    read = index(graph, stored, position)
+    if isinstance(element, Vector) and element.size == 3:
+        read = swizzle(graph, read, (0, 1, 2))
+    return _loaded(graph, element, read)
 
 
 def _from_row(graph: Graph, element: Scalar | Vector, stored: Node, position: Node) -> Node:

@@ -5,8 +5,8 @@ passes treat an opened body like any other part of the graph.
 
 Applies of the same body share the opened body and its formals, and later become calls of one
 function. Each loop has its own variables. A structure or array can be an argument of a function
-only if, in every call, it comes unchanged from a uniform block. Otherwise each of its parts becomes
-an argument.
+only if, in every call, it comes unchanged from a uniform block or a storage buffer. Otherwise each
+of its parts becomes an argument.
 """
 
 from __future__ import annotations
@@ -48,10 +48,10 @@ def _taken_apart(roots: Roots) -> set[tuple[int, int]]:
 
 
 def _is_stored(node: Node) -> bool:
-    """Whether an aggregate is read from a uniform block as it stands there."""
+    """Whether an aggregate is read from a block or a buffer as it stands there."""
     while node.op in ("member", "index"):
         node = node.operands[0]
-    return node.op == "parameter"
+    return node.op in ("parameter", "buffer")
 
 
 class _Opener:

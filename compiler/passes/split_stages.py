@@ -66,7 +66,14 @@ def split_stages(
         if any(info.resource in stage.resources for stage in stages)
     )
     used = tuple(b for b in blocks if any(b in stage.blocks for stage in stages))
-    return Program(shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces))
+    buffers = tuple(
+        info.buffer
+        for info in shader.buffers
+        if any(info.buffer in stage.buffers for stage in stages)
+    )
+    return Program(
+        shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers
+    )
 
 
 def _taken(interfaces: Iterable[Interface]) -> set[str]:
@@ -125,6 +132,7 @@ def _stage(
     )
     parameters = {node.data for node in nodes if node.op == "parameter"}
     resources = {node.data for node in nodes if node.op == "resource"}
+    buffers = {node.data for node in nodes if node.op == "buffer"}
     return Stage(
         row=row,
         inputs=inputs,
@@ -133,6 +141,7 @@ def _stage(
         functions=functions,
         region=Scheduler(roots, shader.notes, naming, together).schedule(),
         results=outputs,
+        buffers=tuple(info.buffer for info in shader.buffers if info.buffer in buffers),
         builtin_inputs=tuple(
             sorted({INPUT.data(node).name for node in nodes if node.op == "input"})
         ),

@@ -23,7 +23,7 @@ __all__ = ["Evaluator", "LeafValues", "NotConstantError", "Observer", "TooLongEr
 
 LeafValues = Callable[[Node], Lanes | None]
 """Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
-``texture_reads.Reader``.
+``texture_reads.Reader``, that of a buffer a ``storage_buffers.BufferReader``.
 
 It is also called for crossings (``cross``); one without a value has that of its operand.
 """

@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, Any
 
 from ..ir.node import Node, Op
 from ..ir.operations import CALL, MEMBER, SWIZZLE
-from ..ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector, scalar_kind
+from ..ir.types import (
+    Array,
+    Matrix,
+    RuntimeArray,
+    Scalar,
+    Struct,
+    TallMatrix,
+    Type,
+    Vector,
+    scalar_kind,
+)
 from . import scalars
 from .namespace import Lane, Lanes, Namespace
 
@@ -92,6 +102,9 @@ def _swizzle(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 def _index(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
     aggregate, (position,) = operands
+    if isinstance(node.operands[0].type, RuntimeArray):
+        element: Lanes = aggregate[0].element(position)
+        return element
     parts = aggregate
     if not isinstance(node.operands[0].type, Matrix | TallMatrix | Array):
         parts = tuple((lane,) for lane in aggregate)

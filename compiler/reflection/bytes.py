@@ -28,7 +28,7 @@ def _block_row(block: Block, stages: list[StageName]) -> dict[str, Any]:
         "size": block.size,
         "stages": stages,
         "members": list(_member_rows(block)),
-        "structs": [_struct_row(struct) for struct in block.structs],
+        "structs": [struct_row(struct) for struct in block.structs],
     }
 
 
@@ -61,7 +61,8 @@ def _member_row(name: str, type_: Type, offset: int, parameter: str | None) -> d
     }
 
 
-def _struct_row(struct: Struct) -> dict[str, Any]:
+def struct_row(struct: Struct) -> dict[str, Any]:
+    """A stored struct with its members, padding included."""
     rows = []
     offset = 0
     for name, type_ in struct.members:

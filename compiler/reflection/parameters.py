@@ -62,7 +62,7 @@ def parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) ->
         **_declaration(info),
         "group": parameter.group,
         **places.row(parameter),
-        "members": _members(packing(parameter.type), info.members),
+        "members": member_rows(packing(parameter.type), info.members),
         "count": counter if counter in names else None,
     }
 
@@ -78,7 +78,7 @@ def _declaration(info: ParameterInfo) -> dict[str, Any]:
     }
 
 
-def _members(packed: Packing, infos: Sequence[ParameterInfo]) -> list[dict[str, Any]]:
+def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> list[dict[str, Any]]:
     """Members of a struct or of an array's elements, with what was declared about them."""
     declared = {info.parameter.name.rpartition(".")[2]: info for info in infos}
     return [_member(member, declared.get(member.name)) for member in packed.members]
@@ -100,7 +100,7 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> dict[str, Any]:
         "offset": member.offset,
         "size": member.packing.size,
         "layout": layout_row(member.packing),
-        "members": _members(member.packing, () if info is None else info.members),
+        "members": member_rows(member.packing, () if info is None else info.members),
     }
 
 

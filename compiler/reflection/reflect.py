@@ -13,6 +13,7 @@ from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
 from ..ir.stages import GEOMETRY, TARGET
 from ..promises import promises
+from .buffers import buffer_rows
 from .bytes import block_rows
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint
@@ -57,6 +58,7 @@ def reflect(
         "derived": derived_rows(places, derived or {}),
         "promises": list(_promise_rows(shader)),
         "lights": light_rows(infos),
+        "buffers": list(buffer_rows(shader.buffers, program)),
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
@@ -157,6 +159,7 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
             name: {**_binding_row(point), "members": dict(point.members)}
             for name, point in table.blocks.items()
         },
+        "buffers": {name: _binding_row(point) for name, point in table.buffers.items()},
         "textures": {name: _binding_row(point) for name, point in table.textures.items()},
         "samplers": {name: _binding_row(point) for name, point in table.samplers.items()},
         "vertex_inputs": {

@@ -56,6 +56,7 @@ class BackendTable:
     files: tuple[EmittedFile, ...]
     blocks: Mapping[str, BindingPoint] = EMPTY
     """By block name."""
+    buffers: Mapping[str, BindingPoint] = EMPTY
     textures: Mapping[str, BindingPoint] = EMPTY
     """By texture name; where the profile combines texture and sampler, this is the pair."""
     samplers: Mapping[str, BindingPoint] = EMPTY

@@ -253,6 +253,9 @@ class Builder:
     ) -> ast.TypeName:
         return ast.TypeName(span, name, arguments, count)
 
+    def unsized(self, span: Span, name: Name, arguments: tuple[Name, ...]) -> ast.TypeName:
+        return ast.TypeName(span, name, arguments, unsized=True)
+
     def type_arguments(self, _: Span, *arguments: Name) -> tuple[Name, ...]:
         return arguments
 

@@ -18,7 +18,7 @@ from ..runner.instances.instance import Instance
 from ..runner.meshes import Mesh, cube, plane, sphere, torus
 from ..runner.scene import Scene, with_inputs
 from ..runner.scene_state import Color, SceneState, set_up
-from .sample import sample_textures, sample_values
+from .sample import sample_buffers, sample_textures, sample_values
 
 Size = tuple[int, int]
 """Width and height of a picture, in pixels."""
@@ -113,6 +113,7 @@ def _inside(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:
 def _sampled(reflection: Mapping[str, Any], seed: int) -> Instance:
     instance = Instance(reflection)
     sample_values(instance, seed)
+    sample_buffers(instance, seed)
     sample_textures(instance, seed)
     return instance
 

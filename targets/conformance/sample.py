@@ -24,6 +24,9 @@ SPREAD = 4.0
 WIDEST = 1024.0
 """The whole of a declared range up to this width is used if there is no default."""
 
+BUFFER_SIZES = (0, 1, 3, 8, 13)
+"""How many elements storage buffers get."""
+
 _USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
 """The range of numbers with some meanings, whatever their default."""
 
@@ -38,6 +41,7 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
     """
     lights = instance.reflection["lights"]
     counts = {light["count"] for light in lights if light["count"]}
+    counts |= {buffer["count"] for buffer in instance.reflection["buffers"]}
     placed = set_by_scene(instance.reflection) | counts
     for light in lights:
         if light["count"]:
@@ -48,6 +52,19 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
         unset = any(f"{each}.".startswith(f"{name}.") for each in without)
         if name not in placed and (unset or not missing):
             instance.set(name, _value(row, random.Random(f"{seed} {name}")))
+
+
+def sample_buffers(instance: Instance, seed: int) -> None:
+    """Fill every storage buffer with some elements, or now and then with none."""
+    for row in instance.reflection["buffers"]:
+        chance = random.Random(f"{seed} {row['name']}")
+        element = {
+            **row,
+            "type": row["type"].removesuffix("[]"),
+            "representation": row["representation"].removesuffix("[]"),
+        }
+        count = chance.choice(BUFFER_SIZES)
+        instance.set(row["name"], [_element(element, chance) for _ in range(count)])
 
 
 def sample_textures(instance: Instance, seed: int) -> None:

@@ -72,6 +72,8 @@ class Forms:
     parameter: str = "{typed}"
     block_argument: str = "{type} {name}"
     """A uniform block as a parameter, where ``Language.resource_arguments`` makes it one."""
+    buffer_argument: str = "{type} {name}"
+    """A storage buffer likewise, with the ``{type}`` of its elements."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"

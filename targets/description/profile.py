@@ -68,6 +68,8 @@ class Limits:
     """Vectors that cross between the stages."""
     attributes: int = 16
     """Locations of vertex inputs."""
+    buffers: int = 8
+    """Storage buffers that one stage reads; 0 where there are none at all."""
     textures: int = 16
     """Textures with their samplers that one stage reads."""
     block_bytes: int = 16384

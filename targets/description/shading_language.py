@@ -28,7 +28,7 @@ STAGE_STRUCTS = tuple(
 FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
 
-BindingKind = Literal["block", "texture", "sampler"]
+BindingKind = Literal["block", "buffer", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
 
 
@@ -77,6 +77,8 @@ class Language:
     resource_arguments: bool = False
     """Blocks, textures and samplers are no global variables: an entry point gets them as arguments,
     and hands each function those that it reads."""
+    buffer_blocks: bool = False
+    """A storage buffer stands in an interface block, which has a name of its own."""
     global_members: bool = True
     """Members of blocks are names of the whole file, so they must differ from all others."""
     global_fields: bool = False

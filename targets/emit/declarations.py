@@ -1,4 +1,4 @@
-"""Views of the structs, uniform blocks and textures that a program declares outside of its stages.
+"""Views of what a program declares outside of its stages: structs, blocks, buffers and textures.
 
 Each view is made once for a program, even if several of its texts have the declaration. The emitter
 and ``stage.py`` ask for those that a text or a stage needs.
@@ -9,15 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import cached_property
 
-from ...compiler.ir.leaves import Resource
+from ...compiler.ir.leaves import Buffer, Resource
 from ...compiler.ir.program import Block, Stage, StoredMember
-from ...compiler.ir.types import Struct
+from ...compiler.ir.storage import stored_type, structs_in
+from ...compiler.ir.types import RuntimeArray, Struct
 from ..description.shading_language import BindingKind
 from ..legalise.bindings import Bindings, BindingSlot
 from ..legalise.resource_arguments import Passed
 from .comments import comment_line
 from .context import Context
-from .views import BlockView, MemberView, StructView, TextureView
+from .views import BlockView, BufferView, MemberView, StructView, TextureView
 
 
 class Declarations:
@@ -30,15 +31,21 @@ class Declarations:
         self._bindings = bindings
 
     def structs(self, stages: Iterable[Stage]) -> list[StructView]:
-        """The structs that members of blocks use in these stages."""
-        used = dict.fromkeys(
-            struct for block in self._blocks_of(stages) for struct in block.structs
-        )
-        return [self._struct(struct) for struct in used]
+        """The structs that blocks and buffers use in these stages."""
+        stages = list(stages)
+        stored = (stored_type(buffer.type) for stage in stages for buffer in stage.buffers)
+        used = {struct for block in self._blocks_of(stages) for struct in block.structs}
+        used.update(structs_in(stored))
+        return [self._struct(struct) for struct in self._context.program.structs if struct in used]
 
     def blocks(self, stages: Iterable[Stage]) -> list[BlockView]:
         """The blocks that any of the stages reads, in the order of the program."""
         return [self._blocks[block.name] for block in self._blocks_of(stages)]
+
+    def buffers(self, stages: Iterable[Stage]) -> list[BufferView]:
+        """The storage buffers that any of the stages reads."""
+        read = {buffer for stage in stages for buffer in stage.buffers}
+        return [self._buffers[b.name] for b in self._context.program.buffers if b in read]
 
     def textures(self, stages: Iterable[Stage]) -> list[TextureView]:
         """The textures that any of the stages reads, each followed by its sampler."""
@@ -51,9 +58,10 @@ class Declarations:
         ]
 
     def parameters(self, passed: Passed) -> list[str]:
-        """The parameters by which a function receives blocks, textures and samplers."""
+        """The parameters by which a function receives blocks, buffers, textures and samplers."""
         forms, declaration = self._context.language.forms, self._context.language.types.declaration
         declared = [self._blocks[name].argument for name in passed.blocks]
+        declared += [self._buffers[name].argument for name in passed.buffers]
         declared += [
             declaration.format(type=view.type, name=view.name)
             for name in passed.textures
@@ -65,6 +73,7 @@ class Declarations:
         """The arguments for these parameters: everything has the same name in every function."""
         return [
             *(self._blocks[name].variable for name in passed.blocks),
+            *(self._buffers[name].name for name in passed.buffers),
             *(view.name for name in passed.textures for view in self._textures[name]),
         ]
 
@@ -75,6 +84,10 @@ class Declarations:
     @cached_property
     def _blocks(self) -> dict[str, BlockView]:
         return {block.name: self._block(block) for block in self._context.program.blocks}
+
+    @cached_property
+    def _buffers(self) -> dict[str, BufferView]:
+        return {buffer.name: self._buffer(buffer) for buffer in self._context.program.buffers}
 
     @cached_property
     def _textures(self) -> dict[str, tuple[TextureView, ...]]:
@@ -107,6 +120,21 @@ class Declarations:
     def _member(self, block: Block, member: StoredMember) -> MemberView:
         name = self._names.member(block.name, member.name)
         return MemberView(self._types.declare_stored(name, member.type), comment_line(member.doc))
+
+    def _buffer(self, buffer: Buffer) -> BufferView:
+        name, stored = self._names.buffers[buffer.name], stored_type(buffer.type)
+        slot = self._bindings.buffers[buffer.name]
+        assert isinstance(stored, RuntimeArray)
+        element = self._types.type(stored.element)
+        argument = self._context.language.forms.buffer_argument
+        return BufferView(
+            name=name,
+            block=self._names.buffer_blocks.get(buffer.name, ""),
+            element=element,
+            slot=slot,
+            register=self._register("buffer", slot),
+            argument=argument.format(type=element, name=name),
+        )
 
     def _texture(self, resource: Resource) -> Iterable[TextureView]:
         """A texture and its sampler, or both in one."""

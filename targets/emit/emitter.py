@@ -149,6 +149,7 @@ class _Emitter:
             header=self._header(stages),
             structs=self._declarations.structs(stages),
             blocks=self._declarations.blocks(stages),
+            buffers=self._declarations.buffers(stages),
             textures=self._declarations.textures(stages),
             helpers=helpers(self._language, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),

@@ -98,6 +98,9 @@ class Expressions:
     def _resource(self, node: Node) -> Printed:
         return self._leaves.resource(node)
 
+    def _buffer(self, node: Node) -> Printed:
+        return self._leaves.buffer(node)
+
     def _attribute(self, node: Node) -> Printed:
         return self._leaves.attribute(node)
 
@@ -220,6 +223,7 @@ class Expressions:
         "constant": _constant,
         "parameter": _parameter,
         "resource": _resource,
+        "buffer": _buffer,
         "attribute": _attribute,
         "cross": _interpolated,
         "input": _input,

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.operations import ATTRIBUTE, CROSS, PARAMETER, RESOURCE
+from ...compiler.ir.operations import ATTRIBUTE, BUFFER, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width
 from ...stdlib.builtins import BUILTINS
@@ -61,6 +61,10 @@ class LeafPrinter:
     def resource(self, node: Node) -> Printed:
         """A texture by its name."""
         return self._names.textures[RESOURCE.data(node).name], NAME
+
+    def buffer(self, node: Node) -> Printed:
+        """A storage buffer by its name."""
+        return self._names.buffers[BUFFER.data(node).name], NAME
 
     def texture(self, node: Node, builtin: str) -> Printed:
         """A texture as ``builtin`` reads it: together with its sampler, if the read uses that."""

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Block, Field, Function, Program, Stage, StageName
+from ...compiler.ir.program import Field, Function, Program, Stage, StageName
 from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
 from ..description.shading_language import Language
@@ -29,6 +29,9 @@ class Names:
     members: Mapping[tuple[str, str], str]
     """By block (or struct) and member."""
     structs: dict[str, str]
+    buffers: Mapping[str, str]
+    buffer_blocks: Mapping[str, str]
+    """By buffer, the interface block around it, in languages that have one."""
     textures: Mapping[str, str]
     samplers: Mapping[str, str]
     """By texture; only textures that are read by a sampler have one."""
@@ -96,6 +99,11 @@ class _Naming:
         variables = self._variables(blocks)
         members = dict(self._members())
         structs = {name: self._declare(name) for name in self._structs()}
+        buffers = {buffer.name: self._declare(buffer.name) for buffer in program.buffers}
+        buffer_blocks = {
+            name: self._declare(f"{final[:1].upper()}{final[1:]}Buffer")
+            for name, final in (buffers if self._language.buffer_blocks else {}).items()
+        }
         textures = {item.name: self._declare(item.name) for item in program.resources}
         sampled = program.sampled
         samplers = {
@@ -109,6 +117,8 @@ class _Naming:
             variables=variables,
             members=members,
             structs=structs,
+            buffers=buffers,
+            buffer_blocks=buffer_blocks,
             textures=textures,
             samplers=samplers,
             attributes=fields.attributes,
@@ -133,18 +143,13 @@ class _Naming:
             declare = self._declare if self._language.global_members else scope.declare
             for member in block.members:
                 yield (block.name, member.name), declare(member.name)
-            yield from self._struct_members(block)
-
-    def _struct_members(self, block: Block) -> Iterator[tuple[tuple[str, str], str]]:
-        for struct in block.structs:
+        for struct in self._program.structs:
             scope = Namer(self._reserved)
             for name, _type in struct.members:
                 yield (struct.name, name), scope.declare(name)
 
     def _structs(self) -> Iterable[str]:
-        return dict.fromkeys(
-            struct.name for block in self._program.blocks for struct in block.structs
-        )
+        return dict.fromkeys(struct.name for struct in self._program.structs)
 
     def _fields(self) -> _Fields:
         """Names of inputs and outputs, which are global variables or members of structs."""

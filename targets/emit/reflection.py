@@ -50,6 +50,13 @@ def backend_table(
             )
             for block in program.blocks
         },
+        buffers={
+            buffer.name: _point(
+                language, profile,
+                names.buffers[buffer.name], bindings.buffers[buffer.name], "buffer",
+            )
+            for buffer in program.buffers
+        },
         textures={
             item.name: _point(
                 language, profile,

@@ -72,6 +72,7 @@ class StagePrinter:
             pipeline_inputs=self._pipeline_inputs(),
             outputs=[field for field, _ in stored],
             blocks=self._declarations.blocks((stage,)),
+            buffers=self._declarations.buffers((stage,)),
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,

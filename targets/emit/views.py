@@ -43,6 +43,21 @@ class BlockView:
 
 
 @frozen
+class BufferView:
+    """A storage buffer."""
+
+    name: str
+    block: str
+    """What the interface block around it is called, in languages where there is one."""
+    element: str
+    """The type of its elements."""
+    slot: BindingSlot
+    register: str
+    argument: str
+    """The buffer as a parameter of a function."""
+
+
+@frozen
 class TextureView:
     """A texture or a sampler, or both in one."""
 
@@ -103,6 +118,8 @@ class EntryView:
     outputs: list[FieldView]
     blocks: list[BlockView]
     """What this stage reads of the file's blocks."""
+    buffers: list[BufferView]
+    """Likewise."""
     textures: list[TextureView]
     """Likewise."""
     functions: list[FunctionView]
@@ -123,6 +140,7 @@ class FileView:
     header: list[str]
     structs: list[StructView]
     blocks: list[BlockView]
+    buffers: list[BufferView]
     textures: list[TextureView]
     """Each followed by its sampler, if that is an object of its own."""
     helpers: list[str]

@@ -213,7 +213,10 @@ SM6 = Profile(
 
 LANGUAGE = Language(
     name="hlsl",
-    registers={"block": "b{binding}", "texture": "t{binding}", "sampler": "s{binding}"},
+    registers={
+        "block": "b{binding}", "buffer": "t{binding}", "texture": "t{binding}",
+        "sampler": "s{binding}",
+    },
     line_directive='#line {line} "{name}"',
     title="HLSL",
     skeleton=FOLDER / "shader.hlsl.j2",

@@ -1,9 +1,9 @@
-"""Assigns a set and a binding to every block, texture and sampler of a program.
+"""Assigns a set and a binding to every block, buffer, texture and sampler of a program.
 
 The assignment looks at the whole program, so that its stages agree and the reflection can say what
 the text says. In most profiles a number is used once only within a set: DXC maps HLSL's ``b0``,
 ``t0`` and ``s0`` all to Vulkan's binding 0. Where there are no sets, blocks, textures and samplers
-are numbered each on their own (``Profile.numbering``).
+are numbered each on their own (``Profile.numbering``), and storage buffers after the blocks.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from itertools import count
 from typing import Protocol
 
-from ...compiler.ir.leaves import Resource
+from ...compiler.ir.leaves import Buffer, Resource
 from ...compiler.ir.program import Block, Program
 from ...frozen import frozen
 from ..description.profile import Profile
@@ -36,11 +36,13 @@ class Bindings:
     textures: Mapping[str, BindingSlot]
     samplers: Mapping[str, BindingSlot]
     """Of textures that are read by one; the texture's own slot where the profile combines them."""
+    buffers: Mapping[str, BindingSlot]
 
 
 def assign_bindings(program: Program, profile: Profile) -> Bindings:
-    """Number the blocks of each group, then its textures and samplers, group by group."""
+    """Number the blocks of each group, then its buffers, textures and samplers, group by group."""
     blocks: dict[str, BindingSlot] = {}
+    buffers: dict[str, BindingSlot] = {}
     textures: dict[str, BindingSlot] = {}
     samplers: dict[str, BindingSlot] = {}
     sampled = program.sampled
@@ -55,12 +57,14 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
         set_ = profile.sets.get(group, profile.default_set)
         for block in sorted(owned.blocks, key=lambda block: block.derived):
             blocks[block.name] = slots.free("block", set_)
+        for buffer in owned.buffers:
+            buffers[buffer.name] = slots.free("block", set_)
         for resource in owned.resources:
             texture = textures[resource.name] = slots.free("texture", set_)
             if resource in sampled:
                 combined = profile.samplers.combined
                 samplers[resource.name] = texture if combined else slots.free("sampler", set_)
-    return Bindings(blocks, textures, samplers)
+    return Bindings(blocks, textures, samplers, buffers)
 
 
 class _Slots(Protocol):
@@ -95,19 +99,22 @@ class _SlotsByKind:
 
 @frozen(eq=False)
 class _Owned:
-    """The blocks and textures of one group, without the blocks that the host has bound."""
+    """The blocks, buffers and textures of one group, without the blocks that the host has bound."""
 
     blocks: list[Block]
+    buffers: list[Buffer]
     resources: list[Resource]
 
 
 def _by_group(program: Program) -> dict[str, _Owned]:
-    """The blocks and textures of each group; groups are in the order of the program."""
-    found: defaultdict[str, _Owned] = defaultdict(lambda: _Owned([], []))
+    """What each group has; groups are in the order of the program."""
+    found: defaultdict[str, _Owned] = defaultdict(lambda: _Owned([], [], []))
     for block in program.blocks:
         owned = found[block.group].blocks
         if block.host is None:
             owned.append(block)
+    for buffer in program.buffers:
+        found[buffer.group].buffers.append(buffer)
     for resource in program.resources:
         found[resource.group].resources.append(resource)
     return found

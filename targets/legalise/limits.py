@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...compiler.ir.program import NativeUse, Program, Region, TextureRead
+from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture
+from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.profile import Lack, Limits, Profile
 from .samplers import sampler_use
@@ -29,6 +30,7 @@ class Excess:
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits of a profile that a program exceeds."""
     textures = max(len(stage.resources) for stage in program.stages)
+    buffers = max(len(stage.buffers) for stage in program.stages)
     # A location counts also where nothing is read at those before it.
     inputs = max((field.location + 1 for field in program.vertex_inputs), default=0)
     varyings = max((len(face.varyings) for face in program.interfaces), default=0)
@@ -37,6 +39,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     for what, count, limit in (
         ("varyings", varyings, profile.limits.varyings),
         ("vertex inputs", inputs, profile.limits.attributes),
+        ("storage buffers", buffers, profile.limits.buffers or buffers),
         ("textures", textures, profile.limits.textures),
         ("bytes in a uniform block", block, profile.limits.block_bytes),
         ("nested blocks", depth, profile.limits.nested_blocks),
@@ -72,6 +75,12 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 
 OTHER_PROFILE = "compile for a profile that has this stage"
 
+NO_BUFFERS = Lack(
+    "storage buffers",
+    "keep the elements in an array of a known length, `param name : T[16]`, or load them from a "
+    "texture",
+)
+
 COMPARED_AND_LOADED = Lack(
     "texture that is both compared and loaded", "declare a second `map` for one of the two"
 )
@@ -82,6 +91,9 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     for stage in program.stages:
         if stage.row not in profile.stages:
             yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id
+    reading = [stage for stage in program.stages if stage.buffers]
+    if reading and not profile.limits.buffers:
+        yield NO_BUFFERS, _first_read(reading[0])
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield profile.cannot[native.builtin], native.node
@@ -91,6 +103,12 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
         compared = _is_depth(read) and read.resource in program.sampled
         if profile.samplers.combined and compared and read.builtin == "load":
             yield COMPARED_AND_LOADED, read.node
+
+
+def _first_read(stage: Stage) -> int:
+    """The id of a node that reads a storage buffer."""
+    nodes = visible(stage.roots, into_bodies=True)
+    return next(n.id for n in nodes if n.op == "index" and n.operands[0].op == "buffer")
 
 
 def _is_read(native: NativeUse) -> bool:

@@ -1,4 +1,4 @@
-"""Finds the blocks and textures that every function needs, for languages without global resources.
+"""Finds what every function reads from outside, for languages without global resources.
 
 In such a language (``Language.resource_arguments``) an entry point gets all that its stage reads as
 arguments. A function gets what it reads itself, or hands on to the functions that it calls.
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...compiler.ir.leaves import Parameter, Resource
+from ...compiler.ir.leaves import Buffer, Parameter, Resource
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program, Stage, StageName
 from ...compiler.passes.walks import visible
@@ -19,9 +19,10 @@ from ..description.shading_language import Language
 
 @frozen
 class Passed:
-    """The blocks and textures that a function gets, by their names in the program, in its order."""
+    """What a function gets, by the names in the program, in its order."""
 
     blocks: tuple[str, ...] = ()
+    buffers: tuple[str, ...] = ()
     textures: tuple[str, ...] = ()
 
 
@@ -54,18 +55,23 @@ def _passed(program: Program, stage: Stage) -> dict[Node, Passed]:
     found: dict[Node, Passed] = {}
     for function in stage.functions:
         blocks: set[str] = set()
+        buffers: set[str] = set()
         textures: set[str] = set()
         for node in visible((function.value,)):
             if isinstance(node.data, Parameter):
                 blocks.add(owners[node.data])
+            elif isinstance(node.data, Buffer):
+                buffers.add(node.data.name)
             elif isinstance(node.data, Resource):
                 textures.add(node.data.name)
             elif node.op == "apply":
                 inner = found[node.operands[0]]
                 blocks.update(inner.blocks)
+                buffers.update(inner.buffers)
                 textures.update(inner.textures)
         found[function.body] = Passed(
             tuple(block.name for block in program.blocks if block.name in blocks),
+            tuple(buffer.name for buffer in program.buffers if buffer.name in buffers),
             tuple(texture.name for texture in program.resources if texture.name in textures),
         )
     return found

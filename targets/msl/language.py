@@ -60,6 +60,7 @@ FORMS = Forms(
     discard="discard_fragment();",
     lane_words=("component::x", "component::y", "component::z", "component::w"),
     block_argument="constant {type}& {name}",
+    buffer_argument="device const {type}* {name}",
 )
 
 TEXTURES = TextureNames(
@@ -238,6 +239,7 @@ LANGUAGE = Language(
     semantic=semantic,
     registers={
         "block": "buffer({binding})",
+        "buffer": "buffer({binding})",
         "texture": "texture({binding})",
         "sampler": "sampler({binding})",
     },

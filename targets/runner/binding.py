@@ -11,6 +11,7 @@ from typing import Any
 from .codes import Codes
 from .drivers.draw import (
     BlockSlot,
+    BufferSlot,
     Cull,
     Pipeline,
     Place,
@@ -82,6 +83,11 @@ def pipeline(
             for row in reflection["blocks"]
         ),
         textures=_textures(reflection, backend),
+        buffers=tuple(
+            BufferSlot(_place(backend["buffers"][row["name"]]), row["stride"])
+            for row in reflection["buffers"]
+            if row["stages"]
+        ),
         targets=tuple(
             RenderTarget(target_format(row, exact=exact), "none" if exact else row["blend"])
             for row in reflection["targets"]

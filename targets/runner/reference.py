@@ -21,6 +21,7 @@ from ...compiler.ir.shader import Shader
 from ...compiler.ir.types import Array, Struct, scalar_kind, width
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
+from ...compiler.reference.storage_buffers import Contents
 from .drivers.wire import to_json
 from .instances.derived import Inputs, computed
 from .instances.instance import Instance
@@ -63,12 +64,14 @@ Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]
 
 
 def values_for(shader: Shader, instance: Instance) -> dict[str, Any]:
-    """The values of the parameters that a shader reads, in the reference's form.
+    """The values of the parameters that a shader reads and the contents of its buffers, in the
+    reference's form.
 
     What a host sets is a float32 exactly. The emitted program also reads derived parameters, whose
     values are given before they are rounded, as that is what they mean.
     """
     values = instance.values()
+    values |= {name: Contents(held.bound) for name, held in instance.buffers().items()}
     read = [node.data for node in reachable(shader.roots) if isinstance(node.data, Parameter)]
     wanted = [parameter for parameter in read if parameter.derived]
     if not wanted:

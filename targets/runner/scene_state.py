@@ -50,10 +50,11 @@ class SceneState:
         return {row["name"]: self.attributes[row["name"]] for row in rows if row["step"] == step}
 
     def draw(self) -> Draw:
-        """The bytes that a driver draws, in the order of the reflection's inputs, blocks and
-        textures."""
+        """The bytes that a driver draws, in the order of the reflection's inputs, blocks,
+        textures and buffers."""
         reflection = self.instance.reflection
         blocks, textures = self.instance.blocks(), self.instance.textures()
+        buffers = self.instance.buffers()
         return Draw(
             width=self.width,
             height=self.height,
@@ -68,6 +69,9 @@ class SceneState:
                 textures[row["name"]].image() for row in reflection["textures"] if row["stages"]
             ),
             clear=self.clear,
+            buffers=tuple(
+                buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]
+            ),
             instance_count=self.instance_count,
         )
 

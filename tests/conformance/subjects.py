@@ -31,9 +31,12 @@ NAMES = _names()
 """The names of materials, such as ``operations: Limits`` for a file and one of its passes."""
 
 LACKING = dict.fromkeys(
-    ("gathered: Colors", "gathered: Depths", "gathered: Levels", "gathered: Varying"),
+    (
+        "gathered: Colors", "gathered: Depths", "gathered: Levels", "gathered: Varying",
+        "buffers: Scaled", "buffers: Shapes",
+    ),
     ("glsl:es300", "glsl:gl330"),
-)
+)  # fmt: skip
 """The materials that use something that some profiles lack."""
 
 DEFECTS = {"gathered: Varying": "lavapipe"}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,6 +22,9 @@ PROFILES = tuple(
     for target in map(registry.load, registry.names())
     for profile in target.profiles
 )
+WITHOUT_BUFFERS = frozenset({"glsl:gl330", "glsl:es300"})
+LACKING: Mapping[str, frozenset[str]] = {"lanterns": WITHOUT_BUFFERS}
+"""By example, the profiles that lack what it shows."""
 STAGES = {"vertex": "vert", "fragment": "frag"}
 
 
@@ -36,9 +39,15 @@ class Variant:
     def __str__(self) -> str:
         return "-".join(filter(None, (self.path.stem, self.rig, self.pass_)))
 
+    @property
+    def profiles(self) -> tuple[str, ...]:
+        """Those of all targets that have what it shows."""
+        lacking = LACKING.get(self.path.stem, frozenset())
+        return tuple(profile for profile in PROFILES if profile not in lacking)
+
     def compile(self) -> burnish.CompileResult:
-        """All its materials, compiled for every profile of every target."""
-        return burnish.compile(self.path, PROFILES, rig=self.rig, pass_=self.pass_)
+        """All its materials, compiled for every profile that can have them."""
+        return burnish.compile(self.path, self.profiles, rig=self.rig, pass_=self.pass_)
 
 
 def variants() -> Iterator[Variant]:

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import pytest
 
-from burnish import CompileResult
+from burnish import CompileError, CompileResult, compile
 from burnish.targets.toolchain import Job, Toolchain
 
-from .kit import EXAMPLES, PROFILES, STAGES, VARIANTS, Variant, jobs_of
+from .kit import EXAMPLES, LACKING, STAGES, VARIANTS, Variant, jobs_of
 
 
 def jobs(result: CompileResult) -> Iterator[Job]:
@@ -25,8 +25,16 @@ def test_accepted(variant: Variant, toolchain: Toolchain) -> None:
     verdicts = toolchain.check(list(jobs(result)))
     refused = [verdict.report() for verdict in verdicts if verdict.status != "accepted"]
     assert not refused, "\n".join(refused)
-    assert len(verdicts) >= len(result.materials) * len(PROFILES) * len(STAGES)
+    assert len(verdicts) >= len(result.materials) * len(variant.profiles) * len(STAGES)
 
 
 def test_every_example_is_tried() -> None:
     assert {variant.path for variant in VARIANTS} == set(EXAMPLES)
+
+
+@pytest.mark.parametrize("variant", [v for v in VARIANTS if v.path.stem in LACKING], ids=str)
+def test_no_more_profiles_are_left_out_than_lack_something(variant: Variant) -> None:
+    for profile in LACKING[variant.path.stem]:
+        with pytest.raises(CompileError) as refused:
+            compile(variant.path, profile, rig=variant.rig, pass_=variant.pass_)
+        assert {each.rule.code for each in refused.value.diagnostics} == {"B0701"}

@@ -37,6 +37,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "array": "type elements",
             "member": "block name",
             "block_argument": "type name",
+            "buffer_argument": "type name",
             "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",

@@ -17,7 +17,7 @@ from burnish.targets.emit.views import FileView
 from .kit import PROFILES, Selected
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-EMPTY = FileView([], ["first", "second"], [], [], [], [], [], [])
+EMPTY = FileView([], ["first", "second"], [], [], [], [], [], [], [])
 PROFILE = Profile(name="any", doc="")
 
 
@@ -31,7 +31,9 @@ def written(folder: Path, text: str) -> Path:
     return path
 
 
-@pytest.mark.parametrize("example", ["plastic", "cutout", "indexed", "host_block", "confetti"])
+@pytest.mark.parametrize(
+    "example", ["plastic", "cutout", "indexed", "host_block", "confetti", "lanterns"]
+)
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_jinja_writes_the_same(
     example: str, selected: Selected, monkeypatch: pytest.MonkeyPatch

@@ -28,6 +28,7 @@ from ..picture.sampler import TextureReader
 from ..picture.scene import Floats, Geometry, RasterRules, Texels
 from ..picture.stage_evaluation import DERIVATIVE_AXES, StageEvaluator, difference_taken
 from ..picture.texels import Image
+from ..storage_buffers import reader
 
 SIDE = 2
 """A pixel is evaluated with its neighbours in the quad, because derivatives compare them."""
@@ -205,6 +206,8 @@ class PixelShader:
         )
 
     def _parameter(self, node: Node) -> Lanes | None:
+        if node.op == "buffer":
+            return reader(self._values, node)
         return self._values[node.data.name] if isinstance(node.data, Parameter) else None
 
 

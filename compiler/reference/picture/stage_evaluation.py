@@ -13,9 +13,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from ....stdlib.builtins import BUILTINS
-from ...ir.leaves import Attribute, Parameter, Resource
+from ...ir.leaves import Attribute, Buffer, Parameter, Resource
 from ...ir.node import Node, reachable
-from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
+from ...ir.operations import BUFFER, BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import Type, scalar_kind, width
@@ -23,6 +23,7 @@ from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
 from ..bounds.bounded import constant, hull
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes, Namespace
+from ..storage_buffers import reader
 from ..stored import stored
 from ..vectors import inner
 from .quads import Barycentric
@@ -105,6 +106,7 @@ class StageEvaluator:
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
         self._promised = _promised((*self._targets, self._position))
         self._parameters: dict[tuple[Parameter, Type], Lanes] = {}
+        self._buffers: dict[tuple[Buffer, Type], Lanes | None] = {}
         self.broken: set[int] = set()
         """The ids of promises that were broken at some vertex or pixel so far."""
         self.left_a_domain = False
@@ -182,6 +184,11 @@ class StageEvaluator:
         return tuple(lane if isinstance(lane, Bounded) else given(lane) for lane in lanes)
 
     def _parameter(self, node: Node) -> Lanes | None:
+        if node.op == "buffer":
+            held = BUFFER.data(node), node.type
+            if held not in self._buffers:
+                self._buffers[held] = reader(self._values, node)
+            return self._buffers[held]
         if not isinstance(node.data, Parameter):
             return None
         if node.data.name not in self._values:

@@ -8,7 +8,7 @@ from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...ir.node import Node
-from ...ir.types import Array, Texture, Type
+from ...ir.types import Array, Opaque, Texture, Type
 from ...syntax import ast
 from ...syntax.quoting import counted
 from ..declarations.contracts import as_declared
@@ -54,10 +54,11 @@ def array(ctx: Context, e: ast.Array, elements: Sequence[Node], scope: Scope) ->
         ctx.report.add(rules.BAD_COUNT, e.span, count=len(elements))
         return FAILURE
     for element, written in zip(elements, e.elements, strict=True):
-        if isinstance(element.type, Texture):
+        if isinstance(element.type, Opaque):
+            what = "textures" if isinstance(element.type, Texture) else "buffers"
             ctx.report.add(
                 rules.WRONG_TYPE, written.span, expected="a value", found=element.type,
-                hint="textures cannot be elements: gather what is read of them",
+                hint=f"{what} cannot be elements: gather what is read of them",
             )  # fmt: skip
             return FAILURE
     types: dict[Type, None] = dict.fromkeys(element.type for element in elements)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ....frozen import frozen
 from ...ir import build
 from ...ir.node import Node, bare
-from ...ir.types import Array, Matrix, Scalar, Struct, Texture, Vector
+from ...ir.types import Array, Matrix, Opaque, Scalar, Struct, Vector
 from ..names.modules import Symbol
 from ..state.context import Context, Given
 
@@ -53,9 +53,9 @@ def kinds_of(
 def _is_kept(argument: Node) -> bool:
     """Whether each value of an argument has a body of its own.
 
-    Textures are no arguments everywhere, arrays would be copied, and what a block holds can be read
-    by every function.
+    Textures and buffers are no arguments everywhere, arrays would be copied, and what a block holds
+    can be read by every function.
     """
-    if isinstance(argument.type, Texture | Array):
+    if isinstance(argument.type, Opaque | Array):
         return True
     return isinstance(argument.type, Struct) and bare(argument).op == "parameter"

@@ -19,6 +19,8 @@ from ...ir.types import (
     UINT,
     Array,
     Matrix,
+    Opaque,
+    RuntimeArray,
     Texture,
     Vector,
 )
@@ -33,7 +35,7 @@ from ..state.context import Context, OpenRule, Rule, Rules
 from ..state.evaluation import plain
 from ..state.scope import FAILURE, Corners, Failure, Scope, Value
 from ..types.coercion import coerce, is_negated_literal
-from . import aggregates, calls, conversions, corners, lookup, loops
+from . import aggregates, buffers, calls, conversions, corners, lookup, loops
 from .builtin_calls import builtin_call
 from .combinations import checked
 from .members import member_of
@@ -118,6 +120,8 @@ def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
     if isinstance(position, Failure):
         return FAILURE
     match operand.type:
+        case RuntimeArray():
+            return buffers.element(ctx, operand, position)
         case Array(count=count) | Vector(size=count) | Matrix(size=count):
             pass
         case _:
@@ -190,10 +194,11 @@ def _conditional(ctx: Context, e: ast.Conditional, operands: Sequence[Node], sco
     condition = fit(ctx, chooses, BOOL, "bool", e.condition.span)
     if isinstance(condition, Failure):
         return FAILURE
-    if isinstance(then.type, Texture):
+    if isinstance(then.type, Opaque):
+        what = "textures" if isinstance(then.type, Texture) else "buffers"
         ctx.report.add(
             rules.WRONG_TYPE, e.then.span, expected="a value", found=then.type,
-            hint="choose between what is read, not between textures",
+            hint=f"choose between what is read, not between {what}",
         )  # fmt: skip
         return FAILURE
     common = coerce(ctx.tree, then, otherwise.type)

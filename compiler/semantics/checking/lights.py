@@ -187,6 +187,9 @@ def _new_instance(
             "resource", resource.type, (), resource
         )
         for resource in entry.resources
+    } | {
+        buffer.name.removeprefix(f"{entry.name}."): ctx.tree.node("buffer", buffer.type, (), buffer)
+        for buffer in entry.buffers
     }
     instance = Instance(
         entry.record, entry.short_name, surface,

@@ -27,7 +27,7 @@ from ...ir.node import (
     reachable,
 )
 from ...ir.operations import LOOPS
-from ...ir.types import BOOL, INT, Scalar, Texture, Type, Vector, width
+from ...ir.types import BOOL, INT, Opaque, Scalar, Texture, Type, Vector, width
 from ...syntax import ast
 from ..declarations.fitting import fit
 from ..state.context import Context
@@ -225,10 +225,11 @@ def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope
 
 def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
     """Variables for the states that a loop begins with."""
-    if isinstance(initial.type, Texture):
+    if isinstance(initial.type, Opaque):
+        what = "texture" if isinstance(initial.type, Texture) else "buffer"
         ctx.report.add(
             rules.WRONG_TYPE, e.initial.span, expected="a value", found=initial.type,
-            hint="a texture cannot change from one iteration to the next",
+            hint=f"a {what} cannot change from one iteration to the next",
         )  # fmt: skip
         return FAILURE
     starts = tuple(build.flattened(ctx.tree, initial))

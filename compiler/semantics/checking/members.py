@@ -8,7 +8,7 @@ from ...diagnostics import rules
 from ...ir import build
 from ...ir.meaning import RGB
 from ...ir.node import Node
-from ...ir.types import Scalar, Struct, Vector, width
+from ...ir.types import RuntimeArray, Scalar, Struct, Vector, width
 from ...syntax import ast
 from ..hints import advice
 from ..state.context import Context
@@ -22,7 +22,7 @@ from ..state.scope import (
     LightVariable,
     Value,
 )
-from . import slots
+from . import buffers, slots
 from .unknown_names import unknown
 
 SWIZZLES: Mapping[str, Mapping[str, int]] = {
@@ -53,6 +53,8 @@ def member_of(ctx: Context, value: Value, e: ast.Field) -> Value:
 
 def _component(ctx: Context, node: Node, e: ast.Field) -> Node | Failure:
     name = e.name
+    if isinstance(node.type, RuntimeArray) and name.text == "count":
+        return buffers.count(ctx, node)
     if isinstance(node.type, Struct):
         members = dict(node.type.members)
         if name.text in members:

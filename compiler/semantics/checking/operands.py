@@ -17,6 +17,7 @@ from ...ir.types import (
     VEC3,
     Array,
     Matrix,
+    RuntimeArray,
     Scalar,
     Struct,
     Texture,
@@ -99,6 +100,8 @@ def _parts(operands: Sequence[Node]) -> str:
             return "name the elements that count: `a[0]`, or `sum i in 0..n : a[i]`"
         if isinstance(node.type, Texture):
             return advice.READ
+        if isinstance(node.type, RuntimeArray):
+            return advice.ELEMENTS
     return ""
 
 

@@ -11,7 +11,7 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.node import Formal, Node, bare
 from ...ir.stages import GROUP
-from ...ir.types import BOOL, INT, Texture
+from ...ir.types import BOOL, INT, Opaque, RuntimeArray, Texture
 from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.assignments import assigned
@@ -297,6 +297,8 @@ def _setting(instance: Instance, definition: Definition, declared: Declared) -> 
     kind = declaration.kind
     if isinstance(declared.type, Texture):
         return f"declare a texture with `map {name} : {declared.text}`"
+    if isinstance(declared.type, RuntimeArray):
+        return f"declare a buffer with `buffer {name} : {declared.text}`"
     if record.definitions[name][0] is not definition:
         return f"`inherited.{name}` has no value, so nothing can be computed from it"
     is_own, surface = owner is record.symbol, instance.surface
@@ -371,10 +373,11 @@ def light_slot(ctx: Context, light: LightVariable, name: ast.Name) -> Value:
     sample = slot(ctx, light.instance, name.text, name.span)
     if isinstance(sample, Failure):
         return FAILURE
-    if isinstance(sample.type, Texture):
+    if isinstance(sample.type, Opaque):
+        what = "texture" if isinstance(sample.type, Texture) else "buffer"
         ctx.report.add(
             rules.WRONG_TYPE, name.span, expected="a value", found=sample.type,
-            hint="read the texture in a slot of the light",
+            hint=f"read the {what} in a slot of the light",
         )  # fmt: skip
         return FAILURE
     variable = light.variables.get(name.text)

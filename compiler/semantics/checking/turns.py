@@ -72,7 +72,9 @@ def turns_of(
     ctx.ranges.note_index(formal, bound)
     turn = ctx.tree.node("formal", INT, (), formal)
     index = turn
-    if ctx.constants.known_integer(first) != 0:
+    if ctx.constants.known_integer(first) == 0:
+        ctx.ends[formal] = end
+    else:
         index = ctx.tree.node("call", INT, (turn, first), "add")
     return Turns(count, bound, formal, index)
 

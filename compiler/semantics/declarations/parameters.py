@@ -1,4 +1,4 @@
-"""Declared parameters and textures as leaves, with what a host may know of them."""
+"""Declared parameters, textures and buffers as leaves, with what a host may know of them."""
 
 from __future__ import annotations
 
@@ -14,9 +14,20 @@ from ...diagnostics.source import Span
 from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
-from ...ir.shader import AttributeInfo, ConstantValue, ParameterInfo, ResourceInfo
+from ...ir.shader import AttributeInfo, BufferInfo, ConstantValue, ParameterInfo, ResourceInfo
 from ...ir.stages import INSTANCES, VERTICES
-from ...ir.types import FLOAT, INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
+from ...ir.types import (
+    FLOAT,
+    INT,
+    Array,
+    Matrix,
+    Opaque,
+    Scalar,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+)
 from ...layout import STANDARD_GROUPS
 from ...syntax import ast
 from ...syntax.quoting import quoted
@@ -28,6 +39,7 @@ from ..state.evaluation import node_of
 from ..state.scope import Failure, Scope
 from ..types.meaning_rules import weakened
 from ..types.typenames import Declared
+from .buffers import buffer_of, member_infos
 from .contracts import as_declared, needs_unit
 from .maps import resource, unknown_word
 from .written_types import declared_type, named_struct
@@ -45,13 +57,14 @@ class Leaves:
 
     parameters: tuple[ParameterInfo, ...] = ()
     resources: tuple[ResourceInfo, ...] = ()
+    buffers: tuple[BufferInfo, ...] = ()
     attributes: tuple[AttributeInfo, ...] = ()
 
 
 def leaves_of(
     ctx: Context, record: Record, prefix: str = "", given: Mapping[str, Definition] = EMPTY
 ) -> Leaves:
-    """The parameters, textures and vertex inputs that instances of ``record`` read.
+    """The parameters, textures, buffers and vertex inputs that instances of ``record`` read.
 
     One that a derived record, or a rig entry (``given``), has set by an equation is none any more,
     unless an equation builds on it.
@@ -63,6 +76,7 @@ def leaves_of(
     return Leaves(
         tuple(_known_as(record, info) for each in found for info in each.parameters),
         tuple(info for each in found for info in each.resources),
+        tuple(info for each in found for info in each.buffers),
         tuple(info for each in found for info in each.attributes),
     )
 
@@ -110,6 +124,13 @@ def _of_map(ctx: Context, definition: Definition, name: str) -> Leaves:
     return Leaves() if info is None else Leaves(resources=(info,))
 
 
+def _of_buffer(ctx: Context, definition: Definition, name: str) -> Leaves:
+    member = definition.member
+    assert isinstance(member, ast.Buffer)
+    info = buffer_of(ctx, definition, name, _group(ctx, definition, member.group))
+    return Leaves() if info is None else Leaves(buffers=(info,))
+
+
 def _of_attribute(ctx: Context, definition: Definition, name: str) -> Leaves:
     return Leaves(attributes=tuple(_attribute(ctx, definition, name)))
 
@@ -117,6 +138,7 @@ def _of_attribute(ctx: Context, definition: Definition, name: str) -> Leaves:
 _LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
     ast.Param: _of_param,
     ast.Map: _of_map,
+    ast.Buffer: _of_buffer,
     ast.Attribute: _of_attribute,
 }
 """What a definition contributes as the leaf of a name, by the class of its member: one row for each
@@ -144,12 +166,13 @@ def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterIn
     declared = declared_type(ctx, member.type, module)
     if declared is None:
         return None
-    if isinstance(declared.type, Texture):
+    if isinstance(declared.type, Opaque):
+        what, word = ("texture", "map") if isinstance(declared.type, Texture) else ("buffer",) * 2
         ctx.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
             hint=fix_it(
-                f"declare a texture with `map {member.name.text} : {declared.text}`",
-                (Span(member.span.source, member.span.start, member.name.span.start), "map "),
+                f"declare a {what} with `{word} {member.name.text} : {declared.text}`",
+                (Span(member.span.source, member.span.start, member.name.span.start), f"{word} "),
             ),
         )  # fmt: skip
         return None
@@ -162,18 +185,7 @@ def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterIn
     )  # fmt: skip
     return ParameterInfo(
         parameter, declared.text, limits, default, member.doc, member.name.span,
-        _members(declared, member.name.span),
-    )  # fmt: skip
-
-
-def _members(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
-    """The members of a structure, as they were written."""
-    return tuple(
-        ParameterInfo(
-            Parameter(name, part.type, "", part.fact, meaning=part.meaning),
-            part.text, None, None, "", span, _members(part, span),
-        )
-        for name, part in declared.members
+        member_infos(declared, member.name.span),
     )  # fmt: skip
 
 

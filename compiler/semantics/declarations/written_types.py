@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from functools import cache, partial
 
 from ....frozen import EMPTY
 from ...diagnostics import rules
 from ...ir import build
-from ...ir.types import INT, Array, Struct, Texture, Type
+from ...ir.types import INT, Array, Opaque, RuntimeArray, Struct, Texture, Type
 from ...syntax import ast
 from ..names.modules import Module, Symbol
 from ..names.not_types import not_a_type
 from ..state.context import Context
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import Failure, Scope, Value
-from ..types.typenames import Declared, Variables, array_of, structure
+from ..types.typenames import Declared, Variables, array_of, structure, unsized_array_of
 from .fitting import fit
 
 MOST_LEVELS, MOST_PARTS = 64, 4096
 """How deep structures nest, and into how many numbers, vectors and matrices one is taken apart."""
+
+
+_OPAQUE_MEMBER: Mapping[type, str] = {
+    Texture: "textures are declared with `map`, in a material, light or pass",
+    RuntimeArray: "a member is an array of a known length, `T[4]`; any number of elements is a "
+    "`buffer` of a material, light or pass",
+}
+"""How to declare what cannot be a member of a structure."""
 
 
 def declared_type(
@@ -53,10 +61,23 @@ def _resolved(
     )
     other = not_a_type(symbols)
     declared = ctx.types.resolver.resolve(written, structs, spaces, variables, other)
+    if declared is not None and written.unsized:
+        return _unsized(ctx, written, declared)
     if declared is None or written.count is None:
         return declared
     count = count_of(ctx, written.count, module, variables)
     return None if count is None else array_of(declared, count)
+
+
+def _unsized(ctx: Context, written: ast.TypeName, declared: Declared) -> Declared | None:
+    """``T[]``, the type of a storage buffer."""
+    if isinstance(declared.type, Texture):
+        ctx.report.add(
+            rules.WRONG_TYPE, written.span, expected="a type of values", found=declared.text,
+            hint="layers of one texture are a `texture2d_array`",
+        )  # fmt: skip
+        return None
+    return unsized_array_of(declared)
 
 
 def numbers_of(ctx: Context, variables: Variables) -> dict[str, Value]:
@@ -143,10 +164,10 @@ def _members(
     try:
         for member in declaration.members:
             type_ = declared_type(ctx, member.type, symbol.module)
-            if type_ is not None and isinstance(type_.type, Texture):
+            if type_ is not None and isinstance(type_.type, Opaque):
                 ctx.report.add(
                     rules.WRONG_TYPE, member.type.span, expected="a value", found=type_.text,
-                    hint="textures are declared with `map`, in a material, light or pass",
+                    hint=_OPAQUE_MEMBER[type(type_.type)],
                 )  # fmt: skip
             elif type_ is not None:
                 members.append((member.name.text, type_))

@@ -11,7 +11,17 @@ from ...diagnostics.fixes import Hint, either, fix_it, write
 from ...diagnostics.nearest import is_searched_out, respelling
 from ...diagnostics.source import Span
 from ...ir.node import Node, bare
-from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
+from ...ir.types import (
+    Array,
+    Matrix,
+    RuntimeArray,
+    Scalar,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+)
 from ...syntax import ast
 from ...syntax.quoting import counted, shortened, spanned
 from ...syntax.rewriting import rewritten
@@ -22,6 +32,7 @@ from ..types.typenames import NAMED
 _FEW = 8
 """As many names can be listed."""
 
+ELEMENTS = "elements of a buffer are read by their number: `name[i]`"
 READ = "a texture is read: `name(coordinate)`"
 _LANES = "xyzw"
 _COLORS = "rgba"
@@ -33,6 +44,8 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> Hint:
     match found, wanted:
         case Texture(), _:
             return "" if isinstance(wanted, Texture) else READ
+        case RuntimeArray(), _:
+            return ELEMENTS
         case _, Texture():
             return "what is read from a texture needs a slot with a name of its own"
         case Vector(kind="bool"), Scalar(kind="bool"):
@@ -133,6 +146,8 @@ def missing_member(type_: Type, name: str, whole: Span) -> Hint:
     """What to write in place of ``v.name``, which there is not; it stands at ``whole``."""
     if isinstance(type_, Texture):
         return f"reads are called: `{name}(…)`" if is_read(name) else READ
+    if isinstance(type_, RuntimeArray):
+        return "elements are read by their number, `b[i]`, and `b.count` is how many there are"
     if isinstance(type_, Array):
         return "elements are read by their number, `a[i]`; the length is that of the declared type"
     if _is_called(name):

@@ -17,7 +17,7 @@ from typing import TypeAlias
 from ....frozen import record
 from ...ir import build
 from ...ir.binding import close, freed, open_body
-from ...ir.leaves import Resource
+from ...ir.leaves import Buffer, Resource
 from ...ir.node import Formals, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
@@ -123,9 +123,10 @@ class _Sharing:
         return closed
 
     def _name(self, group: _Group) -> str:
-        """The function's name, with its textures; further ones are told apart by their types."""
+        """The function's name, with its textures and buffers; further ones are told apart by their
+        types."""
         kept = (given.data for given in group.callee.given if isinstance(given, Node))
-        maps = [leaf.name for leaf in kept if isinstance(leaf, Resource)]
+        maps = [leaf.name for leaf in kept if isinstance(leaf, Resource | Buffer)]
         name = "_".join([group.callee.symbol.name, *maps])
         if name in self._names:
             types = [given[0] for given in group.callee.given if not isinstance(given, Node)]

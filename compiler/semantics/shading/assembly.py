@@ -8,7 +8,8 @@ from typing import TypeVar
 from ....frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
-from ...ir.leaves import Parameter, Resource
+from ...ir.leaves import Buffer, Parameter, Resource
+from ...ir.shader import BufferInfo
 from ...syntax import ast
 from ..checking.expressions import RULES
 from ..declarations.overrides import check_replacements
@@ -55,7 +56,7 @@ def set_up(parts: Parts, report: Report, records: Records) -> Setting:
     ctx = Context(report, records, RULES)
     leaves = _leaves(ctx, parts)
     entries = entries_of(ctx, parts.rig, names_taken(leaves, parts.module))
-    ctx.rig = tuple(entry for entry, _, _ in entries)
+    ctx.rig = tuple(entry for entry, _ in entries)
     return _put_together(ctx, parts, leaves, entries, None)
 
 
@@ -127,9 +128,10 @@ def is_declared_abstract(record: Record) -> bool:
 
 
 def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:
-    """A pass's parameters and textures under names that its material does not use."""
+    """A pass's parameters, textures and buffers under names that its material does not use."""
     taken = {info.parameter.name for info in others.parameters}
     taken |= {info.resource.name for info in others.resources}
+    taken |= {info.buffer.name for info in others.buffers}
     parameters = tuple(
         changed(info, parameter=_prefixed(info.parameter, drawn))
         if info.parameter.name in taken
@@ -142,10 +144,18 @@ def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:
         else info
         for info in leaves.resources
     )
-    return changed(leaves, parameters=parameters, resources=resources)
+    buffers = tuple(
+        _renamed(info, drawn) if info.buffer.name in taken else info for info in leaves.buffers
+    )
+    return changed(leaves, parameters=parameters, resources=resources, buffers=buffers)
 
 
-Leaf = TypeVar("Leaf", Parameter, Resource)
+def _renamed(info: BufferInfo, drawn: Record) -> BufferInfo:
+    buffer = _prefixed(info.buffer, drawn)
+    return changed(info, buffer=buffer, count=changed(info.count, parameter=buffer.count))
+
+
+Leaf = TypeVar("Leaf", Parameter, Resource, Buffer)
 
 
 def _prefixed(leaf: Leaf, drawn: Record) -> Leaf:

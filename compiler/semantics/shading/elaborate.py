@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ....frozen import changed
 from ...diagnostics import rules
@@ -32,7 +32,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
-from .host_names import Entry, check_host_names
+from .host_names import check_host_names
 from .slot_checks import check_rig, check_slots
 
 FORMATS: Mapping[str, Type] = {
@@ -91,7 +91,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
-    leaves, entries = setting.leaves, setting.entries
+    leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
+    everything = (*leaves, *lights)
     values, graph, notes = lowered(ctx, [result.value for result in results])
     return Shader(
         name=setting.surface.record.name,
@@ -100,14 +101,14 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         rig_name=parts.rig.name,
         graph=graph,
         notes=notes,
-        parameters=_all_parameters(leaves, entries, ctx.externs.infos),
-        resources=tuple(r for ls in leaves for r in ls.resources)
-        + tuple(r for _, _, resources in entries for r in resources),
+        parameters=_all_parameters(everything, ctx.externs.infos),
+        resources=tuple(resource for part in everything for resource in part.resources),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
         chain=RASTERISED if setting.surface.expanded is None else EXPANDED,
         expansion=None if setting.surface.expanded is None else setting.surface.expanded.expansion,
+        buffers=tuple(buffer for part in everything for buffer in part.buffers),
     )
 
 
@@ -117,11 +118,12 @@ def places_vertices(results: Iterable[Result]) -> bool:
 
 
 def _all_parameters(
-    leaves: Iterable[Leaves], entries: Iterable[Entry], externs: Iterable[ExternInfo]
+    leaves: Sequence[Leaves], externs: Iterable[ExternInfo]
 ) -> tuple[ParameterInfo, ...]:
-    own = [info for group in leaves for info in group.parameters]
-    of_lights = [info for _, infos, _ in entries for info in infos]
-    return (*own, *of_lights, *(member.info for block in externs for member in block.members))
+    """Those that are declared, those that count elements, and the members of the host's blocks."""
+    own = [info for part in leaves for info in part.parameters]
+    counts = [info.count for part in leaves for info in part.buffers]
+    return (*own, *counts, *(member.info for block in externs for member in block.members))
 
 
 def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:

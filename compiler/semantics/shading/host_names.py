@@ -7,21 +7,21 @@ from collections.abc import Container, Iterable, Iterator
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
-from ...ir.shader import ExternInfo, ParameterInfo, ResourceInfo
+from ...ir.shader import ExternInfo
 from ...syntax import ast
 from ..declarations.parameters import Leaves
 from ..names.modules import Module, Symbol
 from ..state.scope import RigEntry
 
-Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
-"""A light of a rig with its parameters and textures."""
+Entry = tuple[RigEntry, Leaves]
+"""A light of a rig with its parameters, textures and buffers."""
 
 Named = tuple[str, str, Span]
 """A name, what its first word stands for, and where that is declared."""
 
 
 def names_taken(leaves: Iterable[Leaves], module: Module) -> frozenset[str]:
-    """The names of parameters, textures and the file's blocks, which a light cannot have too."""
+    """The names of parameters, textures, buffers and the file's blocks, which no light can have."""
     words = {name.partition(".")[0] for name, _, _ in _of_leaves(leaves)}
     blocks = {
         symbols[0].name
@@ -70,6 +70,8 @@ def _of_leaves(leaves: Iterable[Leaves]) -> Iterator[Named]:
             yield _apart(info.parameter.name, "a parameter", info.span)
         for texture in group.resources:
             yield _apart(texture.resource.name, "a texture", texture.span)
+        for buffer in group.buffers:
+            yield _apart(buffer.buffer.name, "a buffer", buffer.span)
 
 
 def _apart(name: str, what: str, span: Span) -> Named:
@@ -82,8 +84,8 @@ def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> 
 
     ``entries`` may have been made for another material, beside which they have other names.
     """
-    for entry, infos, resources in entries:
-        if infos or resources:
+    for entry, leaves in entries:
+        if leaves.parameters or leaves.resources or leaves.buffers:
             yield light_name(rig, entry.short_name, taken), "a light", entry.span
 
 

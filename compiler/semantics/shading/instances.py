@@ -15,16 +15,19 @@ from ..state.scope import Instance
 
 
 def instance_of(ctx: Context, record: Record, leaves: Leaves) -> Instance:
-    """A material or pass whose parameters, textures and vertex inputs are ``leaves``."""
+    """A material or pass whose parameters, textures, buffers and vertex inputs are ``leaves``."""
     nodes: dict[str, Node] = {}
-    for info in leaves.parameters:
-        short = info.parameter.name.rpartition(".")[2]
-        nodes[short] = ctx.tree.node("parameter", info.parameter.type, (), info.parameter)
+    for declared in leaves.parameters:
+        short = declared.parameter.name.rpartition(".")[2]
+        nodes[short] = ctx.tree.node("parameter", declared.parameter.type, (), declared.parameter)
     resources = {}
     for texture in leaves.resources:
         read = texture.resource
         short = read.name.rpartition(".")[2]
         resources[short] = ctx.tree.node("resource", read.type, (), read)
+    for info in leaves.buffers:
+        short = info.buffer.name.rpartition(".")[2]
+        resources[short] = ctx.tree.node("buffer", info.buffer.type, (), info.buffer)
     inputs = dict(_vertex_inputs(ctx, leaves.attributes))
     instance = Instance(record, parameters=nodes, resources=resources, attributes=inputs)
     check_overrides(ctx, instance)

@@ -8,7 +8,13 @@ from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...syntax import ast
-from ..declarations.parameters import DEFAULT_GROUPS, as_array, count_parameter, leaves_of
+from ..declarations.parameters import (
+    DEFAULT_GROUPS,
+    Leaves,
+    as_array,
+    count_parameter,
+    leaves_of,
+)
 from ..declarations.written_types import count_of
 from ..hints.advice import nearest_or_all
 from ..inheritance.records import Definition, Record
@@ -90,16 +96,18 @@ def _entry(
     leaves = leaves_of(ctx, record, f"{name}.", given)
     infos = tuple(changed(info, light=name) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)
+    buffers = tuple(info.buffer for info in leaves.buffers)
     if written.count is None:
         parameters = tuple(info.parameter for info in leaves.parameters)
         entry = RigEntry(
-            name, written.name.span, record, "single", parameters, resources, replaced=replaced
-        )
-        return entry, infos, leaves.resources
+            name, written.name.span, record, "single", parameters, resources, buffers,
+            replaced=replaced,
+        )  # fmt: skip
+        return entry, changed(leaves, parameters=infos)
     bound = count_of(ctx, written.count, rig.module)
     if bound is None:
         return None
-    if leaves.resources or not leaves.parameters:
+    if leaves.resources or leaves.buffers or not leaves.parameters:
         ctx.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
         return None
     group = DEFAULT_GROUPS["light"]
@@ -107,10 +115,10 @@ def _entry(
     array = changed(array, span=written.name.span, light=name)
     count = count_parameter(name, bound, group, array) if written.at_most else None
     entry = RigEntry(
-        name, written.name.span, record, "array", (array.parameter,), (), bound,
+        name, written.name.span, record, "array", (array.parameter,), (), (), bound,
         count.parameter if count is not None else None, replaced,
     )  # fmt: skip
-    return entry, (array,) if count is None else (array, count), ()
+    return entry, Leaves(parameters=(array,) if count is None else (array, count))
 
 
 def _overrides(

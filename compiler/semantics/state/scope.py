@@ -8,7 +8,7 @@ from typing import Literal
 from ....frozen import changed, fresh, frozen, record
 from ...diagnostics.source import Span
 from ...ir.expansion import Expansion
-from ...ir.leaves import Parameter, Resource
+from ...ir.leaves import Buffer, Parameter, Resource
 from ...ir.node import Node
 from ...syntax import ast
 from ..inheritance.records import Definition, Record
@@ -44,6 +44,7 @@ class Instance:
     parameters: Mapping[str, Node] = fresh(factory=dict)
     """What reads each ``param``; for one light of many, a member of an array element."""
     resources: Mapping[str, Node] = fresh(factory=dict)
+    """Its textures and buffers."""
     attributes: Mapping[str, Node] = fresh(factory=dict)
     replaced: dict[str, Replacement] = fresh(factory=dict)
     expanded: ExpandedSlots | None = None
@@ -207,6 +208,7 @@ class RigEntry:
     parameters: tuple[Parameter, ...]
     """Single: one for each ``param``. Array: the array of structs."""
     resources: tuple[Resource, ...]
+    buffers: tuple[Buffer, ...] = ()
     bound: int = 1
     count: Parameter | None = None
     """Of ``[<= N]``: the run-time count."""

@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterable, Mapping
 
 from ....stdlib.builtins import BUILTINS
 from ...ir.binding import Moved
-from ...ir.leaves import Attribute, Parameter
+from ...ir.leaves import Attribute, Buffer, Parameter
 from ...ir.meaning import ARROWS, COLORS, GEOMETRY, RGB, Meaning
 from ...ir.node import Folding, Graph, Node, Roots
 from ...ir.operations import CROSS
 from ...ir.rewrite import rewrite
-from ...ir.types import Array, Matrix, Struct
+from ...ir.types import Array, Matrix, RuntimeArray, Struct
 from .meaning_rules import RULES, Found, chosen, gathered, side, weakened
 
 
@@ -92,7 +92,7 @@ def _ascription(node: Node, _operands: Operands) -> Found:
 
 
 def _leaf(node: Node, _operands: Operands) -> Found:
-    return node.data.meaning if isinstance(node.data, Parameter | Attribute) else None
+    return node.data.meaning if isinstance(node.data, Parameter | Buffer | Attribute) else None
 
 
 def _select(node: Node, operands: Operands) -> Found:
@@ -117,7 +117,7 @@ def _swizzle(node: Node, operands: Operands) -> Found:
 
 def _index(node: Node, operands: Operands) -> Found:
     whole, of = operands[0], node.operands[0].type
-    if isinstance(of, Array):
+    if isinstance(of, Array | RuntimeArray):
         return whole
     if isinstance(of, Matrix) and whole is not None and whole.kind == "basis":
         return Meaning("vector", whole.spaces[1:])
@@ -150,6 +150,7 @@ def _value(_node: Node, operands: Operands) -> Found:
 
 _RULES: Mapping[str, Callable[[Node, Operands], Found]] = {
     "parameter": _leaf,
+    "buffer": _leaf,
     "attribute": _leaf,
     "as": _ascription,
     "call": _call,

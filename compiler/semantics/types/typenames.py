@@ -27,6 +27,7 @@ from ...ir.types import (
     VEC4,
     Array,
     Matrix,
+    RuntimeArray,
     Scalar,
     ScalarKind,
     Struct,
@@ -111,6 +112,8 @@ _SEMANTICS = re.compile(r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINOR
 def described(name: ast.TypeName) -> str:
     """The written type as one line of text."""
     text = _written(name.name.text, [argument.text for argument in name.arguments])
+    if name.unsized:
+        return f"{text}[]"
     return f"{text}[{name.count.span.text}]" if name.count is not None else text
 
 
@@ -234,6 +237,11 @@ def _elsewhere(name: ast.Name) -> Hint:
     if _SEMANTICS.fullmatch(name.text):
         return "a semantic is no type, and is not written: the compiler connects the stages"
     return ""
+
+
+def unsized_array_of(declared: Declared) -> Declared:
+    """Any number of elements of a resolved type."""
+    return changed(declared, type=RuntimeArray(declared.type), text=f"{declared.text}[]")
 
 
 def array_of(declared: Declared, count: int) -> Declared:

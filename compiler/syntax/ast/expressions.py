@@ -205,9 +205,11 @@ Expression = (
 
 @frozen(eq=False)
 class TypeName:
-    """``float``, ``point<world>``, ``vec3[4]``: name, space arguments, array length if any."""
+    """``float``, ``point<world>``, ``vec3[4]``, ``vec3[]``: name, space arguments, array length."""
 
     span: Span
     name: Name
     arguments: tuple[Name, ...] = ()
     count: Expression | None = None
+    unsized: bool = False
+    """An array whose length only the host knows: ``vec3[]``."""

@@ -49,6 +49,17 @@ class Map:
 
 
 @frozen(eq=False)
+class Buffer:
+    """``buffer lamps : Lamp[] per group``: storage that the host binds, of any length."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    group: Name | None
+
+
+@frozen(eq=False)
 class Attribute:
     """``attribute uv0 : vec2``: a vertex input."""
 
@@ -123,7 +134,7 @@ class Expand:
     strips: tuple[Strips, ...]
 
 
-Member = Param | Map | Attribute | Slot | Target | Discard | Expand
+Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 
@@ -164,8 +175,9 @@ Inheritance = Literal["overridden", "replaced", "gathered"]
 """
 
 Contribution = Literal["parameter", "resource", "attribute", "value", "result"]
-"""What a shader gets of a member: a value that the host sets, a texture that it binds, an input of
-the vertices, something computed that others read, or something that the shader delivers."""
+"""What a shader gets of a member: a value that the host sets, a texture or a buffer that it binds,
+an input of the vertices, something computed that others read, or something that the shader
+delivers."""
 
 
 @frozen
@@ -250,6 +262,17 @@ KINDS: tuple[MemberKind, ...] = (
         "where everything after the type is optional",
         doc="a texture that the host binds, with its sampler",
         has_default=True,
+    ),
+    MemberKind(
+        word="buffer",
+        node=Buffer,
+        productions={"buffer": Buffer},
+        opening=("NAME", ":"),
+        records=RECORD_KINDS,
+        inheritance="overridden",
+        contribution="resource",
+        form="a storage buffer is `buffer name : type[]` or `buffer name : type[] per group`",
+        doc="any number of elements, which the host binds",
     ),
     MemberKind(
         word="attribute",

@@ -77,6 +77,7 @@ def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
         raise DriverError(f"a picture of {draw.width} x {draw.height} pixels has none")
     _same_number("vertex buffers", draw.vertices, pipeline.inputs)
     _same_number("uniform blocks", draw.blocks, pipeline.blocks)
+    _same_number("storage buffers", draw.buffers, pipeline.buffers)
     _same_number("textures", draw.textures, pipeline.textures)
     _same_number("clear colours", draw.clear, pipeline.targets)
     for vertex_input, data in zip(pipeline.inputs, draw.vertices, strict=True):
@@ -85,6 +86,12 @@ def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
         _same_size(f"vertex attribute {vertex_input.identifier!r}", data, size)
     for block, data in zip(pipeline.blocks, draw.blocks, strict=True):
         _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
+    for buffer, data in zip(pipeline.buffers, draw.buffers, strict=True):
+        if not data or len(data) % buffer.stride:
+            raise DriverError(
+                f"storage buffer {buffer.place.identifier!r} is given {len(data)} bytes, and "
+                f"its elements have {buffer.stride}"
+            )
     for texture, image in zip(pipeline.textures, draw.textures, strict=True):
         _check_texture(f"texture {texture.texture.identifier!r}", texture, image)
     _check_indices(draw)

@@ -121,6 +121,15 @@ class BlockSlot:
 
 
 @dataclass(frozen=True, slots=True)
+class BufferSlot:
+    """A storage buffer of the pipeline, which its shaders read."""
+
+    place: Place
+    stride: int
+    """The number of bytes from one element to the next."""
+
+
+@dataclass(frozen=True, slots=True)
 class TextureSlot:
     """A texture of the pipeline with the sampler that reads it."""
 
@@ -165,6 +174,7 @@ class Pipeline:
     """The winding to set as front, in the API's own terms."""
     first_row: Literal["top", "bottom"] = "top"
     """Which row of the picture comes first in the framebuffer's memory."""
+    buffers: tuple[BufferSlot, ...] = ()
     host_uniforms: tuple[str, ...] = ()
     """Single float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
 
@@ -204,6 +214,7 @@ class Draw:
     clear: tuple[tuple[float, float, float, float], ...]
     """One colour for each target."""
     instance_count: int = 1
+    buffers: tuple[bytes, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 from ....arguments import expect
 from . import derived
 from .blocks import write
+from .buffers import packed
+from .contents import Contents, empty, layout_of
 from .names import Names
 from .parts import Part, Rig
 from .shapes import Elements, Numbers
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 
 FORMAT = 1
 """The version of the reflection that this code reads."""
-_PARTS = ("material", "blocks", "parameters", "derived", "lights", "textures")
+_PARTS = ("material", "blocks", "parameters", "derived", "lights", "buffers", "textures")
 """The keys that the reflection must have."""
 
 
@@ -62,6 +64,8 @@ class Instance:
         self._names = Names(reflection)
         self._values = {name: initial(shape) for name, shape in self._names.shapes.items()}
         self._textures: dict[str, Texture] = {}
+        layouts = map(layout_of, reflection["buffers"])
+        self._buffers = {layout.name: empty(layout) for layout in layouts}
 
     @property
     def reflection(self) -> Mapping[str, Any]:
@@ -74,11 +78,14 @@ class Instance:
         return Rig(self, self._names.rig)
 
     def set(self, name: str, value: object) -> None:
-        """Set a parameter, a part of one, a light or a texture.
+        """Set a parameter, a part of one, a light, a texture or a storage buffer.
 
         A light takes a mapping of its parameters, and an array of lights a list of mappings. If the
         lights are counted at run time, the list also sets the count. Members that a mapping does
         not name keep their values.
+
+        A buffer takes a list of elements, each like the value of a parameter, or a NumPy array: of
+        numbers, or with a field for each member of a structure. It also sets the buffer's count.
 
         Raises ``ParameterError`` if there is no such parameter, or if it cannot have the value;
         then nothing changes.
@@ -86,6 +93,8 @@ class Instance:
         _check_name(name)
         if name in self._names.textures:
             self._textures[name] = _texture(self._texture_row(name), value)
+        elif name in self._buffers:
+            self._set_buffer(packed(self._buffers[name].layout, value))
         else:
             self._values |= self._changes(name, value)
 
@@ -114,12 +123,15 @@ class Instance:
     def get(self, name: str) -> Any:
         """The stored value, with floats rounded to float32; ``None`` if there is none yet.
 
-        Vectors, matrices (as columns) and arrays are tuples; structures and lights are mappings.
+        Vectors, matrices (as columns), arrays and buffers are tuples; structures and lights are
+        mappings.
         Raises ``ParameterError`` if there is no such parameter.
         """
         _check_name(name)
         if name in self._names.textures:
             return self._textures.get(name)
+        if name in self._buffers:
+            return self._buffers[name].elements()
         if members := self._names.light(name):
             return {member: self.get(f"{name}.{member}") for member in members}
         place = self._names.place(name)
@@ -162,6 +174,10 @@ class Instance:
             write(blocks[row["block"]], row["offset"], shape, rounded(value))
         return {name: bytes(block) for name, block in blocks.items()}
 
+    def buffers(self) -> dict[str, Contents]:
+        """The contents of every storage buffer by name; one that was not set has no elements."""
+        return dict(self._buffers)
+
     def textures(self) -> dict[str, Texture]:
         """Every texture by name; one that was not set is the declared default, of a single
         texel."""
@@ -195,7 +211,7 @@ class Instance:
         none."""
         if self._names.light(name):
             return Part(self, name)
-        if name in self._names.textures:
+        if name in self._names.textures or name in self._buffers:
             return self.get(name)
         try:
             place = self._names.place(name)
@@ -209,11 +225,19 @@ class Instance:
         rows: Iterable[Mapping[str, Any]] = self._reflection["textures"]
         return next(row for row in rows if row["name"] == name)
 
+    def _set_buffer(self, contents: Contents) -> None:
+        layout = contents.layout
+        self._buffers[layout.name] = contents
+        self._values[layout.counter] = (contents.count,)
+
     def _changes(self, name: str, value: object) -> dict[str, Any]:
         """The new values of all parameters that change if ``name`` is set."""
         if members := self._names.light(name):
             return self._light_changes(name, members, value)
         place = self._names.place(name)
+        if place.parameter in self._names.counters:
+            buffer = self._names.counters[place.parameter]
+            raise ParameterError(name, f"`{name}` is set with `{buffer}`, whose elements it counts")
         shape, old = self._names.shapes[place.parameter], self._values[place.parameter]
         changes = {place.parameter: changed(shape, old, place.path, value, name)}
         if isinstance(shape, Elements) and shape.counter and not place.path:

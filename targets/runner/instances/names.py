@@ -36,6 +36,10 @@ class Names:
             row["name"]: shape_of(row) for row in reflection["parameters"]
         }
         self.textures = frozenset(row["name"] for row in reflection["textures"])
+        self.counters: Mapping[str, str] = {
+            row["count"]: row["name"] for row in reflection["buffers"]
+        }
+        """The storage buffer whose elements a parameter counts."""
         self._lights = {
             row["name"]: tuple(name.removeprefix(f"{row['name']}.") for name in row["parameters"])
             for row in reflection["lights"]
@@ -63,11 +67,20 @@ class Names:
         """The parameter, or the part of one, with a name. Raises ``ParameterError`` if there is
         none."""
         steps = _STEP.findall(name) if _NAME.fullmatch(name) else []
+        self._check_whole(name)
         for end in range(len(steps), 0, -1):
             parameter = ".".join(steps[:end])
             if parameter in self.shapes:
                 return self._inside(parameter, steps[end:], name)
         raise UnknownParameterError(name, self._unknown(name))
+
+    def _check_whole(self, name: str) -> None:
+        """Raise ``ParameterError`` for a part of a storage buffer."""
+        for buffer in self.counters.values():
+            if name.startswith(f"{buffer}["):
+                raise ParameterError(
+                    name, f"`{buffer}` is a storage buffer, which is set and read as a whole"
+                )
 
     def _inside(self, parameter: str, steps: list[str], name: str) -> Place:
         owner, shape, path = parameter, self.shapes[parameter], []
@@ -85,7 +98,7 @@ class Names:
         if inputs := self._derived.get(name):
             listed = ", ".join(f"`{each}`" for each in inputs)
             return f"`{name}` is not set but derived, from {listed}"
-        names = [*self.shapes, *self.textures, *self._lights]
+        names = [*self.shapes, *self.textures, *self.counters.values(), *self._lights]
         root = name.partition(".")[0].partition("[")[0]
         roots = dict.fromkeys(known.partition(".")[0] for known in names)
         hint = suggestion(name, names) or suggestion(root, roots) or f"there are {', '.join(roots)}"

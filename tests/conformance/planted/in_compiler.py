@@ -11,7 +11,13 @@ import pytest
 from burnish.compiler.ir import range_rules, ranges
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.refinements import refinements
-from burnish.compiler.passes import guard, move_to_vertices, path_conditions, split_stages
+from burnish.compiler.passes import (
+    guard,
+    lower_reads,
+    move_to_vertices,
+    path_conditions,
+    split_stages,
+)
 from burnish.compiler.passes.rules import table
 from burnish.compiler.passes.rules.rule import operand
 from burnish.frozen import changed
@@ -147,6 +153,8 @@ PLANTED = [
             QUICKEST["hlsl"], rewriting("constant factors", gives=operand(0))),
     Planted("a common factor without the other one", "rules: Gathered", QUICKEST["wgsl"],
             rewriting("common factor", gives=operand(0))),
+    Planted("columns of the next matrix", "buffers: Shapes", QUICKEST["glsl"],
+            replaced(lower_reads, "stored_elements", lambda _element: 1)),
     Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
             replaced(move_to_vertices, "_is_affine", lambda _node: True)),
 ]  # fmt: skip

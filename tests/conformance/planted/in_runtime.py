@@ -144,6 +144,13 @@ def _textures_exchanged(draw: Draw) -> Draw:
 
 GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
 
+
+def _buffers_turned(whole: Draw) -> Draw:
+    """With the words of every storage buffer in the opposite order."""
+    turned = (np.frombuffer(data, "<u4")[::-1].tobytes() for data in whole.buffers)
+    return replace(whole, buffers=tuple(turned))
+
+
 PLANTED = [
     Planted("blocks a lane too far", "storage: Plain", GLSL, replaced(instance, "write", _shifted)),
     Planted("matrices by rows", "storage: Products", HLSL,
@@ -172,6 +179,7 @@ PLANTED = [
     Planted("all compare likewise", "kinds: Compared", HLSL,
             job(_samplers(compare="less"))),
     Planted("textures exchanged", "textures: Wraps", GLSL, job(_draws(_textures_exchanged))),
+    Planted("buffers exchanged", "buffers: Shapes", WGSL, job(_draws(_buffers_turned))),
     Planted("all repeat", "textures: Wraps", GLSL, job(_samplers(wrap="repeat"))),
     Planted("all mirror", "textures: Wraps", HLSL, job(_samplers(wrap="mirror"))),
     Planted("all smooth", "textures: Wraps", WGSL, job(_samplers(filter="linear"))),

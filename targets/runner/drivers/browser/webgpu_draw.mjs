@@ -93,10 +93,14 @@ function makeBuffer(device, data, usage) {
 }
 
 function bindGroups(device, job, layouts, draw, keep) {
-  const resource = ({ block, texture, sampler, number }) => {
+  const resource = ({ block, storage, texture, sampler, number }) => {
     if (block) {
       const data = bytes(draw.blocks[number]);
       return { buffer: keep(makeBuffer(device, data, GPUBufferUsage.UNIFORM)) };
+    }
+    if (storage) {
+      const data = bytes(draw.buffers[number]);
+      return { buffer: keep(makeBuffer(device, data, GPUBufferUsage.STORAGE)) };
     }
     if (texture) {
       const image = draw.textures[number];

@@ -99,6 +99,7 @@ export function groups(job) {
     found[place.group].set(place.binding, what);
   };
   job.blocks.forEach((slot, number) => add(slot.place, { block: slot, number }));
+  job.buffers.forEach((slot, number) => add(slot.place, { storage: slot, number }));
   job.textures.forEach((slot, number) => {
     add(slot.texture, { texture: slot, number });
     if (slot.sampler) add(slot.sampler, { sampler: slot, number });
@@ -115,6 +116,9 @@ function groupLayouts(device, job) {
         binding,
         visibility: BOTH_STAGES,
         ...(what.block && { buffer: { minBindingSize: what.block.size } }),
+        ...(what.storage && {
+          buffer: { type: "read-only-storage", minBindingSize: what.storage.stride },
+        }),
         ...(what.texture && { texture: textureLayout(what.texture) }),
         ...(what.sampler && { sampler: samplerLayout(what.sampler) }),
       })),

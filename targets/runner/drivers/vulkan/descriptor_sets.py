@@ -1,4 +1,4 @@
-"""Creates the descriptor sets, through which blocks, textures and samplers are bound."""
+"""Creates the descriptor sets, through which blocks, buffers, textures and samplers are bound."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from .texture_images import READ, make_sampler
 
 STAGES = vk.VK_SHADER_STAGE_VERTEX_BIT | vk.VK_SHADER_STAGE_FRAGMENT_BIT
 BLOCK = vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+STORAGE = vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
 TEXTURE = vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
 SAMPLER = vk.VK_DESCRIPTOR_TYPE_SAMPLER
 COMBINED = vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
@@ -48,6 +49,12 @@ class DescriptorSets:
         for slot, sampler, view in zip(self.slots.textures, self.samplers, views, strict=True):
             info = vk.VkDescriptorImageInfo(sampler=sampler, imageView=view, imageLayout=READ)
             self._write(gpu, slot.texture, _texture_type(slot), pImageInfo=[info])
+
+    def bind_buffers(self, gpu: Gpu, buffers: Sequence[Buffer]) -> None:
+        """Make the storage buffers' descriptors refer to these."""
+        for slot, buffer in zip(self.slots.buffers, buffers, strict=True):
+            part = vk.VkDescriptorBufferInfo(buffer=buffer.handle, range=buffer.size)
+            self._write(gpu, slot.place, STORAGE, pBufferInfo=[part])
 
     def fill(self, gpu: Gpu) -> None:
         """Make the descriptors that never change refer to the blocks' buffers and the samplers."""
@@ -102,6 +109,8 @@ def _descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
 def _used_descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
     for block in pipeline.blocks:
         yield block.place, BLOCK
+    for buffer in pipeline.buffers:
+        yield buffer.place, STORAGE
     for slot in pipeline.textures:
         yield slot.texture, _texture_type(slot)
         if slot.sampler is not None:

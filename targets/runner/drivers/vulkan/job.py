@@ -21,6 +21,7 @@ from .texture_images import make_texture
 INDEX_SIZE = 4
 
 GRAPHICS = vk.VK_PIPELINE_BIND_POINT_GRAPHICS
+STORAGE = vk.VK_BUFFER_USAGE_STORAGE_BUFFER_BIT
 MESH = vk.VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | vk.VK_BUFFER_USAGE_INDEX_BUFFER_BIT
 
 
@@ -46,12 +47,13 @@ class _Painter:
         self._pipeline = make_pipeline(owned, gpu, job.pipeline, self._layout, self._render_pass)
         self._canvases: dict[tuple[int, int], Canvas] = {}
         self._textures: dict[Image, Any] = {}
-        self._buffers: dict[bytes, Buffer] = {}
+        self._buffers: dict[tuple[int, bytes], Buffer] = {}
 
     def draw(self, draw: Draw) -> Picture:
         """One picture."""
         gpu = self._gpu
         self._bindings.bind_blocks(draw.blocks)
+        self._bindings.bind_buffers(gpu, [self._buffer(STORAGE, data) for data in draw.buffers])
         self._bindings.bind_textures(gpu, [self._texture(image) for image in draw.textures])
         canvas = self._canvas(draw.width, draw.height)
         with recording(gpu) as commands:
@@ -80,10 +82,10 @@ class _Painter:
             vk.vkCmdBindDescriptorSets(
                 commands, GRAPHICS, self._layout, 0, len(sets), sets, 0, None
             )
-        if vertices := [self._buffer(data).handle for data in draw.vertices]:
+        if vertices := [self._buffer(MESH, data).handle for data in draw.vertices]:
             offsets = [0] * len(vertices)
             vk.vkCmdBindVertexBuffers(commands, 0, len(vertices), vertices, offsets)
-        indices = self._buffer(draw.indices).handle
+        indices = self._buffer(MESH, draw.indices).handle
         vk.vkCmdBindIndexBuffer(commands, indices, 0, vk.VK_INDEX_TYPE_UINT32)
         vk.vkCmdDrawIndexed(commands, len(draw.indices) // INDEX_SIZE, draw.instance_count, 0, 0, 0)
 
@@ -104,10 +106,11 @@ class _Painter:
             self._textures[image] = make_texture(self._owned, self._gpu, image)
         return self._textures[image]
 
-    def _buffer(self, data: bytes) -> Buffer:
-        if data not in self._buffers:
-            self._buffers[data] = filled_buffer(self._owned, self._gpu, MESH, data)
-        return self._buffers[data]
+    def _buffer(self, usage: int, data: bytes) -> Buffer:
+        key = usage, data
+        if key not in self._buffers:
+            self._buffers[key] = filled_buffer(self._owned, self._gpu, usage, data)
+        return self._buffers[key]
 
 
 def _clear_values(colours: Sequence[Sequence[float]]) -> list[Any]:

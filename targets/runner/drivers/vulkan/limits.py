@@ -9,7 +9,7 @@ import vulkan as vk
 
 from ....toolchain.spirv import SpirvError
 from ..checks import check_block_size
-from ..draw import DriverError, Image, Job, Pipeline, TextureSlot
+from ..draw import Draw, DriverError, Image, Job, Pipeline, TextureSlot
 from .blocks import block_sizes
 from .device import Gpu
 from .formats import TARGETS, TEXTURES
@@ -23,6 +23,7 @@ def check_limits(gpu: Gpu, job: Job) -> None:
     problems = list(_pipeline_problems(gpu, job.pipeline))
     for number, draw in enumerate(job.draws):
         found = list(_size_problems(gpu, "the picture", draw.width, draw.height))
+        found += _buffer_problems(gpu, job.pipeline, draw)
         for slot, image in zip(job.pipeline.textures, draw.textures, strict=True):
             found += _texture_problems(gpu, slot, image)
         problems += (f"draw {number}: {problem}" for problem in found)
@@ -52,6 +53,7 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
                 f"takes at most {limits.maxUniformBufferRange}"
             )
     places = [slot.place for slot in pipeline.blocks]
+    places += [slot.place for slot in pipeline.buffers]
     places += [slot.texture for slot in pipeline.textures]
     places += [slot.sampler for slot in pipeline.textures if slot.sampler is not None]
     for place in places:
@@ -63,6 +65,16 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
                 f"{limits.maxBoundDescriptorSets}"
             )
     yield from _target_problems(gpu, pipeline)
+
+
+def _buffer_problems(gpu: Gpu, pipeline: Pipeline, draw: Draw) -> Iterator[str]:
+    most = gpu.properties.limits.maxStorageBufferRange
+    for slot, data in zip(pipeline.buffers, draw.buffers, strict=True):
+        if len(data) > most:
+            yield (
+                f"storage buffer {slot.place.identifier!r} has {len(data)} bytes, and the device "
+                f"takes at most {most}"
+            )
 
 
 def _target_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:

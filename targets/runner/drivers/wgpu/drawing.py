@@ -9,7 +9,7 @@ import numpy as np
 import wgpu
 
 from ..checks import lane_count
-from ..draw import BlockSlot, Draw, Job, Picture, Pipeline, TargetFormat
+from ..draw import BlockSlot, BufferSlot, Draw, Job, Picture, Pipeline, TargetFormat
 from ..readback import TEXEL_LANES, to_float
 from .device import Gpu, explained
 from .pipeline import DEPTH, Bound, Buffer, Made, make_pipeline
@@ -80,6 +80,8 @@ def _groups(gpu: Gpu, made: Made, draw: Draw) -> list[Any]:
 def _resource(gpu: Gpu, what: Bound, draw: Draw) -> Any:
     if isinstance(what.slot, BlockSlot):
         return {"buffer": _buffer(gpu, draw.blocks[what.number], wgpu.BufferUsage.UNIFORM)}
+    if isinstance(what.slot, BufferSlot):
+        return {"buffer": _buffer(gpu, draw.buffers[what.number], wgpu.BufferUsage.STORAGE)}
     if what.is_sampler:
         return make_sampler(gpu, what.slot)
     return make_view(gpu, draw.textures[what.number])

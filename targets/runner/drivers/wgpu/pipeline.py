@@ -9,7 +9,16 @@ from typing import Any
 import wgpu
 
 from ..checks import lane_count
-from ..draw import Blend, BlockSlot, DriverError, Pipeline, RenderTarget, TextureSlot, VertexInput
+from ..draw import (
+    Blend,
+    BlockSlot,
+    BufferSlot,
+    DriverError,
+    Pipeline,
+    RenderTarget,
+    TextureSlot,
+    VertexInput,
+)
 from .device import Gpu
 
 DEPTH = "depth32float"
@@ -34,11 +43,11 @@ BLENDS: Mapping[Blend, tuple[Factors, Factors]] = {
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """What is bound at one place: a block, a texture, or the sampler of a texture."""
+    """What is bound at one place: a block, a buffer, a texture, or the sampler of a texture."""
 
-    slot: BlockSlot | TextureSlot
+    slot: BlockSlot | BufferSlot | TextureSlot
     number: int
-    """The slot's place in the pipeline's blocks or textures."""
+    """The slot's place in the pipeline's blocks, buffers or textures."""
     is_sampler: bool = False
 
 
@@ -140,6 +149,8 @@ def bound(pipeline: Pipeline) -> Groups:
 
     for number, block in enumerate(pipeline.blocks):
         add(block.place.group, block.place.binding, Bound(block, number))
+    for number, buffer in enumerate(pipeline.buffers):
+        add(buffer.place.group, buffer.place.binding, Bound(buffer, number))
     for number, slot in enumerate(pipeline.textures):
         add(slot.texture.group, slot.texture.binding, Bound(slot, number))
         if slot.sampler is not None:
@@ -158,6 +169,8 @@ def _entry(what: Bound) -> Mapping[str, Any]:
     if isinstance(slot, BlockSlot):
         # A block that is larger in the shader than here is an error.
         return {"buffer": {"type": "uniform", "min_binding_size": slot.size}}
+    if isinstance(slot, BufferSlot):
+        return {"buffer": {"type": "read-only-storage", "min_binding_size": slot.stride}}
     if what.is_sampler:
         return {"sampler": {"type": slot.sampling}}
     return {"texture": {"view_dimension": VIEWS[slot.dimension], "sample_type": slot.sample}}

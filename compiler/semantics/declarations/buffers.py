@@ -1,0 +1,77 @@
+"""Declared storage buffers, which a host binds with any number of elements."""
+
+from __future__ import annotations
+
+from ...diagnostics import rules
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.source import Span
+from ...ir.leaves import Buffer, Parameter
+from ...ir.node import Node, bare
+from ...ir.shader import BufferInfo, ParameterInfo
+from ...ir.types import Array, RuntimeArray
+from ...syntax import ast
+from ..inheritance.records import Definition
+from ..state.context import Context
+from ..types.typenames import Declared
+from .written_types import declared_type
+
+
+def buffer_of(ctx: Context, definition: Definition, name: str, group: str) -> BufferInfo | None:
+    """The buffer that a ``buffer`` declares; ``None`` after reporting why it is none."""
+    member = definition.member
+    assert isinstance(member, ast.Buffer)
+    declared = declared_type(ctx, member.type, definition.owner.module)
+    if declared is None:
+        return None
+    if not isinstance(declared.type, RuntimeArray):
+        _report_type(ctx, member, declared)
+        return None
+    facts = tuple((short, part.fact) for short, part in declared.members)
+    buffer = Buffer(name, declared.type, group, declared.fact, facts, declared.meaning)
+    doc = f"How many elements `{name}` has"
+    limits = (0.0, buffer.count.fact.hi)
+    span = member.name.span
+    count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
+    return BufferInfo(buffer, _element(declared, span), count, member.doc, span)
+
+
+def _report_type(ctx: Context, member: ast.Buffer, declared: Declared) -> None:
+    """A buffer's length is not part of its type."""
+    span, text = member.type.span, declared.text
+    if isinstance(declared.type, Array):
+        text = text.rpartition("[")[0]
+        hint = "a buffer that is read has as many elements as the host binds: write `{}`"
+    else:
+        hint = "a buffer has any number of elements: write `{}`"
+    name = member.type.name.span
+    end = member.type.arguments[-1].span.end + 1 if member.type.arguments else name.end
+    written = Span(span.source, span.start, end).text
+    ctx.report.add(
+        rules.WRONG_TYPE, span, expected="a type like `T[]`", found=declared.text,
+        hint=fix_it(hint.format(f"{text}[]"), (span, f"{written}[]")),
+    )  # fmt: skip
+
+
+def _element(declared: Declared, span: Span) -> ParameterInfo:
+    """What is known of one element, in the form of a parameter."""
+    text = declared.text.removesuffix("[]")
+    assert isinstance(declared.type, RuntimeArray)
+    one = Parameter("", declared.type.element, "", declared.fact, meaning=declared.meaning)
+    return ParameterInfo(one, text, None, None, "", span, member_infos(declared, span))
+
+
+def member_infos(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
+    """The members of a structure, as they were written."""
+    return tuple(
+        ParameterInfo(
+            Parameter(name, part.type, "", part.fact, meaning=part.meaning),
+            part.text, None, None, "", span, member_infos(part, span),
+        )
+        for name, part in declared.members
+    )  # fmt: skip
+
+
+def leaf_of(node: Node) -> Buffer | None:
+    """The buffer that a value of the type ``T[]`` is; ``None`` for an argument that may be any."""
+    leaf = bare(node).data
+    return leaf if isinstance(leaf, Buffer) else None
