@@ -24,13 +24,14 @@ def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
 
 
 FILTER_SLACK = 2.0**-20
-"""By how much a blend of zeros and ones may leave 0..1, since a device rounds its weights and sums.
-``compiler/reference/picture/blending.py`` allows 5 * 2^-24 for each of two axes."""
+"""By how much a blend of zeros and ones may exceed 1, since a device rounds its weights and sums.
+``compiler/reference/picture/blending.py`` allows 5 * 2^-24 for each of two axes. It is not below 0:
+what is taken away is at most what is there, as weights have far fewer places than floats."""
 
 
 def _share(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     """A mean of the results of several comparisons."""
-    return Fact(-FILTER_SLACK, 1.0 + FILTER_SLACK)
+    return Fact(0.0, 1.0 + FILTER_SLACK)
 
 
 def _results(_facts: tuple[Fact, ...], _same: bool) -> Fact:

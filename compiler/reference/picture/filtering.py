@@ -12,6 +12,7 @@ import numpy as np
 
 from ....stdlib.builtins.facts import ULP
 from ..bounds import Bounded, exact
+from ..bounds.bounded import limited
 from .blending import BLENDING, blended
 from .choices import Choice, Part, at, hull_of_choices, lane_at, replaced, sure
 from .intervals import increasing, widened
@@ -88,7 +89,10 @@ class Filter:
             return self._anything(place, np.zeros(len(pixels), dtype=np.int64), every_level=True)
 
         found = hull_of_choices([place.layer, self._number(level)], compute, anything)
-        return found if place.reference is not None else self._weighed(found)
+        if place.reference is None:
+            return self._weighed(found)
+        # A blend of zeros and ones may exceed 1, but not fall below 0 (``builtins/texture.py``).
+        return exact(found.value) if found.is_exact else limited(found, 0.0, np.inf)
 
     def of_any(self, place: Place) -> Bounded:
         """The lanes of reads of any texels, in any level; only the number of places counts."""
