@@ -76,7 +76,10 @@ class BufferReader:
 
     def _taken(self, position: Any) -> Lanes:
         at = np.clip(np.asarray(position), 0, len(self._rows) - 1)
-        taken: Lanes = _mapped(self._table, lambda column: column[at])
+        if at.ndim:
+            taken: Lanes = _mapped(self._table, lambda column: column[at])
+        else:
+            taken = _mapped(self._table, lambda column: column[at].item())
         return taken
 
     def _exactly(self, position: Any) -> Lanes:

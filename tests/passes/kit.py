@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+import struct
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,11 +13,12 @@ from unittest.mock import patch
 
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
-from burnish.compiler.ir.leaves import Attribute, Parameter
+from burnish.compiler.ir.leaves import Attribute, Buffer, Parameter
 from burnish.compiler.ir.node import Node, Roots, reachable
 from burnish.compiler.ir.operations import builtin_of
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.ir.storage import element_stride
 from burnish.compiler.ir.types import (
     Array,
     Matrix,
@@ -36,6 +38,7 @@ from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.reference.storage_buffers import BufferReader, Contents
 from burnish.compiler.reference.stored import stored
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
@@ -102,6 +105,10 @@ def history(given: Shader, options: Options | None = None) -> History:
 # --- values of leaves ----------------------------------------------------------------------------
 
 
+ELEMENTS = 8
+"""How many elements a storage buffer has."""
+
+
 @dataclass(frozen=True)
 class World:
     """Random values for every leaf, within the declared ranges; they depend only on the seed."""
@@ -125,6 +132,8 @@ class World:
             return self._drawn(f"attribute {leaf.name}", leaf.type, UNKNOWN)
         if node.op == "resource":
             return (Smooth(node.type),)
+        if isinstance(leaf, Buffer):
+            return (BufferReader(self._contents(leaf), leaf, node.type),)
         return self._drawn(str(leaf), node.type, UNKNOWN) if node.op == "input" else None
 
     def _parameter(self, leaf: Parameter) -> Lanes:
@@ -136,6 +145,12 @@ class World:
         if leaf.name.startswith("noise."):
             return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
         return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
+
+    def _contents(self, leaf: Buffer) -> Contents:
+        """A few elements, whose lanes are floats; as integers these are far out of bounds."""
+        chance = self._random(leaf.name)
+        lanes = ELEMENTS * element_stride(leaf.type.element) // 4
+        return Contents(struct.pack(f"<{lanes}f", *(chance.uniform(-2, 2) for _ in range(lanes))))
 
     def _random(self, name: str) -> random.Random:
         return random.Random(f"{self.seed} {name}")

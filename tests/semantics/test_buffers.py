@@ -138,7 +138,8 @@ WRONG = [
     (
         "param w : float[]  color = vec3(1)",
         "expected a value, found float[]",
-        "declare a buffer with `buffer w : float[]`",
+        "declare a storage buffer with `buffer w : float[]`, or write how many elements there are: "
+        "`[4]`",
     ),
     (
         "buffer w : float[]  color = w * vec3(2)",

@@ -167,11 +167,13 @@ def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterIn
     if declared is None:
         return None
     if isinstance(declared.type, Opaque):
-        what, word = ("texture", "map") if isinstance(declared.type, Texture) else ("buffer",) * 2
+        word = "map" if isinstance(declared.type, Texture) else "buffer"
+        what = "texture" if word == "map" else "storage buffer"
+        other = "" if word == "map" else ", or write how many elements there are: `[4]`"
         ctx.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
             hint=fix_it(
-                f"declare a {what} with `{word} {member.name.text} : {declared.text}`",
+                f"declare a {what} with `{word} {member.name.text} : {declared.text}`{other}",
                 (Span(member.span.source, member.span.start, member.name.span.start), f"{word} "),
             ),
         )  # fmt: skip
