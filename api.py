@@ -20,6 +20,7 @@ from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
+from .compiler.passes.emit_strips import count_strips
 from .compiler.passes.lower_expansion import lower_expansion
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
@@ -68,6 +69,7 @@ def compile(
     single_file: bool = False,
     line_directives: bool = False,
     partial: bool = False,
+    geometry_stage: bool = False,
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
@@ -80,7 +82,8 @@ def compile(
     everything themselves. With ``line_directives``, texts have ``#line`` directives that
     name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
-    and its ``lacking`` says why.
+    and its ``lacking`` says why. With ``geometry_stage``, a material that expands primitives has
+    a geometry stage for it; otherwise each primitive is drawn as an instance.
 
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
@@ -89,7 +92,7 @@ def compile(
     _check_names(material=material, rig=rig, pass_=pass_)
     _check_flags(
         hoist=hoist, flip_y=flip_y, single_file=single_file,
-        line_directives=line_directives, partial=partial,
+        line_directives=line_directives, partial=partial, geometry_stage=geometry_stage,
     )  # fmt: skip
     chosen = select_targets(_names_of_targets(targets), report, single_file=single_file)
     frontend, module = _opened(source, search_path, report)
@@ -101,7 +104,8 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        shader = lower_expansion(elaborated)
+        expand = count_strips if geometry_stage else lower_expansion
+        shader = expand(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:
@@ -206,17 +210,21 @@ def _lacking(
 ) -> dict[str, tuple[Diagnostic, ...]]:
     """For each profile, the features that it lacks and a shader needs."""
     found = {}
+    expanded = None if shader.expansion is None else shader.expansion.span
     places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
         name, report = full_name(target, profile), Report()
         for excess in excesses(staged.program, profile):
             report.add(
-                rules.TOO_MANY, places.get(excess.block), count=excess.count,
+                rules.TOO_MANY, expanded if excess.instead else places.get(excess.block),
+                count=excess.count,
                 what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
+                hint=excess.instead,
             )  # fmt: skip
         for lack, node in lacks(staged.program, profile):
             report.add(
-                rules.UNSUPPORTED, shader.notes.spans.get(node),
+                rules.UNSUPPORTED,
+                expanded if lack.of_expansion else shader.notes.spans.get(node),
                 target=name, feature=lack.feature, hint=lack.instead,
             )  # fmt: skip
         if report.diagnostics:

@@ -37,6 +37,10 @@ class EmittedStrips:
     """Of each strip."""
     strips: int
     """How many there are at most."""
+    strip_name: str = "strip"
+    """What the number of a strip is called."""
+    vertex_name: str = "i"
+    """What the number of a vertex in its strip is called."""
 
     @property
     def triangles(self) -> int:

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from .expansion import EmittedStrips, Expansion
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
@@ -219,6 +220,29 @@ class Region:
 
 
 @frozen
+class EmittedGroup:
+    """Strips that a stage emits: what it computes for each of them, and for each vertex."""
+
+    strips: EmittedStrips
+    strip: Formal
+    """The number of a strip, where there are several."""
+    vertex: Formal
+    """The number of a vertex in its strip."""
+    head: Region
+    """What it takes to know whether a strip is emitted."""
+    emitted: Node
+    body: Region
+    """What a vertex takes."""
+    results: tuple[Output, ...]
+    """What is delivered at each vertex."""
+
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The blocks in it."""
+        return self.head, self.body
+
+
+@frozen
 class Function:
     """A body used more than once, such as what one light contributes.
 
@@ -304,6 +328,8 @@ class Stage:
     """In which ways the stage reads its textures: each way of each once."""
     natives: tuple[NativeUse, ...] = ()
     """The builtins whose own operations it uses; what a profile lacks is looked up here."""
+    emitted: tuple[EmittedGroup, ...] = ()
+    """Where it emits vertices, in which groups; then there is nothing else that it computes."""
 
     @property
     def name(self) -> StageName:
@@ -318,7 +344,8 @@ class Stage:
     @property
     def regions(self) -> tuple[Region, ...]:
         """The bodies of its entry point and of its functions."""
-        return (self.region, *(function.region for function in self.functions))
+        of_groups = (region for group in self.emitted for region in group.regions)
+        return (self.region, *of_groups, *(function.region for function in self.functions))
 
     @property
     def roots(self) -> tuple[Node, ...]:
@@ -348,6 +375,8 @@ class Program:
     interfaces: tuple[Interface, ...]
     """What crosses between each stage and the next, in pipeline order."""
     buffers: tuple[Buffer, ...] = ()
+    expansion: Expansion | None = None
+    """What each primitive of the mesh turns into."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""

@@ -19,7 +19,18 @@ from ...stdlib.builtins.weakest import ROUNDING
 from . import rulebook
 from .leaves import Buffer, Parameter
 from .node import Formal, Node
-from .operations import ASCRIBE, CALL, CONSTANT, CROSS, FOLD, FORMAL, ITERATE, MEMBER, OPERATIONS
+from .operations import (
+    ASCRIBE,
+    CALL,
+    CONSTANT,
+    CROSS,
+    FOLD,
+    FORMAL,
+    INPUT,
+    ITERATE,
+    MEMBER,
+    OPERATIONS,
+)
 from .refinements import refinements
 from .types import Array, Matrix, RuntimeArray, Struct
 
@@ -170,6 +181,12 @@ def _cross(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     return UNKNOWN if CROSS.data(node).mode == "perspective" else known[0]
 
 
+def _input(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
+    """Numbers that count up to one that is known: of strips, and of vertices in them."""
+    most = INPUT.data(node).most
+    return UNKNOWN if most is None else Fact(0.0, float(most), kind="int")
+
+
 def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     data = FOLD.data(node)
     count, start, body = known
@@ -239,6 +256,7 @@ RULES: Mapping[str, RangeRule] = {
     "member": RangeRule(_member_name, _member),
     "select": _named(rulebook.EITHER, _select),
     "cross": _named(rulebook.FLAT, _cross),
+    "input": _named(rulebook.INDEX, _input),
     "fold": RangeRule(_fold_name, _fold),
     "iterate": _named(rulebook.STATE, _iterate),
     "array": _named(rulebook.ELEMENTS, _elements),

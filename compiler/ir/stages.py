@@ -76,6 +76,8 @@ class SystemInput:
     """The type that Burnish gives it; what a language has may differ."""
     domain: Domain
     """That of the stage that reads it, or ``INSTANCES``."""
+    most: int | None = None
+    """The largest value that it can have, of one that counts from 0."""
 
     def __str__(self) -> str:
         return self.name
@@ -112,7 +114,8 @@ VERTEX = StageRow(
 
 PRIMITIVE_INDEX = SystemInput("primitive_index", UINT, EMITTED)
 GROUP = SystemInput("emitted_group", INT, EMITTED)
-"""The number of a group of strips in an expansion."""
+"""The number of a group of strips in an expansion. No pipeline supplies this and the following two:
+they become numbers of the loops in which vertices are emitted, or of a list of vertices."""
 STRIP = SystemInput("emitted_strip", INT, EMITTED)
 """The number of a strip in its group."""
 STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
@@ -120,7 +123,7 @@ STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
 
 GEOMETRY = StageRow(
     "geometry", EMITTED, "geom", "gs_main",
-    inputs=(PRIMITIVE_INDEX, GROUP, STRIP, STRIP_VERTEX),
+    inputs=(PRIMITIVE_INDEX,),
     delivers=(CLIP_POSITION, EMITTING),
 )  # fmt: skip
 

@@ -65,7 +65,8 @@ def pack_varyings(
 
     ``taken`` are the names of slots further on in the pipeline.
     """
-    crossings = [node for node in nodes if node.op == "cross"]
+    crossed = {(n.operands[0], CROSS.data(n).mode): n for n in nodes if n.op == "cross"}
+    crossings = list(crossed.values())
     users: dict[int, str] = {}
     for node in reversed(nodes):
         within = notes.names.get(node.id) or users.get(node.id)
@@ -75,7 +76,7 @@ def pack_varyings(
     by_width = sorted(crossings, key=lambda node: (-width(node.type), node.id))
     slots = _Slots()
     for node in by_width:
-        (value,) = node.operands
+        value = node.operands[0]
         kind = scalar_kind(value.type)
         mode = CROSS.data(node).mode
         assert kind is not None and isinstance(value.type, Scalar | Vector)
@@ -104,7 +105,7 @@ def _apart(name: str, taken: Collection[str]) -> str:
 
 def _name(node: Node, notes: Notes, users: Mapping[int, str]) -> str:
     """The value's own name, else that of the attribute it is, else of what it is used for."""
-    (value,) = node.operands
+    value = node.operands[0]
     named = notes.names.get(value.id) or notes.names.get(node.id)
     if named is None and isinstance(value.data, Attribute):
         named = value.data.name

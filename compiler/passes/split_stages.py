@@ -7,14 +7,16 @@ values that the stage before has to deliver.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
 
+from ...frozen import changed
 from ..ir import build
 from ..ir.node import Graph, Node, formals_of
 from ..ir.operations import INPUT
 from ..ir.program import (
     Block,
+    EmittedGroup,
     Field,
     Function,
     Interface,
@@ -26,8 +28,9 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import VARYING, StageRow
+from ..ir.stages import EMITTING, VARYING, StageRow
 from ..layout import STANDARD_GROUPS, layout_blocks
+from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
 from .naming import Naming
 from .pack_varyings import pack_varyings
@@ -50,16 +53,18 @@ def split_stages(
         own = [result for result in results if result.stage == row]
         leaving = tuple(v for f in interfaces if f.origin == row.domain for v in f.varyings)
         outputs = (*_outputs(own), *_crossing_outputs(shader.graph, leaving))
-        if not outputs:
+        if not outputs and before is not None:
             continue
-        nodes = visible([output.value for output in outputs], into_bodies=True)
+        delivered = tuple(output for output in outputs if output.kind != EMITTING)
+        groups = _groups(shader, own, delivered)
+        nodes = visible(_roots(groups, delivered), into_bodies=True)
         if before is None:
             inputs = _attributes(shader, nodes)
         else:
             varyings = pack_varyings(nodes, shader.notes, _taken(interfaces))
             interfaces.insert(0, Interface(before.domain, row.domain, varyings))
             inputs = interfaces[0].fields
-        stages.insert(0, _stage(row, shader, blocks, inputs, outputs, nodes))
+        stages.insert(0, _stage(row, shader, blocks, inputs, delivered, groups, nodes))
     resources = tuple(
         info.resource
         for info in shader.resources
@@ -72,8 +77,27 @@ def split_stages(
         if any(info.buffer in stage.buffers for stage in stages)
     )
     return Program(
-        shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers
-    )
+        shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers,
+        shader.expansion,
+    )  # fmt: skip
+
+
+def _groups(
+    shader: Shader, own: Sequence[Result], outputs: Sequence[Output]
+) -> tuple[GroupValues, ...]:
+    """The groups of strips that a stage emits, if it does."""
+    emitted = [result.value for result in own if result.kind == EMITTING]
+    if not emitted or shader.expansion is None:
+        return ()
+    values = [output.value for output in outputs]
+    return groups_of(shader.graph, shader.notes, shader.expansion, emitted, values)
+
+
+def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Node]:
+    """The values that a stage has to compute."""
+    if not groups:
+        return [output.value for output in outputs]
+    return [node for group in groups for node in (group.emitted, *group.delivered)]
 
 
 def _taken(interfaces: Iterable[Interface]) -> set[str]:
@@ -121,10 +145,11 @@ def _stage(
     blocks: tuple[Block, ...],
     inputs: tuple[Field, ...],
     outputs: tuple[Output, ...],
+    groups: tuple[GroupValues, ...],
     nodes: list[Node],
 ) -> Stage:
     """A stage, with ``nodes`` that it computes for its outputs, those in bodies included."""
-    roots = [output.value for output in outputs]
+    roots = [] if groups else [output.value for output in outputs]
     naming = Naming(shader.notes)
     together = needing_uniform_flow(nodes)
     functions = tuple(
@@ -147,6 +172,24 @@ def _stage(
         ),
         reads=texture_reads(nodes),
         natives=native_uses(nodes),
+        emitted=tuple(_emitted(group, shader.notes, outputs) for group in groups),
+    )
+
+
+def _emitted(values: GroupValues, notes: Notes, outputs: tuple[Output, ...]) -> EmittedGroup:
+    """A group of strips, with what is computed for each strip and for each vertex of it."""
+    nothing: frozenset[int] = frozenset()
+    return EmittedGroup(
+        strips=values.strips,
+        strip=values.strip,
+        vertex=values.vertex,
+        head=Scheduler([values.emitted], notes, Naming(notes), nothing).schedule(),
+        emitted=values.emitted,
+        body=Scheduler(values.delivered, notes, Naming(notes), nothing).schedule(),
+        results=tuple(
+            changed(output, value=value)
+            for output, value in zip(outputs, values.delivered, strict=True)
+        ),
     )
 
 

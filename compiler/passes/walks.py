@@ -9,17 +9,14 @@ from collections.abc import Iterable
 
 from ..ir.node import AGE, Node
 
+_PARTLY = frozenset({"apply", "cross"})
+"""Operations of which a body does not compute the first operand itself."""
+
 
 def operands_of(node: Node) -> tuple[Node, ...]:
     """The operands that a body computes itself: not a called function's body, nor what is behind a
-    crossing, which an earlier stage has computed."""
-    if node.op == "apply":
-        return node.operands[1:]
-    return () if node.op == "cross" else node.operands
-
-
-_PARTLY = frozenset({"apply", "cross"})
-"""Operations of which a body does not compute all operands itself."""
+    crossing, which an earlier stage has computed; but the number of the corner where it crosses."""
+    return node.operands[1:] if node.op in _PARTLY else node.operands
 
 
 def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:

@@ -66,6 +66,14 @@ class Forms:
     return_: str = "return {value};"
     discard: str = "discard;"
     """Gives the pixel up."""
+    deliver: str = "{name} = {value};"
+    """Where vertices are emitted, what one of them has as an output."""
+    deliver_position: str = ""
+    """Where it lands in clip space."""
+    position: str = ""
+    """What then stands for that."""
+    emit_vertex: str = ""
+    end_strip: str = ""
 
     # Declarations.
     function: str = "{type} {name}({parameters}) {{"
@@ -112,6 +120,8 @@ class Forms:
     """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
     input: str = "{name}"
     """A stage's input: a global variable, or ``input.{name}``."""
+    corner: str = "{name}[{corner}]"
+    """What a stage that gets whole primitives reads of one of their corners."""
     lanes: str = "xyzw"
     """The letters of the lanes."""
     lane_words: tuple[str, ...] = ()

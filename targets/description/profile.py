@@ -29,6 +29,8 @@ class Lack:
     """Behind "… has no"."""
     instead: str
     """What a user can do."""
+    of_expansion: bool = False
+    """Whether it is what the material turns its primitives into that needs it."""
 
 
 @frozen(kw_only=True)
@@ -78,6 +80,10 @@ class Limits:
     """Render targets that a pass writes."""
     nested_blocks: int = 240
     """Loops and branches inside of each other. DXC and clang take 256 brackets."""
+    emitted_vertices: int = 256
+    """Vertices that a geometry stage emits for one primitive."""
+    emitted_components: int = 1024
+    """Numbers that all of these have together, those of their positions included."""
     groups: int | None = None
     """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
     bindings: int | None = None

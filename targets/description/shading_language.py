@@ -69,6 +69,8 @@ class Language:
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
     """How the inputs of the stages that its profiles have are spelled."""
+    primitives: Mapping[str, str] = EMPTY
+    """What a geometry stage calls the primitives that it gets, where the language has one."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

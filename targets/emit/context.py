@@ -29,6 +29,7 @@ class Context:
         self.language = language
         self.profile = profile
         self.names = names
+        self.flip_y = flip_y
         self.definitions = legal.definitions
         """The functions for what the profile lacks."""
         self.members = {

@@ -105,7 +105,11 @@ class Expressions:
         return self._leaves.attribute(node)
 
     def _interpolated(self, node: Node) -> Printed:
-        return self._leaves.interpolated(node)
+        return self._leaves.interpolated(node, self._corner(node))
+
+    def _corner(self, crossing: Node) -> str:
+        """The number of the corner whose value crosses, where it is that of one corner."""
+        return self.text(crossing.operands[1]) if len(crossing.operands) > 1 else ""
 
     def _constant(self, node: Node) -> Printed:
         kind = scalar_kind(node.type)
@@ -173,7 +177,7 @@ class Expressions:
         """Lanes of the vector that a node takes lanes of."""
         (source,) = swizzle.operands
         if source.op == "cross" and source not in self.bound:
-            return self._leaves.interpolated(source, lanes)
+            return self._leaves.interpolated(source, self._corner(source), lanes)
         return self._leaves.swizzle(self.operand(source), lanes, type_)
 
     def _index(self, node: Node) -> Printed:

@@ -90,13 +90,19 @@ class LeafPrinter:
         supplied = self._inputs[name]
         return supplied.read.format(name=name), supplied.type
 
-    def interpolated(self, node: Node, wanted: tuple[int, ...] | None = None) -> Printed:
+    def interpolated(
+        self, node: Node, corner: str, wanted: tuple[int, ...] | None = None
+    ) -> Printed:
         """A value that crosses: the varying, or those of its lanes that hold the value.
 
-        ``wanted`` are the lanes of the value that are used, if not all are.
+        ``corner`` is the number of the corner whose value it is, where it is one's. ``wanted`` are
+        the lanes of the value that are used, if not all are.
         """
         slot, first, total = self._crossings[node.operands[0].id, CROSS.data(node).mode]
-        printed = self._read(self._names.varyings[slot])
+        name = self._names.varyings[slot]
+        printed = self._read(name)
+        if corner:
+            printed = self._forms.corner.format(name=name, corner=corner), POSTFIX
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:
             return printed

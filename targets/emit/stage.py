@@ -6,6 +6,8 @@ it returns to the skeleton.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Output, Stage
 from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET
@@ -19,7 +21,8 @@ from .namer import Namer
 from .natives import EmittedFunction, Natives
 from .origins import Marks
 from .statements import INDENT, Statements
-from .views import EntryView, FieldView, FunctionView, InputView, StoreView
+from .strips import Strips
+from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
 
 
 class StagePrinter:
@@ -59,6 +62,9 @@ class StagePrinter:
         expressions, statements = self._body(namer)
         functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
+        if stage.emitted:
+            strips = Strips(self._context, expressions, namer, self._marks)
+            lines = strips.lines_of(stage.emitted, self._delivered)
         stored = []
         for output in stage.results:
             if output.field is not None:
@@ -76,12 +82,37 @@ class StagePrinter:
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
-            stores=[
-                StoreView(field.name, self._value(expressions, node)) for field, node in stored
-            ],
-            position=self._value(expressions, stage.value_of(CLIP_POSITION)),
+            stores=[]
+            if stage.emitted
+            else [StoreView(field.name, self._value(expressions, node)) for field, node in stored],
+            position=""
+            if stage.emitted
+            else self._value(expressions, stage.value_of(CLIP_POSITION)),
             discard=self._discard(expressions, stage.value_of(DISCARD)),
+            expansion=self._expansion(),
         )
+
+    def _expansion(self) -> ExpansionView | None:
+        """What a stage that emits vertices says of the primitives that it gets."""
+        expansion = self._context.program.expansion
+        if not self._stage.emitted or expansion is None:
+            return None
+        primitive = self._language.primitives[expansion.primitive]
+        return ExpansionView(primitive, expansion.corners, expansion.vertices)
+
+    def _delivered(self, output: Output, value: str) -> Iterator[str]:
+        """The lines that give an emitted vertex one of its outputs."""
+        forms, framebuffer = self._language.forms, self._context.profile.framebuffer
+        if output.field is not None:
+            name = self._field_name(output.field, _role(output))
+            yield forms.deliver.format(name=name, value=value)
+            return
+        position = forms.position
+        yield forms.deliver_position.format(value=value)
+        if framebuffer.clip_depth == "-1..1":
+            yield f"{position}.z = 2.0 * {position}.z - {position}.w;"
+        if self._context.flip_y:
+            yield f"{position}.y = -{position}.y;"
 
     def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
         if condition is None:

@@ -43,8 +43,12 @@ class Statements:
 
     def lines(self, region: Region) -> list[str]:
         """The statements of ``region``, indented. Names that they bind can be used afterwards."""
+        return self.laid_out(self._region(region))
+
+    def laid_out(self, block: Lines) -> list[str]:
+        """The lines of a block, with those of the blocks inside it indented."""
         lines: list[str] = []
-        open_ = [self._region(region)]
+        open_ = [block]
         while open_:
             item = next(open_[-1], None)
             if item is None:

@@ -108,6 +108,17 @@ class StoreView:
 
 
 @frozen
+class ExpansionView:
+    """What a stage does that gets whole primitives and emits vertices."""
+
+    primitive: str
+    """In the language's own word."""
+    corners: int
+    vertices: int
+    """How many it emits at most."""
+
+
+@frozen
 class EntryView:
     """One stage's entry point and what belongs to it alone."""
 
@@ -129,6 +140,8 @@ class EntryView:
     """Clip-space position; empty in stages that do not deliver it."""
     discard: list[str]
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
+    expansion: ExpansionView | None = None
+    """Of a stage that emits vertices."""
 
 
 @frozen

@@ -6,9 +6,11 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.stages import EXPANDED
 from ...compiler.ir.types import BOOL, INT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
+from ..description.forms import Forms
 from ..description.profile import Framebuffer, Lack, Limits, Profile, Samplers
 from ..description.reserved import read_reserved
 from ..description.shading_language import Language
@@ -104,6 +106,22 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "gl_FrontFacing"),
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
+    "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
+}
+
+FORMS = Forms(
+    deliver_position="gl_Position = {value};",
+    position="gl_Position",
+    emit_vertex="EmitVertex();",
+    end_strip="EndPrimitive();",
+)
+
+PRIMITIVES = {
+    "point": "points",
+    "line": "lines",
+    "triangle": "triangles",
+    "line_adjacency": "lines_adjacency",
+    "triangle_adjacency": "triangles_adjacency",
 }
 
 FRAG_COORD_FROM_TOP = PipelineInput(
@@ -134,6 +152,7 @@ VULKAN = Profile(
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
     preamble=("#version 450",),
+    stages=EXPANDED,
     limits=Limits(groups=4, buffers=4),
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
@@ -168,6 +187,7 @@ OPENGL = Profile(
     name="gl330",
     doc="GLSL 3.30 core: combined samplers, blocks and samplers bound by name.",
     preamble=("#version 330 core",),
+    stages=EXPANDED,
     explicit_bindings=False,
     samplers=Samplers(combined=True),
     framebuffer=BOTTOM_FIRST,
@@ -208,7 +228,9 @@ LANGUAGE = Language(
     extension="glsl",
     types=TYPES,
     textures=TEXTURES,
+    forms=FORMS,
     natives=NATIVES,
+    primitives=PRIMITIVES,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, ES),

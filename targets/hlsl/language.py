@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import ENTRY_POINTS
+from ...compiler.ir.stages import ENTRY_POINTS, EXPANDED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
@@ -49,6 +49,12 @@ FORMS = Forms(
     constant_array="static const {typed} = {value};",
     column="transpose({matrix:p})[{position}]",
     input="input.{name}",
+    corner="input[{corner}].{name}",
+    deliver="output.{name} = {value};",
+    deliver_position="output.clip_position = {value};",
+    position="output.clip_position",
+    emit_vertex="stream.Append(output);",
+    end_strip="stream.RestartStrip();",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
@@ -150,6 +156,15 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "input.{name}", "SV_IsFrontFace"),
     "vertex_index": PipelineInput(UINT, "input.{name}", "SV_VertexID"),
     "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
+    "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
+}
+
+PRIMITIVES = {
+    "point": "point",
+    "line": "line",
+    "triangle": "triangle",
+    "line_adjacency": "lineadj",
+    "triangle_adjacency": "triangleadj",
 }
 
 
@@ -206,6 +221,7 @@ SM6 = Profile(
     name="sm6",
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
+    stages=EXPANDED,
     agrees=AGREES,
     limits=Limits(varyings=31, block_bytes=65536),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
@@ -228,11 +244,12 @@ LANGUAGE = Language(
     forms=FORMS,
     natives=NATIVES,
     inputs=INPUTS,
+    primitives=PRIMITIVES,
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
-        *HELPERS, "main", *ENTRY_POINTS, "input", "output", "clip_position",
-        *STAGE_STRUCTS,
+        *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
+        "primitive_index", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
 from ...compiler.ir.stages import TARGET
-from ...compiler.ir.types import Texture
+from ...compiler.ir.types import Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.profile import Lack, Limits, Profile
@@ -25,6 +25,8 @@ class Excess:
     limit: int
     block: str = ""
     """The host's own block that is the reason."""
+    instead: str = ""
+    """What a user can do, if it is what the material turns its primitives into."""
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
@@ -36,9 +38,10 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     varyings = max((len(face.varyings) for face in program.interfaces), default=0)
     block = max((block.size for block in program.blocks), default=0)
     depth = max(_nested_blocks(region) for stage in program.stages for region in stage.regions)
+    by_corner = BY_CORNER if program.expansion and not _emitting(program) else ""
     for what, count, limit in (
         ("varyings", varyings, profile.limits.varyings),
-        ("vertex inputs", inputs, profile.limits.attributes),
+        (INPUTS, inputs, profile.limits.attributes),
         ("storage buffers", buffers, profile.limits.buffers or buffers),
         ("textures", textures, profile.limits.textures),
         ("bytes in a uniform block", block, profile.limits.block_bytes),
@@ -46,8 +49,29 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
         ("render targets", len(program.results_of(TARGET)), profile.limits.render_targets),
     ):
         if count > limit:
-            yield Excess(what, count, limit)
+            yield Excess(what, count, limit, instead=by_corner if what == INPUTS else "")
+    if not {stage.row for stage in _emitting(program)} - {*profile.stages}:
+        yield from _too_much_emitted(program, profile.limits)
     yield from _excessive_places(program, profile.limits)
+
+
+def _emitting(program: Program) -> list[Stage]:
+    """The stages that emit vertices."""
+    return [stage for stage in program.stages if stage.emitted]
+
+
+def _too_much_emitted(program: Program, limits: Limits) -> Iterator[Excess]:
+    """More vertices, or numbers, than a stage can emit for one primitive."""
+    for stage in _emitting(program) if program.expansion else ():
+        assert program.expansion is not None
+        vertices = program.expansion.vertices
+        components = vertices * sum(width(root.type) for root in stage.roots)
+        for what, count, limit in (
+            ("vertices of one primitive", vertices, limits.emitted_vertices),
+            ("numbers at the vertices of one primitive", components, limits.emitted_components),
+        ):
+            if count > limit:
+                yield Excess(what, count, limit, instead=WITHOUT_STAGE)
 
 
 def _nested_blocks(region: Region) -> int:
@@ -73,6 +97,12 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
                     yield Excess(what, number + 1, limit, block.name)
 
 
+INPUTS = "vertex inputs"
+BY_CORNER = (
+    "each corner that is read has inputs of its own: read fewer slots by corner, or compile with "
+    "`--geometry-stage` for a profile that has it"
+)
+WITHOUT_STAGE = "without `--geometry-stage`, each primitive is drawn as an instance"
 OTHER_PROFILE = "compile for a profile that has this stage"
 
 NO_BUFFERS = Lack(
@@ -90,7 +120,9 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     """What the profile cannot do, each with the id of a node that needs it."""
     for stage in program.stages:
         if stage.row not in profile.stages:
-            yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id
+            emits = bool(stage.emitted)
+            instead = WITHOUT_STAGE if emits else OTHER_PROFILE
+            yield Lack(f"{stage.name} stage", instead, emits), stage.roots[0].id
     reading = [stage for stage in program.stages if stage.buffers]
     if reading and not profile.limits.buffers:
         yield NO_BUFFERS, _first_read(reading[0])

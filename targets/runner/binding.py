@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from ...compiler.ir.stages import GEOMETRY
 from .codes import Codes
 from .drivers.draw import (
     BlockSlot,
@@ -15,6 +16,7 @@ from .drivers.draw import (
     Cull,
     Pipeline,
     Place,
+    Primitive,
     RenderTarget,
     TargetFormat,
     TextureSlot,
@@ -92,6 +94,7 @@ def pipeline(
             RenderTarget(target_format(row, exact=exact), "none" if exact else row["blend"])
             for row in reflection["targets"]
         ),
+        primitive=_primitive(reflection["draw"]),
         cull=cull,
         flip_y=backend["flip_y"],
         # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
@@ -99,6 +102,12 @@ def pipeline(
         first_row="top" if on_vulkan else backend["first_row"],
         host_uniforms=tuple(backend["host_uniforms"]),
     )
+
+
+def _primitive(draw: Mapping[str, Any]) -> Primitive:
+    """What the vertices of a draw are: triangles, unless a geometry stage makes these."""
+    primitive: Primitive = draw["primitive"]
+    return primitive if draw["expanded_by"] == GEOMETRY.name else "triangle"
 
 
 def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:

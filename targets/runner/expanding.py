@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import GEOMETRY
 from .meshes import Indices, Mesh, MeshError
 from .primitives import primitives
 
@@ -25,7 +26,8 @@ class Drawn:
 
     attributes: Values
     """By vertex input, of shape (vertices or instances, lanes)."""
-    triangles: Indices
+    corners: Indices
+    """The vertices of each primitive, (primitives, corners)."""
     instance_count: int
 
 
@@ -37,6 +39,8 @@ def as_drawn(reflection: Mapping[str, Any], data: Values, mesh: Mesh) -> Drawn:
     corners = primitives(mesh, draw["primitive"])
     if not len(corners):
         raise MeshError(f"the mesh has no {draw['primitive']} to expand")
+    if draw["expanded_by"] == GEOMETRY.name:
+        return Drawn(data, corners, mesh.instance_count)
     copies = mesh.instance_count
     rows = reflection["vertex_inputs"]
     attributes = {row["name"]: _values(row["mesh"], data, corners, copies) for row in rows}

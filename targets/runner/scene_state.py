@@ -90,7 +90,7 @@ def set_up(
     drawn = as_drawn(reflection, data, mesh)
     cleared = (clear,) * len(reflection["targets"])
     return SceneState(
-        width, height, drawn.attributes, drawn.triangles, instance, cleared, drawn.instance_count
+        width, height, drawn.attributes, drawn.corners, instance, cleared, drawn.instance_count
     )
 
 

@@ -29,7 +29,7 @@ from burnish.targets.emit.expressions import Expressions
 
 OPS = frozenset(get_args(Op))
 
-UNKNOWN_RANGE = frozenset({"resource", "attribute", "input", "bound", "matrix", "struct"})
+UNKNOWN_RANGE = frozenset({"resource", "attribute", "bound", "matrix", "struct"})
 """Nothing is known of their values, or a range of them would say nothing."""
 
 BARE = frozenset({"constant", "resource", "input", "bound", "formal", "vector", "splat", "matrix"})

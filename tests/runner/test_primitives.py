@@ -65,7 +65,7 @@ def test_each_primitive_of_each_instance_is_an_instance(primitive: str, last: in
     corners = primitives(whole, primitive)
     count = len(corners)
     assert drawn.instance_count == 3 * count
-    assert drawn.triangles.tolist() == [[0, 1, 2], [3, 4, 5]]
+    assert drawn.corners.tolist() == [[0, 1, 2], [3, 4, 5]]
     found = drawn.attributes
     assert set(found) == {
         "corner0.vertex_position", f"corner{last}.vertex_uv", "shift", "corner0.vertex_index",

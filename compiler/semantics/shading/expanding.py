@@ -161,7 +161,13 @@ class _Expanding:
         if written.vertex is not None:
             names[written.vertex.text] = self._input(STRIP_VERTEX)
         corner = self._corner(written, vertices, names)
-        known = None if vertices is None else EmittedStrips(written.shape, vertices, strips)
+        known = None
+        if vertices is not None:
+            known = EmittedStrips(written.shape, vertices, strips)
+            if written.vertex is not None:
+                known = changed(known, vertex_name=written.vertex.text)
+            if written.turns is not None:
+                known = changed(known, strip_name=written.turns.variable.text)
         return _Group(known, emitted, corner, names)
 
     def _turns(self, written: ast.Turns) -> tuple[Value, int, Node | Failure]:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import get_args
 
 from .draw import (
+    CORNERS,
     TEXELS,
     BlockSlot,
     Draw,
@@ -94,7 +95,7 @@ def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
             )
     for texture, image in zip(pipeline.textures, draw.textures, strict=True):
         _check_texture(f"texture {texture.texture.identifier!r}", texture, image)
-    _check_indices(draw)
+    _check_indices(pipeline, draw)
 
 
 def _same_number(what: str, given: Sequence[object], wanted: Sequence[object]) -> None:
@@ -138,9 +139,10 @@ def level_size(image: Image, level: int) -> tuple[int, int, int]:
     return max(image.width >> level, 1), max(image.height >> level, 1), depth
 
 
-def _check_indices(draw: Draw) -> None:
-    if not draw.indices or len(draw.indices) % 12:
-        raise DriverError(f"{len(draw.indices)} bytes of indices are not whole triangles")
+def _check_indices(pipeline: Pipeline, draw: Draw) -> None:
+    if not draw.indices or len(draw.indices) % (4 * CORNERS[pipeline.primitive]):
+        whole = f"whole {pipeline.primitive}s"
+        raise DriverError(f"{len(draw.indices)} bytes of indices are not {whole}")
     largest = max(memoryview(draw.indices).cast("I"))
     if largest >= draw.vertex_count:
         raise DriverError(f"index {largest} is beyond the {draw.vertex_count} vertices")

@@ -33,6 +33,14 @@ TargetFormat = Literal[
     "r16float", "rg16float", "rgba16float",
 ]  # fmt: skip
 
+Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency"]
+"""What the vertices are, in turn; all but triangles need a geometry stage."""
+
+CORNERS: Mapping[Primitive, int] = {
+    "point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_adjacency": 6,
+}  # fmt: skip
+"""How many vertices each of them has."""
+
 Dimension = Literal["2d", "2d_array", "3d", "cube"]
 Sample = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
 """What a shader reads from a texture; ``unfilterable-float`` promises that it never filters."""
@@ -167,6 +175,7 @@ class Pipeline:
     textures: tuple[TextureSlot, ...]
     targets: tuple[RenderTarget, ...]
     """In the order of their locations."""
+    primitive: Primitive = "triangle"
     cull: Cull = "none"
     flip_y: bool = False
     """Whether the text negates clip y; a Vulkan driver chooses its viewport by it."""
@@ -208,7 +217,7 @@ class Draw:
     vertices: tuple[bytes, ...]
     """For each of ``Pipeline.inputs``, the values of all vertices or of all instances."""
     indices: bytes
-    """Three uint32 for each triangle; the first is the provoking vertex."""
+    """A uint32 for each corner of each primitive; the first one's vertex is the provoking one."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     clear: tuple[tuple[float, float, float, float], ...]

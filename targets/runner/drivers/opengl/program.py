@@ -20,7 +20,12 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
     Raises ``DriverError`` with the driver's log, or if the text and the pipeline disagree.
     """
     try:
-        program = context.program(pipeline.stages["vertex"].text, pipeline.stages["fragment"].text)
+        texts = {name: code.text for name, code in pipeline.stages.items()}
+        program = context.program(
+            vertex_shader=texts["vertex"],
+            geometry_shader=texts.get("geometry"),
+            fragment_shader=texts["fragment"],
+        )
     except moderngl.Error as error:
         raise DriverError(str(error).strip()) from None
     _refuse_strangers(program, pipeline)

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 
 import moderngl
 
-from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, StepMode
+from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Primitive, StepMode
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
@@ -15,6 +15,15 @@ from .texture_units import bound_texture
 
 RATES: Mapping[StepMode, str] = {"vertex": "/v", "instance": "/i"}
 """The suffix of moderngl's layouts for each rate."""
+
+
+MODES: Mapping[Primitive, int] = {
+    "point": moderngl.POINTS,
+    "line": moderngl.LINES,
+    "triangle": moderngl.TRIANGLES,
+    "line_adjacency": moderngl.LINES_ADJACENCY,
+    "triangle_adjacency": moderngl.TRIANGLES_ADJACENCY,
+}
 
 
 class Renderer:
@@ -109,4 +118,4 @@ def _render(
     with ExitStack() as textures:
         for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
             textures.enter_context(bound_texture(functions, slot, image, unit))
-        array.render(instances=draw.instance_count)
+        array.render(MODES[pipeline.primitive], instances=draw.instance_count)

@@ -64,7 +64,7 @@ def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
             raise DriverError(f"{properties.deviceName} has no Vulkan 1.1")
         features = vk.vkGetPhysicalDeviceFeatures(physical)
         family = _graphics_family(physical)
-        device = _device(owned, physical, family, features.independentBlend)
+        device = _device(owned, physical, family, features)
         return Gpu(
             physical=physical,
             device=device,
@@ -114,9 +114,11 @@ def _graphics_family(physical: Any) -> int:
     raise DriverError("the device has no queue for graphics")
 
 
-def _device(owned: ExitStack, physical: Any, family: int, independent_blend: int) -> Any:
+def _device(owned: ExitStack, physical: Any, family: int, offered: Any) -> Any:
     queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=family, pQueuePriorities=[1.0])
-    features = vk.VkPhysicalDeviceFeatures(independentBlend=independent_blend)
+    features = vk.VkPhysicalDeviceFeatures(
+        independentBlend=offered.independentBlend, geometryShader=offered.geometryShader
+    )
     info = vk.VkDeviceCreateInfo(pQueueCreateInfos=[queue], pEnabledFeatures=features)
     device = vk.vkCreateDevice(physical, info, None)
     owned.callback(vk.vkDestroyDevice, device, None)

@@ -9,7 +9,7 @@ from typing import Any, Literal
 import vulkan as vk
 
 from ..checks import lane_count
-from ..draw import Blend, Code, Cull, Pipeline, StepMode, VertexInput
+from ..draw import Blend, Code, Cull, Pipeline, Primitive, StepMode, VertexInput
 from .device import Gpu
 from .formats import VERTICES
 
@@ -42,7 +42,16 @@ ALL_LANES = (
 
 STAGES: dict[str, int] = {
     "vertex": vk.VK_SHADER_STAGE_VERTEX_BIT,
+    "geometry": vk.VK_SHADER_STAGE_GEOMETRY_BIT,
     "fragment": vk.VK_SHADER_STAGE_FRAGMENT_BIT,
+}
+
+TOPOLOGIES: dict[Primitive, int] = {
+    "point": vk.VK_PRIMITIVE_TOPOLOGY_POINT_LIST,
+    "line": vk.VK_PRIMITIVE_TOPOLOGY_LINE_LIST,
+    "triangle": vk.VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+    "line_adjacency": vk.VK_PRIMITIVE_TOPOLOGY_LINE_LIST_WITH_ADJACENCY,
+    "triangle_adjacency": vk.VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
 }
 
 RATES: dict[StepMode, int] = {
@@ -94,7 +103,7 @@ def make_pipeline(
             pStages=stages,
             pVertexInputState=_vertex_inputs(pipeline.inputs),
             pInputAssemblyState=vk.VkPipelineInputAssemblyStateCreateInfo(
-                topology=vk.VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST
+                topology=TOPOLOGIES[pipeline.primitive]
             ),
             pViewportState=vk.VkPipelineViewportStateCreateInfo(viewportCount=1, scissorCount=1),
             pRasterizationState=_rasterization(pipeline),

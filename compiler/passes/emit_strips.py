@@ -1,0 +1,101 @@
+"""Expansions for pipelines with a geometry stage: what this emits, group by group.
+
+``api.py`` calls ``count_strips`` before all passes where the stage itself is wanted, and
+``split_stages`` calls ``groups_of`` at the end. In between, all groups are one graph, in which a
+vertex has the number of its group, of its strip, and its own in the strip. In a text each group is
+a loop of its own, so its number is known there, and the others become variables of loops.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...frozen import changed, frozen
+from ..ir import build
+from ..ir.expansion import EmittedStrips, Expansion
+from ..ir.node import Formal, Graph, Node
+from ..ir.operations import BUILTIN_OPS, INPUT
+from ..ir.ranges import Ranges
+from ..ir.rewrite import rewrite
+from ..ir.shader import Notes, Shader
+from ..ir.stages import GROUP, STRIP, STRIP_VERTEX
+from ..ir.types import INT
+from .simplify import Simplifier
+
+
+def count_strips(shader: Shader) -> Shader:
+    """The shader with what is known of the numbers of its strips and vertices."""
+    if shader.expansion is None:
+        return shader
+    groups = shader.expansion.groups
+    most = {
+        GROUP.name: len(groups),
+        STRIP.name: max(group.strips for group in groups),
+        STRIP_VERTEX.name: max(group.vertices for group in groups),
+    }
+
+    def rule(graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
+        row = INPUT.data(node)
+        if row.name not in most:
+            return None
+        return graph.node("input", row.type, (), changed(row, most=max(most[row.name] - 1, 0)))
+
+    values = rewrite(shader.graph, shader.roots, rule, shader.notes.follow, ("input",))
+    results = (changed(r, value=v) for r, v in zip(shader.results, values, strict=True))
+    return changed(shader, results=tuple(results))
+
+
+@frozen
+class GroupValues:
+    """The values that one group of strips needs."""
+
+    strips: EmittedStrips
+    strip: Formal
+    vertex: Formal
+    emitted: Node
+    """Whether a strip is emitted."""
+    delivered: tuple[Node, ...]
+    """At each vertex."""
+
+
+def groups_of(
+    graph: Graph, notes: Notes, expansion: Expansion, emitted: Sequence[Node], roots: Sequence[Node]
+) -> tuple[GroupValues, ...]:
+    """What each group needs of ``roots``; ``emitted`` says for each whether a strip is there."""
+    ranges = Ranges(())
+    simplifier = Simplifier(graph, ranges, notes)
+    found = []
+    for number, (strips, told) in enumerate(zip(expansion.groups, emitted, strict=True)):
+        strip, vertex = Formal(strips.strip_name), Formal(strips.vertex_name)
+        ranges.note_index(strip, strips.strips)
+        ranges.note_index(vertex, strips.vertices)
+        known = {
+            GROUP.name: build.constant(graph, INT, number),
+            STRIP.name: graph.node("formal", INT, (), strip)
+            if strips.strips > 1
+            else build.constant(graph, INT, 0),
+            STRIP_VERTEX.name: graph.node("formal", INT, (), vertex),
+        }
+        value, *delivered = _known(simplifier, known, [told, *roots])
+        found.append(GroupValues(strips, strip, vertex, value, tuple(delivered)))
+    return tuple(found)
+
+
+def _known(
+    simplifier: Simplifier, numbers: dict[str, Node], roots: Sequence[Node]
+) -> Sequence[Node]:
+    """The roots with these numbers. Choices between groups are made, and numbers of corners that
+    have become certain. Nothing else is changed: the other passes have done their work."""
+
+    def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        if node.op == "input":
+            return numbers.get(INPUT.data(node).name)
+        constants = [operand.op == "constant" for operand in operands]
+        if node.op == "select" and constants[0]:
+            return operands[1] if operands[0].data else operands[2]
+        is_known = all(constants) or node.data == "clamp"
+        if node.op in BUILTIN_OPS and operands != node.operands and is_known:
+            return simplifier.make(node.op, node.type, operands, node.data)
+        return None
+
+    return rewrite(simplifier.graph, roots, rule, simplifier.notes.follow)

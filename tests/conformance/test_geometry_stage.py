@@ -1,0 +1,145 @@
+"""A geometry stage and a draw of instances are two ways to one picture.
+
+The reference draws the instances (``test_examples.py``). Here each driver with a geometry stage
+draws both forms of the same materials. Where all numbers on the way are small multiples of a power
+of two, nothing is rounded, and the pictures are the same to the last bit: so both forms have the
+same triangles, in the same order, with the same vertex first. Elsewhere drivers round differently
+in different stages.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.compiled import CompiledMaterial
+from burnish.compiler.ir.expansion import CORNERS
+from burnish.targets.conformance.cases import series_of
+from burnish.targets.runner.meshes import plane
+from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.scene import Scene, with_inputs
+from burnish.targets.runner.scene_state import SceneState, set_up
+
+from .kit import Studio
+
+ON = ("lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "llvmpipe:gl330")
+"""The routes with a geometry stage."""
+PROFILES = tuple(sorted({ROUTES[name].profile for name in ON}))
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SIZE = (64, 48)
+CLEAR = (9.0, 9.0, 9.0, 9.0)
+
+MATERIAL = """
+material M {{
+    param count : int in 0..3 = 2
+    attribute shade : float
+    mark : float = 0
+    clip_position = vec4(0.75 * position.xy, 0.5 - 0.25 * position.z, 1)
+    expand {}
+    color = vec3(mark, uv.x, float(primitive_index))
+}}
+"""
+
+EXACT = {
+    "point": """point { strip of 4 as i {
+        position = corner[0].position + 0.125 * vec3(float(i mod 2), float(i / 2), 0)
+        mark     = 0.25 * float(i)
+    } }""",
+    "a long strip": """point { strip of 7 as i {
+        position = corner[0].position + 0.0625 * vec3(float(i), float(i mod 2) * 2, float(i))
+        mark     = 0.125 * float(i)
+        uv       = vec2(float(i * i))
+    } }""",
+    "a list": """triangle { list of 6 as i like corner[i mod 3] {
+        position = 0.5 * inherited.position + vec3(if i < 3 then 0 else 0.5, 0, 0)
+        mark     = float(i)
+    } }""",
+    "line": """line { strip of 4 as i like corner[i / 2] {
+        position = inherited.position + 0.0625 * vec3(float(i mod 2), 0, 0.5 * float(i mod 2))
+        mark     = 0.5 * float(i)
+    } }""",
+    "triangle": """triangle { strip of 3 as i for s in 0..count where corner[0].position.x < 0.4 {
+        position = inherited.position + vec3(0.125, 0.25, 0.5) * float(s)
+        mark     = float(s)
+    } }""",
+    "groups": """triangle {
+        strip of 3 as i { mark = 1 }
+        strip of 4 as i for s in 1..3 where primitive_index mod 2 == 0u like corner[i mod 3] {
+            position = corner[0].position
+                + 0.25 * vec3(float(i mod 2), float(i / 2), 2 * float(s))
+        }
+        list of 3 as i like corner[2 - i] { position = 0.5 * inherited.position + vec3(0, 0, 2) }
+    }""",
+    "line_adjacency": """line_adjacency { strip of 4 as i {
+        position = mix(corner[i].position, corner[1].position, 0.5)
+            + vec3(0, 0.0625 * float(i), 0.125)
+        mark     = 0.25 * float(i)
+    } }""",
+    "triangle_adjacency": """triangle_adjacency {
+        strip of 4 as i for s in 0..3 like corner[0] {
+            position = mix(corner[2 * s].position, corner[(2 * s + i) mod 6].position, 0.5)
+                + vec3(0, 0, 0.25 * float(s) + 0.125 * float(i))
+            mark     = float(s)
+        }
+    }""",
+}
+
+
+@cache
+def both(name: str) -> tuple[CompiledMaterial, CompiledMaterial]:
+    """A material, or an example, with a geometry stage; and the same drawn as instances."""
+    text = MATERIAL.format(EXACT[name]) if name in EXACT else EXAMPLES / f"{name}.burnish"
+    native, lowered = (
+        burnish.compile(text, PROFILES, geometry_stage=stage).materials[0]
+        for stage in (True, False)
+    )
+    return native, lowered
+
+
+def state_of(material: CompiledMaterial) -> SceneState:
+    """A plane whose vertices have coordinates that are multiples of a half."""
+    mesh = with_inputs(material.reflection, plane(4))
+    return set_up(material.instance(), mesh, Scene(), SIZE, CLEAR)
+
+
+def test_every_kind_of_primitive_is_tried() -> None:
+    assert CORNERS.keys() <= EXACT.keys()
+
+
+@pytest.mark.parametrize("route", ON)
+@pytest.mark.parametrize("name", EXACT)
+def test_both_forms_are_one_picture(studio: Studio, name: str, route: str) -> None:
+    native, lowered = both(name)
+    assert [stage.name for stage in native.staged.program.stages][1] == "geometry"
+    (found,) = studio.draw(route, native, state_of(native))
+    (expected,) = studio.draw(route, lowered, state_of(lowered))
+    assert (found == expected).all()
+    covered = (expected != np.array(CLEAR, np.float32)).any(axis=-1)
+    assert covered.sum() > 100
+    assert len(np.unique(expected[covered], axis=0)) > 5
+
+
+@pytest.mark.parametrize("route", ON)
+@pytest.mark.parametrize("name", ["sprites", "fur"])
+def test_the_forms_differ_by_rounding_only(studio: Studio, name: str, route: str) -> None:
+    native, lowered = both(name)
+    drawn = 0
+    for one, other in zip(states(native), states(lowered), strict=True):
+        (found,) = studio.draw(route, native, one)
+        (expected,) = studio.draw(route, lowered, other)
+        covered = (expected != np.array(other.clear[0], np.float32)).any(axis=-1)
+        assert (covered == (found != np.array(one.clear[0], np.float32)).any(axis=-1)).all()
+        assert np.allclose(found, expected, rtol=1e-4, atol=1e-4)
+        drawn += int(covered.sum())
+    assert drawn > 2000
+
+
+def states(material: CompiledMaterial) -> Iterator[SceneState]:
+    """The cases in which ``conform`` draws a material."""
+    for series in series_of(material.reflection, 7, SIZE):
+        yield from (case.state for case in series.cases)

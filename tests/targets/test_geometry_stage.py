@@ -1,0 +1,152 @@
+"""The texts of geometry stages, and what is said where one is not there or cannot do enough.
+
+``BURNISH_UPDATE_GOLDEN=1`` writes the texts anew.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+import burnish
+from burnish.compiler.diagnostics.render import render
+from burnish.targets.toolchain import Job, Toolchain
+
+GOLDEN = Path(__file__).parent / "golden" / "geometry"
+PROFILES = ("glsl:vulkan", "glsl:gl330", "hlsl:sm6")
+
+TENT = """
+/// A roof over each triangle, walls around it, and a flag on every third one.
+material Tent {
+    param walls : int in 0..3 = 2
+    param wind  : float in 0..1 = 0.5
+    attribute shift : vec3 per instance
+    part : int = 0
+
+    expand triangle {
+        list of 3 as i { position = corner[i].position + corner[i].normal + shift }
+        strip of 4 as i for wall in 0..walls like corner[(wall + i mod 2) mod 3] {
+            part     = 1
+            position = inherited.position + float(i / 2) * inherited.normal
+        }
+        strip of 3 as i where primitive_index mod 3 == 0u {
+            part = 2
+            position = corner[0].position + wind * vec3(float(i mod 2), float(i), 0)
+        }
+    }
+    color = vec3(uv, float(part))
+}
+"""
+MANY = """
+material Many {
+    param count : int in 0..80 = 3
+    expand triangle {
+        strip of 4 as i for s in 0..count like corner[i mod 3] { uv = vec2(float(s)) }
+    }
+    color = vec3(uv, 0)
+}
+"""
+WIDE = """
+material Wide {
+    expand triangle_adjacency {
+        strip of 4 as i for s in 0..3 like corner[(2 * s + i) mod 6] {}
+    }
+    color = vec3(uv, 0) * normal
+}
+"""
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_texts(profile: str) -> None:
+    (material,) = burnish.compile(TENT, profile, geometry_stage=True).materials
+    assert [file.stage for file in material.files] == ["vertex", "geometry", "fragment"]
+    for file in material.files:
+        path = GOLDEN / file.name
+        if os.environ.get("BURNISH_UPDATE_GOLDEN"):
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(file.text, encoding="utf-8")
+        assert file.text == path.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("flip_y", [False, True])
+@pytest.mark.parametrize("profile", PROFILES)
+def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
+    (material,) = burnish.compile(TENT, profile, geometry_stage=True, flip_y=flip_y).materials
+    suffixes = {"vertex": "vert", "geometry": "geom", "fragment": "frag"}
+    jobs = [
+        Job(checker, suffixes[file.stage], file.text, file.entry_points[file.stage], file.name)
+        for file in material.files
+        for checker in file.checkers
+    ]
+    with Toolchain() as toolchain:
+        verdicts = toolchain.check(jobs)
+    assert [verdict.log for verdict in verdicts if verdict.status != "accepted"] == []
+
+
+def test_every_line_has_its_place_in_the_source() -> None:
+    (material,) = burnish.compile(TENT, "glsl:vulkan", geometry_stage=True).materials
+    geometry = next(file for file in material.files if file.stage == "geometry")
+    number = geometry.text.split("\n").index("        EndPrimitive();") + 1
+    assert number in geometry.spans
+
+
+def test_the_reflection_says_that_the_stage_is_there() -> None:
+    (material,) = burnish.compile(TENT, "glsl:vulkan", geometry_stage=True).materials
+    assert material.reflection["draw"] == {
+        "primitive": "triangle", "corners": 3, "expanded_by": "geometry", "vertices": 18,
+    }  # fmt: skip
+    rows = material.reflection["vertex_inputs"]
+    assert {(row["name"], row["step"], row["mesh"]) for row in rows} == {
+        ("vertex_position", "vertex", None), ("vertex_normal", "vertex", None),
+        ("vertex_uv", "vertex", None), ("shift", "instance", None),
+    }  # fmt: skip
+
+
+def told(text: str, profile: str, *, geometry_stage: bool) -> list[str]:
+    """What is said of a material that cannot be compiled for a profile."""
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(text, profile, geometry_stage=geometry_stage)
+    return [render(found) for found in caught.value.diagnostics]
+
+
+@pytest.mark.parametrize("profile", ["wgsl:webgpu", "glsl:es300", "msl:metal2"])
+def test_a_profile_without_the_stage(profile: str) -> None:
+    assert told(TENT, profile, geometry_stage=True) == [
+        f"""error[B0701]: {profile} has no geometry stage
+ --> <text>:9:12
+  |
+9 |     expand triangle {{
+  |            ^^^^^^^^
+  = help: without `--geometry-stage`, each primitive is drawn as an instance"""
+    ]
+    burnish.compile(TENT, profile)
+
+
+def test_more_than_the_stage_can_emit() -> None:
+    assert told(MANY, "glsl:gl330", geometry_stage=True) == [
+        f"""error[B0702]: {count} of Many, but glsl:gl330 has only {limit}
+ --> <text>:4:12
+  |
+4 |     expand triangle {{
+  |            ^^^^^^^^
+  = help: without `--geometry-stage`, each primitive is drawn as an instance"""
+        for count, limit in (
+            ("320 vertices of one primitive", 256),
+            ("1920 numbers at the vertices of one primitive", 1024),
+        )
+    ]
+    burnish.compile(MANY, "glsl:gl330")
+
+
+def test_more_inputs_than_there_are() -> None:
+    assert told(WIDE, "wgsl", geometry_stage=False) == [
+        """error[B0702]: 18 vertex inputs of Wide, but wgsl:webgpu has only 16
+ --> <text>:3:12
+  |
+3 |     expand triangle_adjacency {
+  |            ^^^^^^^^^^^^^^^^^^
+  = help: each corner that is read has inputs of its own: read fewer slots by corner, or compile with `--geometry-stage` for a profile that has it"""  # noqa: E501
+    ]
+    burnish.compile(WIDE, PROFILES, geometry_stage=True)
