@@ -37,7 +37,9 @@ _LIMITS = {"i": (-(2**31), 2**31 - 1), "u": (0, 2**32 - 1)}
 def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> None:
     """Set every parameter that a scene does not set to an allowed value, and use all lights.
 
-    With ``missing``, set only those that have no value.
+    With ``missing``, set only those that have no value. A parameter that the program does not read
+    needs none, but the material may read it, and what was left out of the program relied on its
+    range.
     """
     lights = instance.reflection["lights"]
     counts = {light["count"] for light in lights if light["count"]}
@@ -50,6 +52,7 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
     for row in instance.reflection["parameters"]:
         name = row["name"]
         unset = any(f"{each}.".startswith(f"{name}.") for each in without)
+        unset |= row["block"] is None and row["default"] is None
         if name not in placed and (unset or not missing):
             instance.set(name, _value(row, random.Random(f"{seed} {name}")))
 

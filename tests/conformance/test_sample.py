@@ -204,3 +204,14 @@ def test_examples_take_them(variant: Variant, seed: int) -> None:
         Scene(light_count=64).apply(instance, 1.5)
         assert instance.missing == ()
         assert all(instance.blocks().values())
+
+
+def test_a_parameter_that_the_program_lost_keeps_its_range() -> None:
+    """The comparison was left out because of the range, but the material still makes it."""
+    material = burnish.compile(
+        "material M { param few : float[3] in 0.5..4\n"
+        "color = if few[int(9 * uv.x)] == 0 then #f00 else #0f0 }", "wgsl",
+    ).materials[0]  # fmt: skip
+    instance = Instance(material.reflection)
+    sample_values(instance, 0, missing=True)
+    assert all(0.5 <= value <= 4 for (value,) in instance.values()["few"])
