@@ -68,7 +68,8 @@ class CompiledMaterial:
     """Operations that keep a guard in some text, because their operands could not be proven
     safe."""
     shader: Shader
-    """The shader before any pass, which the reference draws."""
+    """The shader before any pass, which the reference draws; one with a geometry stage it does not
+    draw, but the same material compiled without."""
     _staged: Staged
     _emissions: tuple[tuple[Legal, Emission], ...]
     """Of each profile that has texts: the program in its form, and the texts."""

@@ -19,7 +19,7 @@ from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes, Shader
 from ..ir.stages import GROUP, STRIP, STRIP_VERTEX
-from ..ir.types import INT
+from ..ir.types import BOOL, INT, Vector, scalar_kind, width
 from .simplify import Simplifier
 
 
@@ -77,8 +77,25 @@ def groups_of(
             STRIP_VERTEX.name: graph.node("formal", INT, (), vertex),
         }
         value, *delivered = _known(simplifier, known, [told, *roots])
-        found.append(GroupValues(strips, strip, vertex, value, tuple(delivered)))
-    return tuple(found)
+        if value.op != "constant" or value.data:
+            found.append(GroupValues(strips, strip, vertex, value, tuple(delivered)))
+    return tuple(found) or (_nothing(graph, roots),)
+
+
+def _nothing(graph: Graph, roots: Sequence[Node]) -> GroupValues:
+    """What is emitted where no condition can hold: compilers want to see some vertex, and one alone
+    makes no triangle."""
+    zeros = []
+    for root in roots:
+        kind = scalar_kind(root.type)
+        assert kind is not None
+        zero = build.neutral("add", kind)
+        lanes = (zero,) * width(root.type) if isinstance(root.type, Vector) else zero
+        zeros.append(build.constant(graph, root.type, lanes))
+    emitted = build.constant(graph, BOOL, True)
+    alone = EmittedStrips("strip", 1, 1)
+    names = Formal(alone.strip_name), Formal(alone.vertex_name)
+    return GroupValues(alone, *names, emitted, tuple(zeros))
 
 
 def _known(

@@ -20,7 +20,7 @@ from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.expansion import Expansion
 from ..ir.leaves import Attribute
-from ..ir.node import Graph, Node, Roots
+from ..ir.node import Graph, Node, Roots, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.rewrite import rewrite
 from ..ir.shader import AttributeInfo, MeshInput, Notes, Result, Shader
@@ -52,15 +52,19 @@ def lower_expansion(shader: Shader) -> Shader:
     """The shader with vertices instead of emitted vertices; itself if it expands nothing."""
     if shader.expansion is None:
         return shader
+    before = len(shader.graph)
     lowering = _Lowering(shader, shader.expansion)
     values = lowering.lowered([result.value for result in shader.results])
     results = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
     emitted = lowering.emitted([r.value for r in results if r.kind == EMITTING])
+    placed = [_placed(shader, result, emitted) for result in results if result.kind != EMITTING]
+    # What tells the vertices apart stands nowhere, but where the expansion does.
+    for node in reachable([result.value for result in placed]):
+        if node.id >= before:
+            shader.notes.spans.setdefault(node.id, shader.expansion.span)
     return changed(
         shader,
-        results=tuple(
-            _placed(shader, result, emitted) for result in results if result.kind != EMITTING
-        ),
+        results=tuple(placed),
         attributes=lowering.attributes,
         chain=RASTERISED,
     )

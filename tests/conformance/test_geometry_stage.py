@@ -9,8 +9,7 @@ in different stages.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -18,14 +17,20 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
-from burnish.compiler.ir.expansion import CORNERS
+from burnish.compiler.ir.expansion import CORNERS, Expansion
+from burnish.compiler.ir.node import Node
+from burnish.compiler.passes.lower_expansion import EmittedNumbers, _Lowering
+from burnish.frozen import changed
+from burnish.targets import registry
 from burnish.targets.conformance.cases import series_of
+from burnish.targets.runner import expanding
+from burnish.targets.runner.expanding import _values
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
-from .kit import Studio
+from .kit import Floats, Studio
 
 ON = ("lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "llvmpipe:gl330")
 """The routes with a geometry stage."""
@@ -41,7 +46,7 @@ material M {{
     mark : float = 0
     clip_position = vec4(0.75 * position.xy, 0.5 - 0.25 * position.z, 1)
     expand {}
-    color = vec3(mark, uv.x, float(primitive_index))
+    color = vec3(mark, uv.x, float(primitive_index)) * (if front_facing then 1 else -1)
 }}
 """
 
@@ -90,7 +95,6 @@ EXACT = {
 }
 
 
-@cache
 def both(name: str) -> tuple[CompiledMaterial, CompiledMaterial]:
     """A material, or an example, with a geometry stage; and the same drawn as instances."""
     text = MATERIAL.format(EXACT[name]) if name in EXACT else EXAMPLES / f"{name}.burnish"
@@ -114,14 +118,91 @@ def test_every_kind_of_primitive_is_tried() -> None:
 @pytest.mark.parametrize("route", ON)
 @pytest.mark.parametrize("name", EXACT)
 def test_both_forms_are_one_picture(studio: Studio, name: str, route: str) -> None:
-    native, lowered = both(name)
-    assert [stage.name for stage in native.staged.program.stages][1] == "geometry"
-    (found,) = studio.draw(route, native, state_of(native))
-    (expected,) = studio.draw(route, lowered, state_of(lowered))
+    found, expected = drawn_both(studio, name, route)
     assert (found == expected).all()
     covered = (expected != np.array(CLEAR, np.float32)).any(axis=-1)
     assert covered.sum() > 100
     assert len(np.unique(expected[covered], axis=0)) > 5
+
+
+def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:
+    """What is drawn with a geometry stage, and as instances."""
+    native, lowered = both(name)
+    assert [stage.name for stage in native.staged.program.stages][1] == "geometry"
+    (found,) = studio.draw(route, native, state_of(native))
+    (expected,) = studio.draw(route, lowered, state_of(lowered))
+    return found, expected
+
+
+def _without_turning(numbers: EmittedNumbers, group: int) -> Node:
+    """The number of a vertex in its strip, as if all triangles of a strip were alike."""
+    place = numbers._within(group)
+    if numbers._groups[group].strips > 1:
+        place = numbers._call("mod", place, numbers._number(3 * numbers._groups[group].triangles))
+    three = numbers._number(3)
+    return numbers._call(
+        "add", numbers._call("div", place, three), numbers._call("mod", place, three)
+    )
+
+
+def _too_early(expansion: Expansion) -> tuple[int, ...]:
+    """For each group the number of its first vertex, as if the others had two."""
+    return (0, *[2] * (len(expansion.groups) - 1))
+
+
+def _form(**changes: str) -> Callable[[pytest.MonkeyPatch], None]:
+    """Change forms of GLSL."""
+
+    def plant(patch: pytest.MonkeyPatch) -> None:
+        load = registry.load
+        right = load("glsl")
+        wrong = changed(right, forms=changed(right.forms, **changes))
+        patch.setattr(registry, "load", lambda name: wrong if name == "glsl" else load(name))
+
+    return plant
+
+
+def _replaced(owner: object, name: str, value: object) -> Callable[[pytest.MonkeyPatch], None]:
+    return lambda patch: patch.setattr(owner, name, value)
+
+
+PLANTED = {
+    "triangles of a strip are not turned": (
+        "a long strip", _replaced(EmittedNumbers, "_strip_vertex", _without_turning)
+    ),
+    "all vertices are of the first strip": (
+        "triangle", _replaced(EmittedNumbers, "_strip", lambda numbers, _group: numbers._number(0))
+    ),
+    "every strip is drawn": (
+        "triangle", _replaced(_Lowering, "emitted", lambda _lowering, _values: None)
+    ),
+    "groups begin elsewhere": ("groups", _replaced(Expansion, "starts", property(_too_early))),
+    "each vertex is like the first corner": ("a list", _form(corner="{name}[0]")),
+    "strips are joined": ("triangle", _form(end_strip="// EndPrimitive();")),
+    "the first vertex is left out": (
+        "point", _form(loop="for ({index_typed} = 1; {index} < {count}; {index}++) {{")
+    ),
+    "corners in another order": (
+        "triangle_adjacency",
+        _replaced(expanding, "_values", lambda wanted, data, corners, copies: _values(
+            wanted, data, np.roll(corners, 2, axis=1), copies
+        )),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "plant"), PLANTED.values(), ids=PLANTED)
+def test_the_comparison_shows_what_is_wrong(
+    studio: Studio,
+    name: str,
+    plant: Callable[[pytest.MonkeyPatch], None],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The reference draws what the lowering has made, so that only this comparison can tell."""
+    with monkeypatch.context() as patch:
+        plant(patch)
+        found, expected = drawn_both(studio, name, "lavapipe:glsl")
+    assert (found != expected).any()
 
 
 @pytest.mark.parametrize("route", ON)

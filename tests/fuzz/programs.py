@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from random import Random
 
 from . import declarations
+from .expansions import SPREAD, expansion
 from .expressions import FUEL, Writer
 from .rules import GEOMETRIC, TYPES
 from .scope import (
@@ -148,6 +149,9 @@ class _Program:
         items += self._overrides()
         items += self._places(scope)
         items += self._slots(scope, "s", most=3)[1]
+        if writer.maybe(0.12):
+            items += expansion(writer, scope)
+            scope = scope.having(SPREAD)
         below = scope.having(*_OWN)
         last_scope, slots = self._slots(below, "c", most=1)
         color = writer.expression("rgb", last_scope)

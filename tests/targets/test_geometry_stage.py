@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
 from burnish.targets.toolchain import Job, Toolchain
 
@@ -74,6 +75,11 @@ def test_texts(profile: str) -> None:
 @pytest.mark.parametrize("profile", PROFILES)
 def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
     (material,) = burnish.compile(TENT, profile, geometry_stage=True, flip_y=flip_y).materials
+    assert refused(material) == []
+
+
+def refused(material: CompiledMaterial) -> list[str]:
+    """What compilers say of the texts that they refuse."""
     suffixes = {"vertex": "vert", "geometry": "geom", "fragment": "frag"}
     jobs = [
         Job(checker, suffixes[file.stage], file.text, file.entry_points[file.stage], file.name)
@@ -82,7 +88,21 @@ def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
     ]
     with Toolchain() as toolchain:
         verdicts = toolchain.check(jobs)
-    assert [verdict.log for verdict in verdicts if verdict.status != "accepted"] == []
+    return [verdict.log for verdict in verdicts if verdict.status != "accepted"]
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_strips_that_are_never_there_are_left_out(profile: str) -> None:
+    text = """material M {
+        expand point {
+            strip of 3 as i where false { uv = vec2(float(i)) }
+            strip of 4 where 2 < 1 {}
+        }
+        color = vec3(uv, 0)
+    }"""
+    (material,) = burnish.compile(text, profile, geometry_stage=True).materials
+    assert material.text(profile, "geometry").count("for (") == 1
+    assert refused(material) == []
 
 
 def test_every_line_has_its_place_in_the_source() -> None:

@@ -21,10 +21,11 @@ fn safe_normalize_(v: vec3f) -> vec3f {
 
 @fragment
 fn main(input: FragmentInput) -> @location(0) vec4f {
-    let color = mix(
+    let inherited_color = mix(
         vec3f(0.14702727, 0.06847817, 0.024157632), vec3f(0.69387174, 0.3515326, 0.13286832),
         0.5 + 0.5 * safe_normalize_(input.normal_height.xyz).y
     );
+    let color = inherited_color * (0.2 + 0.8 * input.normal_height.w);
     let middle = length(fract(material.density * vec2f(2.0 * input.uv.x, input.uv.y)) - 0.5);
     let reach = max(1.0 - 2.0 * middle, 0.0);
     let alpha = select(0.0, 1.0, input.normal_height.w < reach + 0.05);
