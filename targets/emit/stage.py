@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...compiler.ir.node import Node
+from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
 from ...compiler.ir.program import Field, Function, Output, Stage
 from ...compiler.ir.shader import Store
 from ...compiler.ir.stages import CLIP_POSITION, DISCARD, EXTENT, STORE, TARGET
 from ...compiler.ir.storage import stored_element
 from ...compiler.ir.types import INT, Array, Struct
-from ...compiler.passes.walks import visible
 from ..description.shading_language import FieldRole
 from .comments import comment_line, comment_lines
 from .context import Context
@@ -142,7 +141,7 @@ class StagePrinter:
         if read == "index":
             namer.declare(read)
         self._index = namer.declare("index")
-        for node in visible(self._stage.roots):
+        for node in reachable(self._stage.roots):
             if node.op == "input" and INPUT.data(node).name == "index":
                 expressions.bound[node] = self._index, NAME
         value = read if type_ == INT else f"{self._types.type(INT)}({read})"

@@ -12,7 +12,7 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...ir import build
 from ...ir.leaves import Buffer
-from ...ir.node import Graph, Node
+from ...ir.node import Graph, Node, reachable
 from ...ir.shader import BufferInfo, Notes, ParameterInfo, Result, Shader, Store
 from ...ir.stages import COMPUTE, COMPUTED, EXTENT, STORE
 from ...ir.storage import elements_in_row
@@ -29,7 +29,6 @@ from ...ir.types import (
     Vector,
     with_width,
 )
-from ...passes.draw_constants import DrawConstants
 from ...syntax import ast
 from ..checking.expressions import RULES
 from ..declarations.buffers import element_info
@@ -48,6 +47,12 @@ from ..state.scope import Failure, Instance, Scope
 from ..types.typenames import Declared
 from .instances import instance_of
 from .slot_checks import check_instance
+
+_KNOWN_TO_HOST = frozenset(
+    {"constant", "parameter", "call", "native", "select", "vector", "splat", "matrix", "as"}
+    | {"swizzle", "index", "member", "called", "struct", "array"}
+)
+"""Operations by which a host computes how many elements a result has."""
 
 WRITTEN_GROUP = "draw"
 """The group of the buffers that a kernel writes."""
@@ -147,7 +152,7 @@ def _extent(ctx: Context, member: ast.Result, scope: Scope) -> Node | None:
     node = fit(ctx, node_of(ctx, written, scope), INT, "int", written.span)
     if isinstance(node, Failure):
         return None
-    if node not in DrawConstants():
+    if any(part.op not in _KNOWN_TO_HOST for part in reachable((node,))):
         ctx.report.add(rules.EXTENT_VARIES, written.span, name=member.name.text)
         return None
     return node

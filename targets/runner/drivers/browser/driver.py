@@ -67,7 +67,7 @@ class Browser:
     def compute(self, job: KernelJob) -> Sequence[Written]:
         """What each dispatch of the job writes. Raises ``DriverError``."""
         check_kernel(job)
-        runs = self._ask("compute", to_json(job))["written"]
+        runs = self._ask("kernel", to_json(job))["written"]
         return [Written(tuple(map(base64.b64decode, buffers))) for buffers in runs]
 
     def close(self) -> None:

@@ -36,7 +36,7 @@ export function draw(job) {
   });
 }
 
-export function compute(job) {
+export function kernel(job) {
   return answer(async () => {
     const { device, lost } = await theDevice();
     return Promise.race([collectErrors(device, () => runKernel(device, job)), lost]);
