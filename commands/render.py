@@ -157,6 +157,7 @@ def _render(request: Request) -> None:
     with Progress("drawing") as progress, Runner(drivers, device=request.device) as runner:
         _tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
         found = subjects(request, drivers)
+        _refuse_kernels(found)
         _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), request.size)
         drawn = list(panels(found, routes, request.target, runner, progress))
@@ -206,6 +207,13 @@ def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route])
     for subject, route in product(subjects, routes):
         if problem := subject.material.lacking.get(route.profile):
             remark("note", f"{subject.label} is not drawn by {route.name}: {problem}")
+
+
+def _refuse_kernels(subjects: Sequence[Subject]) -> None:
+    """End the command if something is no material."""
+    for subject in subjects:
+        if not subject.material.reflection["targets"]:
+            fail(f"{subject.label} is a kernel, which draws nothing: `burnish conform` runs it")
 
 
 def _check_total(count: int, size: tuple[int, int]) -> None:

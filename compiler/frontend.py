@@ -22,6 +22,7 @@ from .semantics.names.loader import Loader
 from .semantics.names.modules import Module, Symbol
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
+from .semantics.shading.kernels import kernel_shader
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import check_text, load_source
@@ -98,6 +99,14 @@ class Frontend:
         One that is named is compiled alone: only what it uses is checked. Otherwise everything that
         the file declares is.
         """
+        kernels = records_of(module, "kernel", abstract=False)
+        if material is not None:
+            kernels = [kernel for kernel in kernels if kernel.name == material]
+        if kernels and (material is not None or not _materials_of(module)):
+            if material is None:
+                drawn = [(symbol, self._forward()) for symbol in self._rigs_of(module)]
+                self._check_unused(module, drawn, (), set())
+            return self._kernels(module, kernels)
         materials = self._materials(module, material)
         rig_symbol = self._rig(module, rig)
         pass_symbol = self._pass(module, pass_)
@@ -113,7 +122,18 @@ class Frontend:
             rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
             drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
             self._check_unused(module, drawn, settings, reached)
-        return [shader for shader in found if shader is not None]
+        drawn_shaders = [shader for shader in found if shader is not None]
+        return [*drawn_shaders, *self._kernels(module, kernels)]
+
+    def _kernels(self, module: Module, kernels: Iterable[Symbol]) -> list[Shader]:
+        """The shaders of kernels."""
+        found: list[Shader] = []
+        for kernel in kernels:
+            report = self._report.apart()
+            shader = kernel_shader(kernel, module, report, self._records)
+            self._report.extend(report.since(0))
+            found += [] if shader is None else [shader]
+        return found
 
     def variants(self, module: Module) -> Iterator[tuple[str | None, str | None]]:
         """Names of a rig and a pass under which the module's materials can be drawn.
@@ -136,6 +156,7 @@ class Frontend:
         drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
         if drawn:
             self._check_unused(module, drawn, (), set())
+        self._kernels(module, records_of(module, "kernel", abstract=False))
 
     def _check_unused(
         self,

@@ -122,7 +122,7 @@ class _Building:
         for output in stage.results:
             if output.kind != VARYING:
                 roots.append(output.value)
-                results[output.value.id] = output.field.name if output.field else output.kind
+                results[output.value.id] = output.shown
         crossing = [v for varying in self._staged.program.leaving(stage) for v in varying.values]
         for value in crossing:
             if value.op not in LEAVES:
@@ -220,7 +220,8 @@ class _Building:
 
     def _leaf(self, prefix: str, node: Node) -> Box:
         kinds: dict[str, Kind] = {
-            "attribute": "attribute", "input": "input", "resource": "texture", "formal": "argument"
+            "attribute": "attribute", "input": "input", "resource": "texture", "buffer": "buffer",
+            "formal": "argument",
         }  # fmt: skip
         name = self._formulas.name(node) or str(node.data)
         kind = kinds.get(node.op, "group")

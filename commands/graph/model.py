@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 Kind = Literal[
-    "attribute", "input", "texture", "frame", "view", "rig", "material", "draw", "group",
+    "attribute", "input", "texture", "buffer", "frame", "view", "rig", "material", "draw", "group",
     "derived", "value", "loop", "call", "crossing", "argument", "result",
 ]  # fmt: skip
 
@@ -17,6 +17,7 @@ KINDS: dict[Kind, str] = {
     "attribute": "vertex input",
     "input": "supplied by the pipeline",
     "texture": "texture",
+    "buffer": "storage buffer",
     "frame": "parameter of the frame",
     "view": "parameter of the view",
     "rig": "parameter of the rig",

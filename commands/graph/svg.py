@@ -30,6 +30,7 @@ COLORS: dict[Kind, Colors] = {
     "attribute": Colors("#e6f0d8", "#6b8f3a"),
     "input": Colors("#eef3e6", "#8aa36b"),
     "texture": Colors("#d8efe6", "#2f8f6b"),
+    "buffer": Colors("#d5ecf0", "#23808f"),
     "frame": Colors("#f3e6f5", "#9a5ba6"),
     "view": Colors("#e9e3f8", "#6f58b5"),
     "rig": Colors("#fdf0cf", "#b98a14"),

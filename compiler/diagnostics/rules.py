@@ -683,6 +683,41 @@ NO_ALPHA = _error(
     "lanes can be added or multiplied.",
 )
 
+# Kernels
+
+NO_RESULT = _error(
+    "B0510",
+    "`{name}` computes nothing",
+    "A kernel has at least one result, whose elements it computes: "
+    "`result after : Particle[before.count] = moved(before[index])`.",
+)
+NO_EXTENT = _error(
+    "B0511",
+    "`{name}` does not say how many elements it has",
+    "The number stands in the type of a result: `float[before.count]`, `uint[256]`.",
+)
+EXTENT_VARIES = _error(
+    "B0512",
+    "the number of elements of `{name}` is not known to the host",
+    "It is computed of constants, parameters and the counts of buffers, without loops.",
+)
+EXTENTS_DIFFER = _error(
+    "B0513",
+    "`{name}` has another number of elements than the first result",
+    "Every invocation of a kernel computes one element of each result. Write a second kernel.",
+)
+NOT_WRITABLE = _error(
+    "B0514",
+    "a kernel cannot write elements of the type {type}",
+    "Numbers, vectors, matrices and structures of these can be written; a matrix or an array of "
+    "structures inside of a structure cannot.",
+)
+NOT_IN_KERNEL = _error(
+    "B0515",
+    "{what} is not available in a kernel",
+    "Derivatives, and reads of textures without a level, compare neighbouring pixels.",
+)
+
 # Expansions
 
 NO_SUCH_CORNER = _error(

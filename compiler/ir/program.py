@@ -16,6 +16,7 @@ from .expansion import EmittedStrips, Expansion
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
+from .shader import Store
 from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .storage import stored_type, structs_in
 from .types import Struct, Type
@@ -106,6 +107,15 @@ class Output:
     value: Node
     field: Field | None = None
     """Where it goes, for what has a location: a varying, or a render target."""
+    store: Store | None = None
+    """Where it goes, for what is written to a storage buffer."""
+
+    @property
+    def shown(self) -> str:
+        """What people call it."""
+        if self.store is not None:
+            return ".".join([self.store.buffer.name, *map(str, self.store.path)])
+        return self.field.name if self.field is not None else self.kind
 
 
 @frozen
@@ -321,7 +331,7 @@ class Stage:
     results: tuple[Output, ...]
     """All that it delivers: the shader's own results first, and then what crosses."""
     buffers: tuple[Buffer, ...] = ()
-    """The storage buffers that it reads."""
+    """The storage buffers that it reads or writes."""
     builtin_inputs: tuple[str, ...] = ()
     """Those of the row's ``inputs`` that it reads, by name."""
     reads: tuple[TextureRead, ...] = ()
@@ -351,6 +361,11 @@ class Stage:
     def roots(self) -> tuple[Node, ...]:
         """The values of all results."""
         return tuple(output.value for output in self.results)
+
+    @property
+    def written(self) -> frozenset[Buffer]:
+        """The storage buffers that it writes."""
+        return frozenset(output.store.buffer for output in self.results if output.store)
 
     def value_of(self, kind: str) -> Node | None:
         """The value of the result of a kind of which there is one at most."""
@@ -408,6 +423,11 @@ class Program:
     def results_of(self, kind: str) -> tuple[Output, ...]:
         """The results of one kind, of all stages."""
         return tuple(output for stage in self.stages for output in stage.results_of(kind))
+
+    @property
+    def written(self) -> frozenset[Buffer]:
+        """The storage buffers that some stage writes."""
+        return frozenset[Buffer]().union(*(stage.written for stage in self.stages))
 
     @property
     def structs(self) -> tuple[Struct, ...]:

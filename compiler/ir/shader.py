@@ -125,6 +125,19 @@ class RenderTarget:
         return not self.format.endswith("f")
 
 
+@frozen(key=True)
+class Store:
+    """Where a result of the kind ``STORE`` goes: a part of an invocation's element."""
+
+    buffer: Buffer
+    path: tuple[str | int, ...] = ()
+    """Members, and numbers of rows, on the way from the element to the part."""
+    stride: int = 1
+    """How many stored elements hold one value, as the columns of a matrix do."""
+    offset: int = 0
+    """Which of them this is."""
+
+
 @frozen
 class Result:
     """One value that a shader delivers."""
@@ -139,6 +152,8 @@ class Result:
     doc: str = ""
     state: RenderTarget | None = None
     """For a result of the kind ``TARGET``."""
+    store: Store | None = None
+    """For a result of the kind ``STORE``."""
 
 
 @record
@@ -225,6 +240,8 @@ class Shader:
     externs: tuple[ExternInfo, ...] = ()
     """The host's own blocks."""
     buffers: tuple[BufferInfo, ...] = ()
+    written: tuple[BufferInfo, ...] = ()
+    """The buffers that a kernel writes."""
     chain: Chain = RASTERISED
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None

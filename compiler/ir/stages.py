@@ -23,6 +23,7 @@ VERTICES: Domain = "vertex"
 EMITTED: Domain = "emitted"
 """The vertices of the primitives that those of a mesh turn into."""
 FRAGMENTS: Domain = "fragment"
+INVOCATIONS: Domain = "invocation"
 INSTANCES: Domain = "instance"
 """No stage is run for each instance; but what an instance has, each of its vertices has."""
 
@@ -34,6 +35,10 @@ DISCARD = "discard"
 """The kind of the result that says where nothing is written."""
 EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
+STORE = "store"
+"""The kind of a result that is written to an element of a storage buffer."""
+EXTENT = "extent"
+"""The kind of the result that says for how many elements a kernel is run."""
 VARYING = "varying"
 """The kind of what a stage delivers to the next one; packing makes these results."""
 
@@ -139,7 +144,16 @@ FRAGMENT = StageRow(
     has_derivatives=True,
 )  # fmt: skip
 
-STAGES: Mapping[str, StageRow] = {row.name: row for row in (VERTEX, GEOMETRY, FRAGMENT)}
+COMPUTE = StageRow(
+    "compute", INVOCATIONS, "comp", "cs_main",
+    inputs=(
+        # The number of the element that is computed.
+        SystemInput("index", INT, INVOCATIONS),
+    ),
+    delivers=(STORE, EXTENT),
+)  # fmt: skip
+
+STAGES: Mapping[str, StageRow] = {row.name: row for row in (VERTEX, GEOMETRY, FRAGMENT, COMPUTE)}
 """All stages by name."""
 
 ENTRY_POINTS = tuple(row.entry for row in STAGES.values())
@@ -153,6 +167,10 @@ RASTERISED: Chain = (VERTEX, FRAGMENT)
 
 EXPANDED: Chain = (VERTEX, GEOMETRY, FRAGMENT)
 """What turns each primitive of a mesh into others before these are drawn."""
+
+
+COMPUTED: Chain = (COMPUTE,)
+"""What computes the elements of buffers, each by an invocation of its own."""
 
 
 def inputs_of(chain: Iterable[StageRow]) -> dict[str, SystemInput]:

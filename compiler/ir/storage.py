@@ -228,3 +228,22 @@ def structs_in(types: Iterable[Type]) -> tuple[Struct, ...]:
             found.update(dict.fromkeys(structs_in(member for _, member in inner.members)))
             found[inner] = None
     return tuple(found)
+
+
+def place_in(element: Type, path: tuple[str | int, ...]) -> tuple[ScalarKind, int]:
+    """The kind of the lanes of a part of a storage buffer's element, and its offset in bytes.
+
+    ``path`` are the members and rows on the way to the part.
+    """
+    type_, offset = stored_element(element), 0
+    for step in path:
+        if isinstance(type_, Struct):
+            names = [name for name, _ in type_.members]
+            position = names.index(str(step))
+            offset += sum(byte_size(inner) for _, inner in type_.members[:position])
+            type_ = type_.members[position][1]
+        else:
+            assert isinstance(type_, Array) and isinstance(step, int)
+            offset, type_ = offset + step * byte_size(type_.element), type_.element
+    assert isinstance(type_, Scalar | Vector)
+    return type_.kind, offset

@@ -28,7 +28,7 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import EMITTING, VARYING, StageRow
+from ..ir.stages import EMITTING, EXTENT, VARYING, StageRow
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
@@ -73,7 +73,7 @@ def split_stages(
     used = tuple(b for b in blocks if any(b in stage.blocks for stage in stages))
     buffers = tuple(
         info.buffer
-        for info in shader.buffers
+        for info in (*shader.buffers, *shader.written)
         if any(info.buffer in stage.buffers for stage in stages)
     )
     return Program(
@@ -116,9 +116,9 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
     locations = count()
     for result in results:
         field = None
-        if result.name:
+        if result.name and result.store is None:
             field = Field(result.name, result.value.type, next(locations), doc=result.doc)
-        yield Output(result.kind, result.value, field)
+        yield Output(result.kind, result.value, field, result.store)
 
 
 def _crossing_outputs(graph: Graph, varyings: Iterable[Varying]) -> Iterator[Output]:
@@ -149,7 +149,8 @@ def _stage(
     nodes: list[Node],
 ) -> Stage:
     """A stage, with ``nodes`` that it computes for its outputs, those in bodies included."""
-    roots = [] if groups else [output.value for output in outputs]
+    # What asks whether there is anything to do comes before all statements.
+    roots = [] if groups else [output.value for output in outputs if output.kind != EXTENT]
     naming = Naming(shader.notes)
     together = needing_uniform_flow(nodes)
     functions = tuple(
@@ -158,6 +159,7 @@ def _stage(
     parameters = {node.data for node in nodes if node.op == "parameter"}
     resources = {node.data for node in nodes if node.op == "resource"}
     buffers = {node.data for node in nodes if node.op == "buffer"}
+    buffers |= {output.store.buffer for output in outputs if output.store}
     return Stage(
         row=row,
         inputs=inputs,
@@ -166,7 +168,9 @@ def _stage(
         functions=functions,
         region=Scheduler(roots, shader.notes, naming, together).schedule(),
         results=outputs,
-        buffers=tuple(info.buffer for info in shader.buffers if info.buffer in buffers),
+        buffers=tuple(
+            info.buffer for info in (*shader.buffers, *shader.written) if info.buffer in buffers
+        ),
         builtin_inputs=tuple(
             sorted({INPUT.data(node).name for node in nodes if node.op == "input"})
         ),

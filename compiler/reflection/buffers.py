@@ -6,28 +6,45 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ..ir.program import Program
-from ..ir.shader import BufferInfo
+from ..ir.shader import BufferInfo, Shader
+from ..ir.stages import EXTENT
 from ..ir.storage import stored_type, structs_in
 from ..packing import element_packing
 from .bytes import layout_row, struct_row
 from .parameters import member_rows
+from .values import steps
 
 
 def buffer_rows(infos: Sequence[BufferInfo], program: Program) -> Iterator[dict[str, Any]]:
     """A row for each declared buffer."""
     read = {stage.name: frozenset(stage.buffers) for stage in program.stages}
     for info in infos:
-        buffer, packed = info.buffer, element_packing(info.buffer.type.element)
-        yield {
-            "name": buffer.name,
-            "type": f"{info.element.declared_type}[]",
-            "representation": str(buffer.type),
-            "group": buffer.group,
-            "count": buffer.count.name,
-            "stride": packed.stride,
-            "layout": layout_row(packed),
-            "members": member_rows(packed, info.element.members),
-            "structs": [struct_row(struct) for struct in structs_in([stored_type(buffer.type)])],
-            "stages": [name for name, buffers in read.items() if buffer in buffers],
-            "doc": info.doc,
-        }
+        stages = [name for name, buffers in read.items() if info.buffer in buffers]
+        yield {**_row(info), "count": info.buffer.count.name, "stages": stages}
+
+
+def result_rows(shader: Shader) -> Iterator[dict[str, Any]]:
+    """A row for each buffer that a kernel writes."""
+    yield from map(_row, shader.written)
+
+
+def extent_steps(shader: Shader) -> list[dict[str, Any]] | None:
+    """The steps that compute how many elements a kernel's results have; ``None`` for others."""
+    extents = shader.results_of(EXTENT)
+    return steps(extents[0].value) if extents else None
+
+
+def _row(info: BufferInfo) -> dict[str, Any]:
+    """What both kinds of buffers have."""
+    buffer, packed = info.buffer, element_packing(info.buffer.type.element)
+    return {
+        "name": buffer.name,
+        "type": f"{info.element.declared_type}[]",
+        "representation": str(buffer.type),
+        "group": buffer.group,
+        "stride": packed.stride,
+        "layout": layout_row(packed),
+        "members": member_rows(packed, info.element.members),
+        "structs": [struct_row(struct) for struct in structs_in([stored_type(buffer.type)])],
+        "doc": info.doc,
+    }

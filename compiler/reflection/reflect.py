@@ -13,7 +13,7 @@ from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
 from ..ir.stages import GEOMETRY, TARGET
 from ..promises import promises
-from .buffers import buffer_rows
+from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint
@@ -59,6 +59,8 @@ def reflect(
         "promises": list(_promise_rows(shader)),
         "lights": light_rows(infos),
         "buffers": list(buffer_rows(shader.buffers, program)),
+        "results": list(result_rows(shader)),
+        "extent": extent_steps(shader),
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),

@@ -15,10 +15,10 @@ _RECORD = "a {} is `{} Name : Base + Mixin {{ … }}`, where the base and the mi
 
 DECLARATIONS: Mapping[str, str] = MappingProxyType(
     {
-        **{kind: _RECORD.format(kind, kind) for kind in ("material", "light")},
+        **{kind: _RECORD.format(kind, kind) for kind in ("material", "light", "kernel")},
         "pass": "a pass is `pass Name : Base blend mode { … }`; the base and the mode are optional",
         "abstract": "a material for others to complete is `abstract material Name : Base { … }`",
-        "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, or `… for pass`",
+        "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, `… for pass`",
         "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`, or, with names "
         "for parts of it, `fn name(x: float) -> float = part * part where { part = expression }`",
         "term": "a term is `term name(k: rgb) -> rgb per light = expression`, or, with names for "

@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 from threading import Event
 
+from ...compiler.ir.stages import COMPUTED
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError, Job
@@ -22,6 +23,7 @@ from ..runner.subject import Subject
 from ..toolchain import Toolchain
 from .cases import SIZE, Size
 from .compare import proves_little
+from .kernels import KernelPlan
 from .plan import Plan
 from .rows import CaseResult, Row, Status
 
@@ -72,16 +74,18 @@ def conform(
 
 def _plan(
     label: str, subject: Subject, seed: int, store: Store, size: Size, draw: Draw
-) -> Plan | tuple[str, str]:
-    """A material's plan; or its label, and the reason why nothing can draw it."""
+) -> Plan | KernelPlan | tuple[str, str]:
+    """The plan of a material or a kernel; or its label, and the reason why nothing can draw it."""
     try:
+        if subject.shader.chain == COMPUTED:
+            return KernelPlan(label, subject, seed)
         return Plan(label, subject, seed, store, size, draw)
     except ValueError as error:
         return label, str(error)
 
 
 def _row(
-    plan: Plan | tuple[str, str],
+    plan: Plan | KernelPlan | tuple[str, str],
     route: Route,
     runner: Runner,
     toolchain: Toolchain,
@@ -99,6 +103,9 @@ def _row(
         device = runner.device(route)
         codes = compile_one(route, plan.subject.files, toolchain)
         results: list[CaseResult] = []
+        if isinstance(plan, KernelPlan):
+            results += plan.results(route, device, codes, runner)
+            return made(status=_status(results), device=device, results=tuple(results))
         for series, draws in plan.work:
             if interrupted.is_set():
                 break

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from threading import Lock
-from typing import Generic, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -190,7 +190,19 @@ def summed_up(found: Sequence[Comparison]) -> Comparison:
     )  # fmt: skip
 
 
-def bounds_of(state: SceneState, route: Route, device: Device) -> tuple[Bounds, ...]:
+class Sized2d(Protocol):
+    """What has the size of a picture."""
+
+    @property
+    def width(self) -> int:
+        """Pixels in a row."""
+
+    @property
+    def height(self) -> int:
+        """Rows."""
+
+
+def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...]:
     """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
     driver = DRIVERS[route.driver]
     guaranteed = Bounds(
@@ -218,7 +230,7 @@ def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
     )
 
 
-def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardware) -> RasterRules:
+def rules_of(state: Sized2d, device: Device, driver: Driver, hardware: Hardware) -> RasterRules:
     """The rules by which a device rasterises a state."""
     return RasterRules(
         state.width,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -57,7 +57,7 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
             instance.set(name, _value(row, random.Random(f"{seed} {name}")))
 
 
-def sample_buffers(instance: Instance, seed: int) -> None:
+def sample_buffers(instance: Instance, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> None:
     """Fill every storage buffer with some elements, or now and then with none."""
     for row in instance.reflection["buffers"]:
         chance = random.Random(f"{seed} {row['name']}")
@@ -66,7 +66,7 @@ def sample_buffers(instance: Instance, seed: int) -> None:
             "type": row["type"].removesuffix("[]"),
             "representation": row["representation"].removesuffix("[]"),
         }
-        count = chance.choice(BUFFER_SIZES)
+        count = chance.choice(sizes)
         instance.set(row["name"], [_element(element, chance) for _ in range(count)])
 
 

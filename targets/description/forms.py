@@ -82,6 +82,8 @@ class Forms:
     """A uniform block as a parameter, where ``Language.resource_arguments`` makes it one."""
     buffer_argument: str = "{type} {name}"
     """A storage buffer likewise, with the ``{type}`` of its elements."""
+    written_argument: str = "{type} {name}"
+    """The same for one that a kernel writes."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"

@@ -28,7 +28,7 @@ STAGE_STRUCTS = tuple(
 FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
 
-BindingKind = Literal["block", "buffer", "texture", "sampler"]
+BindingKind = Literal["block", "buffer", "written", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
 
 

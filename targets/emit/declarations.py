@@ -126,14 +126,16 @@ class Declarations:
         slot = self._bindings.buffers[buffer.name]
         assert isinstance(stored, RuntimeArray)
         element = self._types.type(stored.element)
-        argument = self._context.language.forms.buffer_argument
+        forms, is_written = self._context.language.forms, buffer in self._context.program.written
+        argument = forms.written_argument if is_written else forms.buffer_argument
         return BufferView(
             name=name,
             block=self._names.buffer_blocks.get(buffer.name, ""),
             element=element,
             slot=slot,
-            register=self._register("buffer", slot),
+            register=self._register("written" if is_written else "buffer", slot),
             argument=argument.format(type=element, name=name),
+            written=is_written,
         )
 
     def _texture(self, resource: Resource) -> Iterable[TextureView]:

@@ -53,7 +53,8 @@ def backend_table(
         buffers={
             buffer.name: _point(
                 language, profile,
-                names.buffers[buffer.name], bindings.buffers[buffer.name], "buffer",
+                names.buffers[buffer.name], bindings.buffers[buffer.name],
+                "written" if buffer in program.written else "buffer",
             )
             for buffer in program.buffers
         },

@@ -6,11 +6,15 @@ it returns to the skeleton.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from ...compiler.ir.node import Node
+from ...compiler.ir.node import Node, reachable
+from ...compiler.ir.operations import INPUT
 from ...compiler.ir.program import Field, Function, Output, Stage
-from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET
+from ...compiler.ir.shader import Store
+from ...compiler.ir.stages import CLIP_POSITION, DISCARD, EXTENT, STORE, TARGET
+from ...compiler.ir.storage import stored_element
+from ...compiler.ir.types import INT, Array, Struct
 from ..description.shading_language import FieldRole
 from .comments import comment_line, comment_lines
 from .context import Context
@@ -20,9 +24,13 @@ from .leaves import LeafPrinter
 from .namer import Namer
 from .natives import EmittedFunction, Natives
 from .origins import Marks
+from .precedence import NAME
 from .statements import INDENT, Statements
 from .strips import Strips
 from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
+
+WORKGROUP = 64
+"""Invocations that run together: a multiple of what all devices execute at once."""
 
 
 class StagePrinter:
@@ -54,13 +62,17 @@ class StagePrinter:
         }
         self._natives = Natives(context, self._leaves, self._functions)
         self._marks = marks
+        self._index = ""
+        """The name of the number of a kernel's element."""
 
     def entry(self, name: str) -> EntryView:
         """The entry point, called ``name``."""
         stage = self._stage
         namer = self._locals()
         expressions, statements = self._body(namer)
+        index_line = self._index_line(namer, expressions)
         functions = [self._function(function) for function in stage.functions]
+        guard = self._guard(expressions, stage.value_of(EXTENT))
         lines = statements.lines(stage.region)
         if stage.emitted:
             strips = Strips(self._context, expressions, namer, self._marks)
@@ -69,7 +81,7 @@ class StagePrinter:
         for output in stage.results:
             if output.field is not None:
                 stored.append((self._field(output.field, _role(output)), output.value))
-            elif output.kind not in (CLIP_POSITION, DISCARD):
+            elif output.kind not in (CLIP_POSITION, DISCARD, EXTENT, STORE):
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
@@ -82,12 +94,13 @@ class StagePrinter:
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
-            stores=[]
-            if stage.emitted
-            else [StoreView(field.name, self._value(expressions, node)) for field, node in stored],
+            stores=[] if stage.emitted else list(self._stores(expressions, stored)),
             position=""
             if stage.emitted
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
+            index=index_line,
+            guard=guard,
+            workgroup=WORKGROUP if guard else 0,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
             expansion=self._expansion(),
         )
@@ -113,6 +126,55 @@ class StagePrinter:
             yield f"{position}.z = 2.0 * {position}.z - {position}.w;"
         if self._context.flip_y:
             yield f"{position}.y = -{position}.y;"
+
+    def _guard(self, expressions: Expressions, extent: Node | None) -> str:
+        """The condition under which an invocation has no element to compute."""
+        if extent is None:
+            return ""
+        return self._marks.mark(f"{self._index} >= {expressions.text(extent)}", extent)
+
+    def _index_line(self, namer: Namer, expressions: Expressions) -> str:
+        """The statement that gives the number of a kernel's element its name; else nothing."""
+        if self._stage.value_of(EXTENT) is None:
+            return ""
+        read, type_ = self._leaves.input("index")
+        if read == "index":
+            namer.declare(read)
+        self._index = namer.declare("index")
+        for node in reachable(self._stage.roots):
+            if node.op == "input" and INPUT.data(node).name == "index":
+                expressions.bound[node] = self._index, NAME
+        value = read if type_ == INT else f"{self._types.type(INT)}({read})"
+        typed = self._types.declare(self._index, INT)
+        return self._language.forms.let.format(typed=typed, name=self._index, value=value)
+
+    def _stores(
+        self, expressions: Expressions, stored: Iterable[tuple[FieldView, Node]]
+    ) -> Iterator[StoreView]:
+        """What is written at the end: outputs, and parts of elements."""
+        for field, node in stored:
+            yield StoreView(field.name, self._value(expressions, node))
+        for output in self._stage.results:
+            if output.store is not None:
+                yield self._store(expressions, output.store, output.value)
+
+    def _store(self, expressions: Expressions, store: Store, value: Node) -> StoreView:
+        """The part of an element that is written, and its value."""
+        place = self._index
+        if store.stride > 1:
+            place = f"{place} * {store.stride}"
+            place += f" + {store.offset}" if store.offset else ""
+        text = f"{self._names.buffers[store.buffer.name]}[{place}]"
+        owner = stored_element(store.buffer.type.element)
+        for step in store.path:
+            if isinstance(step, int):
+                assert isinstance(owner, Array)
+                text, owner = f"{text}[{step}]", owner.element
+            else:
+                assert isinstance(owner, Struct)
+                text = f"{text}.{self._names.member(owner.name, step)}"
+                owner = owner.member(step)
+        return StoreView(text, self._value(expressions, value))
 
     def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
         if condition is None:
@@ -197,11 +259,17 @@ class StagePrinter:
             comment=comment_line(field.doc),
         )
 
+    def _supplied(self) -> tuple[str, ...]:
+        """The pipeline's values that the entry point reads; a kernel's always reads its index."""
+        own = self._stage.builtin_inputs
+        is_kernel = self._stage.value_of(EXTENT) is not None
+        return ("index", *own) if is_kernel and "index" not in own else own
+
     def _pipeline_inputs(self) -> list[InputView]:
         inputs = self._context.dialect.inputs
         return [
             InputView(self._types.declare(name, row.type), row.semantic)
-            for name in self._stage.builtin_inputs
+            for name in self._supplied()
             if (row := inputs[name]).semantic
         ]
 

@@ -55,6 +55,8 @@ class BufferView:
     register: str
     argument: str
     """The buffer as a parameter of a function."""
+    written: bool
+    """Whether a kernel writes it; all others are only read."""
 
 
 @frozen
@@ -138,6 +140,12 @@ class EntryView:
     stores: list[StoreView]
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
+    index: str
+    """The statement that names the number of a kernel's element; empty in other stages."""
+    guard: str
+    """Where a kernel's invocation has nothing to do; empty in other stages."""
+    workgroup: int
+    """How many invocations a kernel runs together; 0 in other stages."""
     discard: list[str]
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
     expansion: ExpansionView | None = None

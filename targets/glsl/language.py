@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import EXPANDED
-from ...compiler.ir.types import BOOL, INT, VEC4
+from ...compiler.ir.stages import COMPUTED, EXPANDED
+from ...compiler.ir.types import BOOL, INT, UINT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -106,6 +106,7 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "gl_FrontFacing"),
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
+    "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
 }
 
@@ -149,10 +150,10 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 
 VULKAN = Profile(
     name="vulkan",
+    stages=(*EXPANDED, *COMPUTED),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
     preamble=("#version 450",),
-    stages=EXPANDED,
     limits=Limits(groups=4, buffers=4),
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import ENTRY_POINTS, EXPANDED
+from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
@@ -156,6 +156,7 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "input.{name}", "SV_IsFrontFace"),
     "vertex_index": PipelineInput(UINT, "input.{name}", "SV_VertexID"),
     "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
+    "index": PipelineInput(UINT, "input.{name}", "SV_DispatchThreadID"),
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
@@ -219,9 +220,9 @@ AGREES: Mapping[str, Domain] = {
 
 SM6 = Profile(
     name="sm6",
+    stages=(*EXPANDED, *COMPUTED),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
-    stages=EXPANDED,
     agrees=AGREES,
     limits=Limits(varyings=31, block_bytes=65536),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
@@ -230,8 +231,8 @@ SM6 = Profile(
 LANGUAGE = Language(
     name="hlsl",
     registers={
-        "block": "b{binding}", "buffer": "t{binding}", "texture": "t{binding}",
-        "sampler": "s{binding}",
+        "block": "b{binding}", "buffer": "t{binding}", "written": "u{binding}",
+        "texture": "t{binding}", "sampler": "s{binding}",
     },
     line_directive='#line {line} "{name}"',
     title="HLSL",

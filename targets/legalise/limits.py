@@ -123,7 +123,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
             emits = bool(stage.emitted)
             instead = WITHOUT_STAGE if emits else OTHER_PROFILE
             yield Lack(f"{stage.name} stage", instead, emits), stage.roots[0].id
-    reading = [stage for stage in program.stages if stage.buffers]
+    reading = [s for s in program.stages if s.buffers and s.row in profile.stages]
     if reading and not profile.limits.buffers:
         yield NO_BUFFERS, _first_read(reading[0])
     for native in [native for stage in program.stages for native in stage.natives]:

@@ -18,7 +18,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import ENTRY_POINTS
+from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ..description.forms import Forms
@@ -61,6 +61,7 @@ FORMS = Forms(
     lane_words=("component::x", "component::y", "component::z", "component::w"),
     block_argument="constant {type}& {name}",
     buffer_argument="device const {type}* {name}",
+    written_argument="device {type}* {name}",
 )
 
 TEXTURES = TextureNames(
@@ -184,6 +185,7 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "{name}", "front_facing"),
     "vertex_index": PipelineInput(UINT, "{name}", "vertex_id"),
     "instance_index": PipelineInput(UINT, "{name}", "instance_id"),
+    "index": PipelineInput(UINT, "{name}", "thread_position_in_grid"),
 }
 
 
@@ -204,6 +206,7 @@ def is_float(facts: tuple[Fact, ...]) -> bool:
 
 METAL2 = Profile(
     name="metal2",
+    stages=(*RASTERISED, *COMPUTED),
     doc="Metal 2, to be compiled without fast maths; never compiled by Apple's compiler.",
     preamble=(
         "// Never compiled by Apple's compiler: only type-checked by clang.",
@@ -240,6 +243,7 @@ LANGUAGE = Language(
     registers={
         "block": "buffer({binding})",
         "buffer": "buffer({binding})",
+        "written": "buffer({binding})",
         "texture": "texture({binding})",
         "sampler": "sampler({binding})",
     },

@@ -12,6 +12,7 @@ typedef unsigned long size_t;
 
 #define vertex
 #define fragment
+#define kernel
 #define constant const
 #define device
 #define thread
@@ -169,6 +170,7 @@ template <typename T> struct alignas(4 * sizeof(T)) vec<T, 4> : operators<vec<T,
 template <typename T> struct __packed {
     T x, y, z;
     operator vec<T, 3>() const;
+    __packed &operator=(vec<T, 3>);
 };
 
 } // namespace metal

@@ -86,9 +86,10 @@ def pipeline(
         ),
         textures=_textures(reflection, backend),
         buffers=tuple(
-            BufferSlot(_place(backend["buffers"][row["name"]]), row["stride"])
-            for row in reflection["buffers"]
-            if row["stages"]
+            BufferSlot(_place(backend["buffers"][row["name"]]), row["stride"], written=written)
+            for written in (False, True)
+            for row in reflection["results" if written else "buffers"]
+            if written or row["stages"]
         ),
         targets=tuple(
             RenderTarget(target_format(row, exact=exact), "none" if exact else row["blend"])

@@ -16,7 +16,7 @@ from typing import Any
 
 from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
-from .drivers.draw import Device, DriverError, Job, Picture
+from .drivers.draw import Device, DriverError, Job, KernelJob, Picture, Written
 from .drivers.wire import from_json, to_json
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
@@ -98,6 +98,11 @@ class Runner(Closing):
         if self._store:
             self._store.write(name, _packed(made))
         return made
+
+    def compute(self, route: Route, job: KernelJob) -> tuple[Written, ...]:
+        """What each dispatch of the job writes. Raises ``DriverError``."""
+        answer = self._ask(route.driver, {"kernel": to_json(job)})
+        return tuple(from_json(Written, written) for written in answer["written"])
 
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import ENTRY_POINTS
-from ...compiler.ir.types import BOOL, UINT, VEC4
+from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
+from ...compiler.ir.types import BOOL, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -107,6 +107,7 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "input.{name}", "@builtin(front_facing)"),
     "vertex_index": PipelineInput(UINT, "input.{name}", "@builtin(vertex_index)"),
     "instance_index": PipelineInput(UINT, "input.{name}", "@builtin(instance_index)"),
+    "index": PipelineInput(Vector("uint", 3), "input.{name}.x", "@builtin(global_invocation_id)"),
 }
 
 
@@ -133,6 +134,7 @@ too; but the SPIR-V that naga makes of them leaves it open again.)"""
 
 WEBGPU = Profile(
     name="webgpu",
+    stages=(*RASTERISED, *COMPUTED),
     doc="WGSL as browsers and wgpu take it.",
     agrees=AGREES,
     single_file=True,

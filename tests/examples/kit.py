@@ -23,9 +23,9 @@ PROFILES = tuple(
     for profile in target.profiles
 )
 WITHOUT_BUFFERS = frozenset({"glsl:gl330", "glsl:es300"})
-LACKING: Mapping[str, frozenset[str]] = {"lanterns": WITHOUT_BUFFERS}
+LACKING: Mapping[str, frozenset[str]] = {"lanterns": WITHOUT_BUFFERS, "swarm": WITHOUT_BUFFERS}
 """By example, the profiles that lack what it shows."""
-STAGES = {"vertex": "vert", "fragment": "frag"}
+STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}
 
 
 @dataclass(frozen=True)

@@ -41,6 +41,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "member": "block name",
             "block_argument": "type name",
             "buffer_argument": "type name",
+            "written_argument": "type name",
             "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",

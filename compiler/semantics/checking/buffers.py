@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...ir import build
 from ...ir.node import Formal, Node, bare
+from ...ir.stages import SystemInput
 from ...ir.types import INT
 from ..declarations.buffers import leaf_of
 from ..state.context import Context
@@ -33,9 +34,11 @@ def element(ctx: Context, buffer: Node, position: Node) -> Value:
 
 
 def _is_within(ctx: Context, buffer: Node, position: Node) -> bool:
-    """Whether a position is the index of a loop over this buffer's elements."""
+    """Whether a position is the index of a loop, or of a kernel, over this buffer's elements."""
     index, leaf = bare(position).data, leaf_of(buffer)
     end = ctx.ends.get(index) if isinstance(index, Formal) else None
+    if isinstance(index, SystemInput):
+        end = ctx.extent
     return leaf is not None and end is not None and bare(end).data == leaf.count
 
 

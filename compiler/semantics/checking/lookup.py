@@ -20,7 +20,7 @@ from ..declarations.written_types import declared_type
 from ..hints import advice
 from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.crossings import EXPANDED_INPUTS, INPUTS
+from ..state.crossings import EXPANDED_INPUTS, INPUTS, KERNEL_INPUTS
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import FAILURE, Application, Inherited, Scope, Value
 from .bodies import part_value
@@ -47,6 +47,9 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
         return slot(ctx, instance, name, span)
     if scope.surface is not None and scope.surface.has(name):
         return slot(ctx, scope.surface, name, span)
+    if name in KERNEL_INPUTS and ctx.extent is not None:
+        row = KERNEL_INPUTS[name]
+        return ctx.tree.node("input", row.type, (), row)
     corner = None if scope.surface is None else scope.surface.corner
     inputs = INPUTS if corner is None else EXPANDED_INPUTS
     if name in inputs and scope.surface is not None:

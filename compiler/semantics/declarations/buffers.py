@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
@@ -32,7 +33,8 @@ def buffer_of(ctx: Context, definition: Definition, name: str, group: str) -> Bu
     limits = (0.0, buffer.count.fact.hi)
     span = member.name.span
     count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
-    return BufferInfo(buffer, _element(declared, span), count, member.doc, span)
+    element = changed(declared, type=declared.type.element, text=declared.text.removesuffix("[]"))
+    return BufferInfo(buffer, element_info(element, span), count, member.doc, span)
 
 
 def _report_type(ctx: Context, member: ast.Buffer, declared: Declared) -> None:
@@ -52,12 +54,11 @@ def _report_type(ctx: Context, member: ast.Buffer, declared: Declared) -> None:
     )  # fmt: skip
 
 
-def _element(declared: Declared, span: Span) -> ParameterInfo:
-    """What is known of one element, in the form of a parameter."""
-    text = declared.text.removesuffix("[]")
-    assert isinstance(declared.type, RuntimeArray)
-    one = Parameter("", declared.type.element, "", declared.fact, meaning=declared.meaning)
-    return ParameterInfo(one, text, None, None, "", span, member_infos(declared, span))
+def element_info(declared: Declared, span: Span) -> ParameterInfo:
+    """What is known of an element that was declared so, in the form of a parameter."""
+    one = Parameter("", declared.type, "", declared.fact, meaning=declared.meaning)
+    members = member_infos(declared, span)
+    return ParameterInfo(one, declared.text, None, None, "", span, members)
 
 
 def member_infos(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:

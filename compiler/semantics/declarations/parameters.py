@@ -44,7 +44,12 @@ from .contracts import as_declared, needs_unit
 from .maps import resource, unknown_word
 from .written_types import declared_type, named_struct
 
-DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
+DEFAULT_GROUPS: Mapping[str, str] = {
+    "material": "material",
+    "light": "rig",
+    "pass": "frame",
+    "kernel": "draw",
+}
 """The group of a parameter that names none, by what declares it."""
 
 STEPS = (VERTICES, INSTANCES)

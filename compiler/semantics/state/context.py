@@ -113,6 +113,8 @@ class Context:
         self.meanings = Meanings(self.tree)
         self.ranges = Ranges(())
         """What is known of values already: it bounds loops and proves lengths."""
+        self.extent: Node | None = None
+        """How many elements a kernel computes."""
         self.ends: dict[Formal, Node] = {}
         """What the indices of loops that count from 0 stay below."""
         self.deferred = Deferred(report, self.tree, Conditions(self.constants, self.ranges))

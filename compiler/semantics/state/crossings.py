@@ -21,6 +21,7 @@ from ...ir.domains import Domains
 from ...ir.node import AGE, Graph, Node
 from ...ir.operations import CROSS, INPUT
 from ...ir.stages import (
+    COMPUTED,
     EMITTED,
     FLAT,
     FLAT_EMITTED,
@@ -41,6 +42,7 @@ from ...ir.types import INT, UINT, Matrix, Scalar, Vector, scalar_kind, width, w
 from .places import Places
 from .scope import FAILURE, Failure
 
+KERNEL_INPUTS = inputs_of(COMPUTED)
 INPUTS = inputs_of(RASTERISED)
 """The names by which expressions read what the pipeline supplies."""
 EXPANDED_INPUTS = {**INPUTS, PRIMITIVE_INDEX.name: PRIMITIVE_INDEX}
@@ -189,3 +191,15 @@ def _exists_before_fragments(node: Node) -> bool:
     if node.op == "call":
         return not BUILTINS[str(node.data)].uniform_control_flow
     return node.op != "input" or INPUT.data(node) not in FRAGMENT.inputs
+
+
+def missing_in_kernels(root: Node) -> Node | None:
+    """The first operation in a value that kernels do not have."""
+    return next((node for node in _unseen(root, ()) if not _exists_in_kernels(node)), None)
+
+
+def _exists_in_kernels(node: Node) -> bool:
+    """Whether a kernel has what an operation needs, besides its operands."""
+    if node.op == "call":
+        return not BUILTINS[str(node.data)].uniform_control_flow
+    return node.op != "input" or INPUT.data(node).name in KERNEL_INPUTS

@@ -17,7 +17,7 @@ from ....frozen import frozen
 from ...diagnostics.source import Span
 from .expressions import Expression, Name, Turns, TypeName
 
-RecordKind = Literal["material", "light", "pass"]
+RecordKind = Literal["material", "light", "pass", "kernel"]
 RECORD_KINDS: tuple[RecordKind, ...] = get_args(RecordKind)
 """The kinds of records that have members; a mixin has those of the kind that it is for."""
 
@@ -134,7 +134,18 @@ class Expand:
     strips: tuple[Strips, ...]
 
 
-Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand
+@frozen(eq=False)
+class Result:
+    """``result after : T[n] = e``: what a kernel writes to each of ``n`` elements."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    value: Expression
+
+
+Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Result
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 
@@ -335,6 +346,18 @@ KINDS: tuple[MemberKind, ...] = (
         "like corner[i] { slot = expression } }`, where everything between the number of vertices "
         "and the brace is optional",
         doc="what each primitive of the mesh turns into",
+    ),
+    MemberKind(
+        word="result",
+        node=Result,
+        productions={"result": Result},
+        opening=("NAME", ":"),
+        records=("kernel",),
+        inheritance="replaced",
+        contribution="result",
+        form="a result is `result name : type[count] = expression`",
+        doc="what a kernel writes to each element of a storage buffer",
+        has_default=True,
     ),
 )
 

@@ -14,10 +14,12 @@ from .draw import (
     CORNERS,
     TEXELS,
     BlockSlot,
+    BufferSlot,
     Draw,
     DriverError,
     Image,
     Job,
+    KernelJob,
     Pipeline,
     TargetFormat,
     TextureSlot,
@@ -34,6 +36,23 @@ def check(job: Job) -> None:
             _check_draw(job.pipeline, draw)
         except DriverError as error:
             raise DriverError(f"draw {number}: {error}") from None
+
+
+def check_kernel(job: KernelJob) -> None:
+    """Raise ``DriverError`` if the bytes of a dispatch do not fit the pipeline."""
+    read = [slot for slot in job.pipeline.buffers if not slot.written]
+    for number, dispatch in enumerate(job.dispatches):
+        try:
+            _same_number("uniform blocks", dispatch.blocks, job.pipeline.blocks)
+            _same_number("storage buffers", dispatch.buffers, read)
+            _same_number("textures", dispatch.textures, job.pipeline.textures)
+            for block, data in zip(job.pipeline.blocks, dispatch.blocks, strict=True):
+                _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
+            _check_buffers(read, dispatch.buffers)
+            for slot, image in zip(job.pipeline.textures, dispatch.textures, strict=True):
+                _check_texture(f"texture {slot.texture.identifier!r}", slot, image)
+        except DriverError as error:
+            raise DriverError(f"dispatch {number}: {error}") from None
 
 
 def check_names(pipeline: Pipeline) -> None:
@@ -87,15 +106,19 @@ def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
         _same_size(f"vertex attribute {vertex_input.identifier!r}", data, size)
     for block, data in zip(pipeline.blocks, draw.blocks, strict=True):
         _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
-    for buffer, data in zip(pipeline.buffers, draw.buffers, strict=True):
-        if not data or len(data) % buffer.stride:
-            raise DriverError(
-                f"storage buffer {buffer.place.identifier!r} is given {len(data)} bytes, and "
-                f"its elements have {buffer.stride}"
-            )
+    _check_buffers(pipeline.buffers, draw.buffers)
     for texture, image in zip(pipeline.textures, draw.textures, strict=True):
         _check_texture(f"texture {texture.texture.identifier!r}", texture, image)
     _check_indices(pipeline, draw)
+
+
+def _check_buffers(slots: Sequence[BufferSlot], contents: Sequence[bytes]) -> None:
+    for slot, data in zip(slots, contents, strict=True):
+        if not data or len(data) % slot.stride:
+            raise DriverError(
+                f"storage buffer {slot.place.identifier!r} is given {len(data)} bytes, and "
+                f"its elements have {slot.stride}"
+            )
 
 
 def _same_number(what: str, given: Sequence[object], wanted: Sequence[object]) -> None:

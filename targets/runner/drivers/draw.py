@@ -130,11 +130,13 @@ class BlockSlot:
 
 @dataclass(frozen=True, slots=True)
 class BufferSlot:
-    """A storage buffer of the pipeline, which its shaders read."""
+    """A storage buffer of the pipeline."""
 
     place: Place
     stride: int
     """The number of bytes from one element to the next."""
+    written: bool = False
+    """Whether a kernel writes it; all others are only read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -259,6 +261,40 @@ class Device:
     """The binary places of a linear filter's weights; 0 if the API does not tell."""
     mip_bits: int
     """The binary places of the weights between mip levels; 0 if the API does not tell."""
+
+
+@dataclass(frozen=True, slots=True)
+class Dispatch:
+    """One run of a kernel: the bytes for every slot, and how many elements it computes."""
+
+    count: int
+    blocks: tuple[bytes, ...]
+    textures: tuple[Image, ...]
+    buffers: tuple[bytes, ...]
+    """The buffers that are only read, in the pipeline's order."""
+
+    def groups(self, workgroup: int) -> int:
+        """How many work groups that takes."""
+        return -(-self.count // workgroup)
+
+
+WORKGROUP = 64
+"""Invocations in a work group of every kernel."""
+
+
+@dataclass(frozen=True, slots=True)
+class KernelJob:
+    """A pipeline with a kernel as its only stage, and what to compute with it."""
+
+    pipeline: Pipeline
+    dispatches: tuple[Dispatch, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """What a dispatch has written: the bytes of each buffer that the pipeline writes, in order."""
+
+    buffers: tuple[bytes, ...]
 
 
 class DriverError(Exception):

@@ -13,7 +13,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any, Protocol
 
-from .draw import Device, DriverError, Job, Picture
+from .draw import Device, DriverError, Job, KernelJob, Picture, Written
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0
@@ -30,6 +30,9 @@ class Driver(Protocol):
     def draw(self, job: Job) -> Sequence[Picture]:
         """A picture for each draw of the job. Raises ``DriverError``."""
 
+    def compute(self, job: KernelJob) -> Sequence[Written]:
+        """What each dispatch of the job writes. Raises ``DriverError``."""
+
 
 def serve(driver: Driver) -> None:
     """Answer requests until the input ends. Whatever libraries print goes to standard error."""
@@ -43,9 +46,12 @@ def serve(driver: Driver) -> None:
 
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
-    """The answer to ``{"job": …}`` has ``pictures``, that to ``{}`` has ``device``; or it has
-    ``error``."""
+    """The answer to ``{"job": …}`` has ``pictures``, that to ``{"kernel": …}`` has ``written``, and
+    that to ``{}`` has ``device``; or it has ``error``."""
     try:
+        if "kernel" in request:
+            job = from_json(KernelJob, request["kernel"])
+            return {"written": to_json(tuple(driver.compute(job)))}
         if "job" not in request:
             return {"device": to_json(driver.device())}
         return {"pictures": to_json(tuple(driver.draw(from_json(Job, request["job"]))))}

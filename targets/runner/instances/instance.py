@@ -174,6 +174,12 @@ class Instance:
             write(blocks[row["block"]], row["offset"], shape, rounded(value))
         return {name: bytes(block) for name, block in blocks.items()}
 
+    def extent(self) -> int:
+        """How many elements the results of a kernel have. Raises ``MissingValuesError``."""
+        steps = self._reflection["extent"]
+        (count,) = derived.compute(steps, derived.Inputs(self._names.shapes, self.values()))
+        return max(int(count), 0)
+
     def buffers(self) -> dict[str, Contents]:
         """The contents of every storage buffer by name; one that was not set has no elements."""
         return dict(self._buffers)

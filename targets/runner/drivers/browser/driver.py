@@ -11,8 +11,18 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ....toolchain.tools import tool_named
-from ..checks import check, check_names
-from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, TargetFormat
+from ..checks import check, check_kernel, check_names
+from ..draw import (
+    Device,
+    Draw,
+    DriverError,
+    Job,
+    KernelJob,
+    Picture,
+    Pipeline,
+    TargetFormat,
+    Written,
+)
 from ..readback import to_float
 from ..wire import to_json
 
@@ -53,6 +63,12 @@ class Browser:
             _picture(job.pipeline, draw, targets)
             for draw, targets in zip(job.draws, drawn, strict=True)
         ]
+
+    def compute(self, job: KernelJob) -> Sequence[Written]:
+        """What each dispatch of the job writes. Raises ``DriverError``."""
+        check_kernel(job)
+        runs = self._ask("kernel", to_json(job))["written"]
+        return [Written(tuple(map(base64.b64decode, buffers))) for buffers in runs]
 
     def close(self) -> None:
         """End the browser, if there is one."""

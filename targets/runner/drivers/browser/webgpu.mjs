@@ -2,6 +2,7 @@
 
 import { answer } from "./answers.mjs";
 import { collectErrors, openDevice } from "./webgpu_device.mjs";
+import { runKernel } from "./webgpu_compute.mjs";
 import { drawPicture } from "./webgpu_draw.mjs";
 import { makePipeline } from "./webgpu_pipeline.mjs";
 
@@ -32,6 +33,13 @@ export function draw(job) {
   return answer(async () => {
     const { device, lost } = await theDevice();
     return Promise.race([collectErrors(device, () => drawAll(device, job)), lost]);
+  });
+}
+
+export function kernel(job) {
+  return answer(async () => {
+    const { device, lost } = await theDevice();
+    return Promise.race([collectErrors(device, () => runKernel(device, job)), lost]);
   });
 }
 

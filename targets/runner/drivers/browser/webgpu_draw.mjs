@@ -86,7 +86,7 @@ function interleaved({ arrayStride, members }, vertices) {
   return whole;
 }
 
-function makeBuffer(device, data, usage) {
+export function makeBuffer(device, data, usage) {
   const buffer = device.createBuffer({ size: data.length, usage: usage | GPUBufferUsage.COPY_DST });
   device.queue.writeBuffer(buffer, 0, data);
   return buffer;

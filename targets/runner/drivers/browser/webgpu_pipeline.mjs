@@ -3,6 +3,7 @@
 import { Refusal } from "./answers.mjs";
 import { samplerLayout, textureLayout } from "./webgpu_textures.mjs";
 
+export const COMPUTE_STAGE = 4; // GPUShaderStage.COMPUTE
 const BOTH_STAGES = 3; // GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT
 const FLOAT32_TARGETS = ["r32float", "rg32float", "rgba32float"];
 
@@ -71,7 +72,7 @@ export function vertexBuffers(inputs) {
 }
 
 /** A module; any message of the compiler about its text is an error. */
-async function makeModule(device, stage, code) {
+export async function makeModule(device, stage, code) {
   const module = device.createShaderModule({ code });
   const { messages } = await module.getCompilationInfo();
   if (messages.length) {
@@ -109,15 +110,18 @@ export function groups(job) {
 
 // `layout: "auto"` would leave out bindings that the shaders do not use. An explicit layout also
 // makes it an error if a block is larger in the shader than in the job.
-function groupLayouts(device, job) {
+export function groupLayouts(device, job, visibility = BOTH_STAGES) {
   return groups(job).map((group) =>
     device.createBindGroupLayout({
       entries: [...group].map(([binding, what]) => ({
         binding,
-        visibility: BOTH_STAGES,
+        visibility,
         ...(what.block && { buffer: { minBindingSize: what.block.size } }),
         ...(what.storage && {
-          buffer: { type: "read-only-storage", minBindingSize: what.storage.stride },
+          buffer: {
+            type: what.storage.written ? "storage" : "read-only-storage",
+            minBindingSize: what.storage.stride,
+          },
         }),
         ...(what.texture && { texture: textureLayout(what.texture) }),
         ...(what.sampler && { sampler: samplerLayout(what.sampler) }),

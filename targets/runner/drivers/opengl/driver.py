@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
 from ..checks import check, check_names
-from ..draw import Device, DriverError, Job, Picture
+from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
     from .renderer import Renderer
@@ -28,6 +28,10 @@ class OpenGL:
         check(job)
         check_names(job.pipeline)
         return self._start().draw(job)
+
+    def compute(self, _job: KernelJob) -> Sequence[Written]:
+        """OpenGL 3.3 has no kernels. Raises ``DriverError``."""
+        raise DriverError("OpenGL 3.3 cannot run kernels")
 
     def _start(self) -> Renderer:
         if self._renderer is None:

@@ -15,7 +15,7 @@ from .device import Gpu
 from .memory import Buffer, make_buffer
 from .texture_images import READ, make_sampler
 
-STAGES = vk.VK_SHADER_STAGE_ALL_GRAPHICS
+STAGES = vk.VK_SHADER_STAGE_ALL
 BLOCK = vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
 STORAGE = vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
 TEXTURE = vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE

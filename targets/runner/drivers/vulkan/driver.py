@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....closing import Closing
-from ..draw import Device, DriverError, Job, Picture
+from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
     from .device import Gpu
@@ -59,6 +59,19 @@ class VulkanDriver(Closing):
         try:
             with errors.explained(gpu.messages):
                 return draw_job(gpu, job)
+        except errors.DeviceLostError:
+            self.close()
+            raise
+
+    def compute(self, job: KernelJob) -> Sequence[Written]:
+        """What each dispatch writes. Raises ``DriverError`` as ``draw`` does."""
+        gpu = self._opened()
+        from . import errors
+        from .compute import compute_job
+
+        try:
+            with errors.explained(gpu.messages):
+                return compute_job(gpu, job)
         except errors.DeviceLostError:
             self.close()
             raise

@@ -94,7 +94,7 @@ def make_pipeline(
     """
     with ExitStack() as modules:
         stages = [
-            _stage(modules, gpu, STAGES[name], code) for name, code in pipeline.stages.items()
+            make_stage(modules, gpu, STAGES[name], code) for name, code in pipeline.stages.items()
         ]
         gpu.messages.check()
         blends = [_blend(target.blend) for target in pipeline.targets]
@@ -126,7 +126,8 @@ def make_pipeline(
     return handle
 
 
-def _stage(modules: ExitStack, gpu: Gpu, stage: int, code: Code) -> Any:
+def make_stage(modules: ExitStack, gpu: Gpu, stage: int, code: Code) -> Any:
+    """One stage of a pipeline, with a module that lasts until the pipeline is made."""
     info = vk.VkShaderModuleCreateInfo(codeSize=len(code.spirv), pCode=code.spirv)
     module = vk.vkCreateShaderModule(gpu.device, info, None)
     modules.callback(vk.vkDestroyShaderModule, gpu.device, module, None)

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
-from ..checks import check, check_names
-from ..draw import Device, DriverError, Job, Picture
+from ..checks import check, check_kernel, check_names
+from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
     from .device import Gpu
@@ -33,6 +33,14 @@ class Wgpu:
         from .drawing import draw_job
 
         return draw_job(gpu, job)
+
+    def compute(self, job: KernelJob) -> Sequence[Written]:
+        """What each dispatch of the job writes. Raises ``DriverError``."""
+        check_kernel(job)
+        gpu = self._opened()
+        from .compute import compute_job
+
+        return compute_job(gpu, job)
 
     def _opened(self) -> Gpu:
         if self._gpu is None:

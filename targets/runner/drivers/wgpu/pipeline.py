@@ -79,7 +79,10 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
     """The pipeline of a job."""
     device, stages = gpu.device, pipeline.stages
     groups, buffers = bound(pipeline), vertex_buffers(pipeline.inputs)
-    layouts = [device.create_bind_group_layout(entries=_entries(group)) for group in groups]
+    both = wgpu.ShaderStage.VERTEX | wgpu.ShaderStage.FRAGMENT
+    layouts = [
+        device.create_bind_group_layout(entries=layout_entries(group, both)) for group in groups
+    ]
     modules = {name: device.create_shader_module(code=code.text) for name, code in stages.items()}
     handle = device.create_render_pipeline(
         layout=device.create_pipeline_layout(bind_group_layouts=layouts),
@@ -158,10 +161,9 @@ def bound(pipeline: Pipeline) -> Groups:
     return groups
 
 
-def _entries(group: Mapping[int, Bound]) -> list[Mapping[str, Any]]:
+def layout_entries(group: Mapping[int, Bound], visibility: int) -> list[Mapping[str, Any]]:
     """An explicit layout: ``auto`` would leave out what the shaders do not use."""
-    both = wgpu.ShaderStage.VERTEX | wgpu.ShaderStage.FRAGMENT
-    return [{"binding": at, "visibility": both, **_entry(what)} for at, what in group.items()]
+    return [{"binding": at, "visibility": visibility, **_entry(what)} for at, what in group.items()]
 
 
 def _entry(what: Bound) -> Mapping[str, Any]:
@@ -170,7 +172,8 @@ def _entry(what: Bound) -> Mapping[str, Any]:
         # A block that is larger in the shader than here is an error.
         return {"buffer": {"type": "uniform", "min_binding_size": slot.size}}
     if isinstance(slot, BufferSlot):
-        return {"buffer": {"type": "read-only-storage", "min_binding_size": slot.stride}}
+        kind = "storage" if slot.written else "read-only-storage"
+        return {"buffer": {"type": kind, "min_binding_size": slot.stride}}
     if what.is_sampler:
         return {"sampler": {"type": slot.sampling}}
     return {"texture": {"view_dimension": VIEWS[slot.dimension], "sample_type": slot.sample}}

@@ -1,0 +1,105 @@
+"""Computes what a kernel writes: every result for all elements at once, with bounds.
+
+It evaluates the same graphs by the same definitions as the pictures. A device's value of each lane
+has to lie between two numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..ir.leaves import Buffer, Parameter, Resource
+from ..ir.node import Node
+from ..ir.shader import Shader, Store
+from ..ir.stages import COMPUTED, STORE
+from .bounds import Bounded, Bounds, Errors, exact
+from .evaluate import Evaluator
+from .namespace import Lanes
+from .picture.sampler import TextureReader
+from .picture.scene import RasterRules, Texels
+from .picture.stage_evaluation import as_rounded
+from .picture.texels import Image
+from .storage_buffers import reader
+from .stored import stored
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """One lane of what a result writes, for all elements."""
+
+    store: Store
+    lane: int
+    kind: str
+    """``f`` for floats, ``i`` for integers."""
+    value: Array
+    low: Array
+    high: Array
+
+
+def computed(
+    shader: Shader,
+    values: Mapping[str, Any],
+    textures: Mapping[str, Texels],
+    count: int,
+    errors: Errors,
+    rules: RasterRules,
+) -> Sequence[Lane]:
+    """The lanes of every part that the kernel writes, in the order of its results.
+
+    ``values`` are those of parameters and buffers by name. Raises ``ValueError`` for a shader that
+    is no kernel, and where a value is missing.
+    """
+    if shader.chain != COMPUTED:
+        raise ValueError(f"{shader.name} is no kernel.")
+    index = exact(np.arange(count, dtype=np.int64))
+    read: dict[tuple[Any, Any], Lanes] = {}
+
+    def leaves(node: Node) -> Lanes | None:
+        if node.op == "input":
+            return (index,)
+        key = node.data, node.type
+        if key not in read:
+            found = _leaf(node, values, textures, rules)
+            if found is None:
+                return None
+            read[key] = found
+        return read[key]
+
+    def rounded_constants(node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+        made: Lanes = as_rounded(value) if node.op == "constant" else value
+        return made
+
+    evaluator = Evaluator(leaves, Bounds(errors), rounded_constants)
+    found: list[Lane] = []
+    with np.errstate(all="ignore"):
+        for result in shader.results_of(STORE):
+            assert result.store is not None
+            for number, lane in enumerate(evaluator.value(result.value)):
+                whole = (lane if isinstance(lane, Bounded) else exact(lane)).spread((count,))
+                arrays = (np.asarray(whole.value), np.asarray(whole.low), np.asarray(whole.high))
+                found.append(Lane(result.store, number, whole.kind, *arrays))
+    return found
+
+
+def _leaf(
+    node: Node, values: Mapping[str, Any], textures: Mapping[str, Texels], rules: RasterRules
+) -> Lanes | None:
+    match node.data:
+        case Buffer():
+            return reader(values, node)
+        case Resource() as resource:
+            return (TextureReader(Image(textures[resource.name], resource, rules)),)
+        case Parameter() as parameter:
+            value = values[parameter.name]
+            value = value if node.type == parameter.type else stored(parameter.type, value)
+            rounded: Lanes = as_rounded(value)
+            return rounded
+        case _:
+            return None

@@ -1,0 +1,93 @@
+"""Runs a kernel: its pipeline, and a dispatch for each set of values."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from typing import Any
+
+import vulkan as vk
+
+from ..checks import check_kernel
+from ..draw import WORKGROUP, Dispatch, KernelJob, Pipeline, Written
+from .descriptor_sets import DescriptorSets, make_descriptor_sets
+from .device import Gpu, recording
+from .graphics_pipeline import make_layout, make_stage
+from .limits import check_blocks
+from .memory import Buffer, filled_buffer, make_buffer
+from .texture_images import make_texture
+
+COMPUTE = vk.VK_PIPELINE_BIND_POINT_COMPUTE
+STORAGE = vk.VK_BUFFER_USAGE_STORAGE_BUFFER_BIT
+
+
+def compute_job(gpu: Gpu, job: KernelJob) -> list[Written]:
+    """What each dispatch writes. Raises ``DriverError``, and ``VkError`` for calls that fail."""
+    check_kernel(job)
+    check_blocks(job.pipeline)
+    with ExitStack() as owned:
+        bindings = make_descriptor_sets(owned, gpu, job.pipeline)
+        layout = make_layout(owned, gpu, bindings.layouts)
+        pipeline = _pipeline(owned, gpu, job.pipeline, layout)
+        return [_run(gpu, job.pipeline, bindings, layout, pipeline, d) for d in job.dispatches]
+
+
+def _pipeline(owned: ExitStack, gpu: Gpu, description: Pipeline, layout: Any) -> Any:
+    with ExitStack() as modules:
+        (code,) = description.stages.values()
+        stage = make_stage(modules, gpu, vk.VK_SHADER_STAGE_COMPUTE_BIT, code)
+        gpu.messages.check()
+        infos = [vk.VkComputePipelineCreateInfo(stage=stage, layout=layout)]
+        handle = vk.vkCreateComputePipelines(gpu.device, None, 1, infos, None)[0]
+    owned.callback(vk.vkDestroyPipeline, gpu.device, handle, None)
+    return handle
+
+
+def _run(
+    gpu: Gpu,
+    description: Pipeline,
+    bindings: DescriptorSets,
+    layout: Any,
+    pipeline: Any,
+    dispatch: Dispatch,
+) -> Written:
+    with ExitStack() as owned:
+        given = iter(dispatch.buffers)
+        buffers = [
+            make_buffer(owned, gpu, STORAGE, max(dispatch.count, 1) * slot.stride)
+            if slot.written
+            else filled_buffer(owned, gpu, STORAGE, next(given))
+            for slot in description.buffers
+        ]
+        bindings.bind_blocks(dispatch.blocks)
+        bindings.bind_buffers(gpu, buffers)
+        bindings.bind_textures(
+            gpu, [make_texture(owned, gpu, image) for image in dispatch.textures]
+        )
+        with recording(gpu) as commands:
+            _record(commands, bindings, layout, pipeline, dispatch)
+        pairs = zip(description.buffers, buffers, strict=True)
+        return Written(
+            tuple(_bytes(b, dispatch.count * slot.stride) for slot, b in pairs if slot.written)
+        )
+
+
+def _record(
+    commands: Any, bindings: DescriptorSets, layout: Any, pipeline: Any, dispatch: Dispatch
+) -> None:
+    vk.vkCmdBindPipeline(commands, COMPUTE, pipeline)
+    if sets := bindings.sets:
+        vk.vkCmdBindDescriptorSets(commands, COMPUTE, layout, 0, len(sets), sets, 0, None)
+    vk.vkCmdDispatch(commands, dispatch.groups(WORKGROUP), 1, 1)
+    barrier = vk.VkMemoryBarrier(
+        srcAccessMask=vk.VK_ACCESS_SHADER_WRITE_BIT, dstAccessMask=vk.VK_ACCESS_HOST_READ_BIT
+    )
+    vk.vkCmdPipelineBarrier(
+        commands,
+        vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+        vk.VK_PIPELINE_STAGE_HOST_BIT,
+        0, 1, [barrier], 0, None, 0, None,
+    )  # fmt: skip
+
+
+def _bytes(buffer: Buffer, size: int) -> bytes:
+    return bytes(buffer.mapped[0:size])

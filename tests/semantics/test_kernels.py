@@ -1,0 +1,169 @@
+"""Kernels: what their results are, and what is said of wrong ones."""
+
+from __future__ import annotations
+
+import pytest
+
+import burnish
+from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.ir.node import reachable
+from burnish.compiler.ir.stages import COMPUTED, EXTENT, STORE
+
+from .kit import shader
+
+BOX = "struct Box { a : vec3  b : bvec2  c : float[5]  d : vec2[3] }\n"
+
+
+def written(text: str) -> list[tuple[str, str, str]]:
+    """What each part of a kernel's results is called, where it lies, and of which type it is."""
+    made = shader(text)
+    found = []
+    for result in made.results_of(STORE):
+        store = result.store
+        assert store is not None
+        place = f"{store.stride}+{store.offset}"
+        path = ".".join([store.buffer.name, *map(str, store.path)])
+        found.append((path, place, str(result.value.type)))
+    return found
+
+
+def test_a_kernel_has_one_stage_and_an_extent() -> None:
+    made = shader("kernel K { buffer b : float[]  result r : float[b.count] = b[index] }")
+    assert made.chain == COMPUTED
+    assert {result.stage for result in made.results} == set(COMPUTED)
+    assert len(made.results_of(EXTENT)) == 1
+    assert [info.buffer.name for info in made.written] == ["r"]
+    assert [info.buffer.name for info in made.buffers] == ["b"]
+
+
+def test_structures_are_written_part_by_part_as_they_are_stored() -> None:
+    text = f"{BOX}kernel K {{ buffer b : Box[]  result r : Box[b.count] = b[index] }}"
+    assert written(text) == [
+        ("r.a", "1+0", "vec3"),
+        ("r.b", "1+0", "uvec2"),
+        ("r.c.0", "1+0", "vec4"),
+        ("r.c.1", "1+0", "vec4"),
+        ("r.d.0", "1+0", "vec4"),
+        ("r.d.1", "1+0", "vec4"),
+    ]
+
+
+def test_vectors_of_three_lanes_and_columns_fill_four() -> None:
+    text = "kernel K { result v : vec3[9] = vec3(1)  result m : mat3[9] = mat3(2) }"
+    assert written(text) == [
+        ("v", "1+0", "vec4"),
+        ("m", "3+0", "vec4"),
+        ("m", "3+1", "vec4"),
+        ("m", "3+2", "vec4"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("read", "clamps"),
+    [
+        ("b[index]", 0),
+        ("b[index + 1]", 1),
+        ("c[index]", 1),
+        ("sum i in 0..b.count up to 4 : b[i]", 0),
+    ],
+)
+def test_the_own_element_needs_no_check(read: str, clamps: int) -> None:
+    buffers = "buffer b : float[]  buffer c : float[]"
+    made = shader(f"kernel K {{ {buffers}  result r : float[b.count] = {read} }}")
+    nodes = reachable(made.roots)
+    assert sum(node.op == "call" and node.data == "min" for node in nodes) == clamps
+
+
+def test_kernels_have_bases_and_mixins() -> None:
+    text = """
+    abstract kernel Base { param k : float = 2  value : float  result r : float[4] = k * value }
+    mixin Own for kernel { value = float(index) }
+    kernel K : Base + Own { k = 3 }
+    """
+    (made,) = burnish.compile(text, ("wgsl",)).materials
+    assert made.reflection["extent"] is not None
+    assert "3.0 * f32(index)" in made.text("wgsl", "compute")
+
+
+def test_kernels_come_after_the_materials_of_a_file() -> None:
+    text = "kernel K { result r : float[4] = 1 }\nmaterial M { color = vec3(1) }"
+    result = burnish.compile(text, ("wgsl",))
+    assert [each.name for each in result] == ["M", "K"]
+    (alone,) = burnish.compile(text, ("wgsl",), material="K")
+    assert alone.name == "K"
+
+
+def test_the_host_computes_the_extent() -> None:
+    members = "param n : int in 0..9 = 4  buffer b : float[]"
+    text = f"kernel K {{ {members}  result r : float[n * b.count - 2] = 1 }}"
+    instance = burnish.compile(text, ("wgsl",))["K"].instance()
+    assert instance.extent() == 0
+    instance.set("b", [1, 2, 3])
+    assert instance.extent() == 10
+    instance.set("n", 1)
+    assert instance.extent() == 1
+
+
+WRONG = [
+    ("param x : float = 1", "B0510", "`K` computes nothing"),
+    ("result r : float = 1", "B0511", "`r` does not say how many elements it has"),
+    ("result r : float[] = 1", "B0511", "`r` does not say how many elements it has"),
+    (
+        "buffer b : int[]  result r : float[b[0]] = 1",
+        "B0512",
+        "the number of elements of `r` is not known to the host",
+    ),
+    (
+        "result r : float[index] = 1",
+        "B0201",
+        "unknown name `index`",
+    ),
+    (
+        "result r : float[4] = 1  result s : float[5] = 1",
+        "B0513",
+        "`s` has another number of elements than the first result",
+    ),
+    (
+        "buffer b : S[]  result r : S[b.count] = b[index]",
+        "B0514",
+        "a kernel cannot write elements of the type S",
+    ),
+    (
+        "result r : texture2d[4] = 1",
+        "B0514",
+        "a kernel cannot write elements of the type texture2d",
+    ),
+    ("result r : float[4] = ddx(float(index))", "B0515", "`ddx` is not available in a kernel"),
+    (
+        "map t : texture2d  result r : vec4[4] = t(vec2(0.5))",
+        "B0515",
+        "`sample` is not available in a kernel",
+    ),
+    ("result r : float[4] = vec2(1)", "B0301", "expected float, found vec2"),
+    ("result r : float[4] = frag_coord.x", "B0201", "unknown name `frag_coord`"),
+    ("result r : float[4] = 1  result r : float[4] = 2", "B0202", "`r` is declared twice"),
+    (
+        "target r : rgba8 = vec4(1)  result s : float[4] = 1",
+        "B0213",
+        "`target` does not belong in a kernel",
+    ),
+    (
+        "attribute r : vec4  result s : float[4] = 1",
+        "B0213",
+        "`attribute` does not belong in a kernel",
+    ),
+]
+
+
+@pytest.mark.parametrize(("members", "code", "message"), WRONG, ids=[row[0] for row in WRONG])
+def test_wrong_kernels_are_reported(members: str, code: str, message: str) -> None:
+    with pytest.raises(CompileError) as error:
+        shader(f"struct S {{ m : mat3 }}\nkernel K {{ {members} }}")
+    (found, *_) = error.value.diagnostics
+    assert (found.rule.code, found.message) == (code, message)
+
+
+def test_a_material_has_no_results() -> None:
+    with pytest.raises(CompileError) as error:
+        shader("material M { result r : float[4] = 1  color = vec3(1) }")
+    assert str(error.value.diagnostics[0].hint) == "`result` belongs in a kernel"
