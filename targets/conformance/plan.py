@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from threading import Lock
 from typing import Generic, TypeVar
 
@@ -193,9 +194,10 @@ def summed_up(found: Sequence[Comparison]) -> Comparison:
 def bounds_of(state: SceneState, route: Route, device: Device) -> tuple[Bounds, ...]:
     """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
     driver = DRIVERS[route.driver]
+    ruled = partial(rules_of, state, device, driver, bottom_up=route.bottom_up)
     guaranteed = Bounds(
         "guaranteed",
-        rules_of(state, device, driver, _guaranteed(driver.assumed, device)),
+        ruled(_guaranteed(driver.assumed, device)),
         Errors(route.platforms),
     )
     if driver.measured is None:
@@ -203,7 +205,7 @@ def bounds_of(state: SceneState, route: Route, device: Device) -> tuple[Bounds, 
     functions = ENVELOPES[route.driver].allowed()
     measured = Bounds(
         "measured",
-        rules_of(state, device, driver, driver.measured),
+        ruled(driver.measured),
         Errors(_ANY, tuple(sorted(functions.items()))),
     )
     return measured, guaranteed
@@ -218,8 +220,11 @@ def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
     )
 
 
-def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardware) -> RasterRules:
-    """The rules by which a device rasterises a state."""
+def rules_of(
+    state: SceneState, device: Device, driver: Driver, hardware: Hardware, *, bottom_up: bool
+) -> RasterRules:
+    """The rules by which a device rasterises a state; ``bottom_up``: if a quad's first pixel is the
+    lower left one, which matters for levels and derivatives."""
     return RasterRules(
         state.width,
         state.height,
@@ -236,7 +241,7 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
         euclidean_steps=hardware.euclidean_steps,
         corner_bits=hardware.corner_bits,
         level_power=driver.level_power,
-        bottom_up=driver.bottom_up,
+        bottom_up=bottom_up,
         projects_cubes=driver.projects_cubes,
     )
 
