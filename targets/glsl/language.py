@@ -210,6 +210,9 @@ OPENGL = Profile(
     checkers=("glslang-gl330",),
 )
 
+NO_BUFFERS = 0
+"""OpenGL 4.5 guarantees storage buffers to fragments alone, and ES 3.1 to kernels alone."""
+
 OPENGL_4 = Profile(
     name="gl450",
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
@@ -218,7 +221,7 @@ OPENGL_4 = Profile(
     numbering="kind",
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, buffers=NO_BUFFERS),
     agrees=AGREES,
     checkers=("glslang-gl450",),
 )
@@ -253,7 +256,7 @@ ES_31 = Profile(
     numbering="kind",
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, buffers=NO_BUFFERS),
     natives=WITHOUT_FMA,
     lacks=COUNTS,
     agrees=AGREES,

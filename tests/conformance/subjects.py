@@ -34,7 +34,9 @@ _WITHOUT = ("glsl:es300", "glsl:gl330")
 LACKING = {
     **dict.fromkeys(("gathered: Colors", "gathered: Depths"), _WITHOUT),
     **dict.fromkeys(("gathered: Levels", "gathered: Varying"), (*_WITHOUT, "glsl:es310")),
-    **dict.fromkeys(("buffers: Scaled", "buffers: Shapes"), (*_WITHOUT, "glsl:es310", "glsl:gl450")),
+    **dict.fromkeys(
+        ("buffers: Scaled", "buffers: Shapes"), (*_WITHOUT, "glsl:es310", "glsl:gl450")
+    ),
 }
 """The materials that use something that some profiles lack."""
 
