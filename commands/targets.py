@@ -57,6 +57,8 @@ def _abilities(profile: Profile) -> Iterator[str]:
     yield "textures with their samplers" if profile.samplers.combined else "separate samplers"
     yield "bindings in the text" if profile.explicit_bindings else "bindings set by name"
     yield f"depth {profile.framebuffer.clip_depth}"
+    if profile.framebuffer.clip_control:
+        yield f"glClipControl({', '.join(profile.framebuffer.clip_control)})"
     yield f"rows count {'upwards' if profile.framebuffer.rows_up else 'downwards'}"
     if profile.single_file:
         yield "--single-file"
@@ -82,6 +84,7 @@ def _profile_data(profile: Profile) -> dict[str, Any]:
         "explicit_bindings": profile.explicit_bindings,
         "varyings_by_name": profile.varyings_by_name,
         "clip_depth": profile.framebuffer.clip_depth,
+        "clip_control": list(profile.framebuffer.clip_control),
         "rows_up": profile.framebuffer.rows_up,
         "single_file": profile.single_file,
         "checkers": list(profile.checkers),

@@ -150,6 +150,7 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
     return {
         "language": table.language,
         "clip_depth": table.clip_depth,
+        "clip_control": list(table.clip_control),
         "flip_y": table.flip_y,
         "front_face": table.front_face,
         "first_row": table.first_row,

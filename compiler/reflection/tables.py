@@ -67,6 +67,8 @@ class BackendTable:
     """Loose float uniforms that the host sets besides the blocks."""
     clip_depth: Literal["0..1", "-1..1"] = "0..1"
     """Depth range of clip space that the text writes."""
+    clip_control: tuple[str, ...] = ()
+    """What a host gives to OpenGL's ``glClipControl``; empty where it does not call it."""
     flip_y: bool = False
     """Whether the text negates clip y."""
     front_face: Literal["ccw", "cw"] = "ccw"

@@ -54,9 +54,6 @@ class Driver:
     """How close to an edge, in pixels, it may put a pixel on the wrong side."""
     level_power: int | None = None
     """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
-    bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters for levels and
-    derivatives."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies."""
 
@@ -85,7 +82,7 @@ _SWIFTSHADER = Driver(
 )  # fmt: skip
 # OpenGL does not define which triangle owns a pixel that is exactly on an edge, and rows from the
 # bottom up invert the top-left rule. Such pixels are undecided.
-_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
+_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16)
 
 # Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
 # less than what such devices are known for. It was tried on lavapipe only.
@@ -105,7 +102,7 @@ _ANY_DEVICE = Driver(
 
 DRIVERS: Mapping[str, Driver] = {
     "lavapipe": _LLVM,
-    "llvmpipe": replace(_LLVM, bottom_up=True),
+    "llvmpipe": _LLVM,
     "swiftshader": _SWIFTSHADER,
     "webgpu": _SWIFTSHADER,
     "webgl2": _WEBGL,

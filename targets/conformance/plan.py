@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from threading import Lock
 from typing import Generic, Protocol, TypeVar
 
@@ -205,9 +206,10 @@ class Sized2d(Protocol):
 def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...]:
     """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
     driver = DRIVERS[route.driver]
+    ruled = partial(rules_of, state, device, driver, bottom_up=route.bottom_up)
     guaranteed = Bounds(
         "guaranteed",
-        rules_of(state, device, driver, _guaranteed(driver.assumed, device)),
+        ruled(_guaranteed(driver.assumed, device)),
         Errors(route.platforms),
     )
     if driver.measured is None:
@@ -215,7 +217,7 @@ def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...
     functions = ENVELOPES[route.driver].allowed()
     measured = Bounds(
         "measured",
-        rules_of(state, device, driver, driver.measured),
+        ruled(driver.measured),
         Errors(_ANY, tuple(sorted(functions.items()))),
     )
     return measured, guaranteed
@@ -230,8 +232,11 @@ def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
     )
 
 
-def rules_of(state: Sized2d, device: Device, driver: Driver, hardware: Hardware) -> RasterRules:
-    """The rules by which a device rasterises a state."""
+def rules_of(
+    state: Sized2d, device: Device, driver: Driver, hardware: Hardware, *, bottom_up: bool
+) -> RasterRules:
+    """The rules by which a device rasterises a state; ``bottom_up``: if a quad's first pixel is the
+    lower left one, which matters for levels and derivatives."""
     return RasterRules(
         state.width,
         state.height,
@@ -248,7 +253,7 @@ def rules_of(state: Sized2d, device: Device, driver: Driver, hardware: Hardware)
         euclidean_steps=hardware.euclidean_steps,
         corner_bits=hardware.corner_bits,
         level_power=driver.level_power,
-        bottom_up=driver.bottom_up,
+        bottom_up=bottom_up,
         projects_cubes=driver.projects_cubes,
     )
 

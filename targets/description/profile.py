@@ -54,6 +54,9 @@ class Framebuffer:
     clip_y_down: bool = False
     """The API's own clip y points down: a host turns the viewport over for a program that was not
     emitted flipped, and only for that, so that either comes out the right way round."""
+    clip_control: tuple[str, ...] = ()
+    """What a host gives to OpenGL's ``glClipControl``, so that nothing has to be turned over: the
+    names of its constants. Empty: nobody calls it, as in all other APIs."""
     rows_up: bool = False
     """The first row is the bottom one, unless the program was emitted flipped."""
     inputs: Mapping[str, PipelineInput] = EMPTY

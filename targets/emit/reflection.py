@@ -83,6 +83,7 @@ def backend_table(
         },
         host_uniforms=emission.host_uniforms,
         clip_depth=profile.framebuffer.clip_depth,
+        clip_control=profile.framebuffer.clip_control,
         flip_y=flip_y,
         front_face="cw" if turned else "ccw",
         first_row="bottom" if profile.framebuffer.rows_up != turned else "top",

@@ -1,4 +1,4 @@
-"""GLSL: for Vulkan, for OpenGL 3.3, and for OpenGL ES 3.0 and WebGL 2."""
+"""GLSL: for Vulkan, for OpenGL 3.3 and 4.5, and for OpenGL ES 3.0 (and WebGL 2) and 3.1."""
 
 from __future__ import annotations
 
@@ -140,8 +140,12 @@ def is_float(facts: tuple[Fact, ...]) -> bool:
 AGREES: Mapping[str, Domain] = {"dot": is_float}
 """GLSL has no inner product of integers."""
 
-LACKS = frozenset({"count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit"})
-"""What came with GLSL 4.00 and ES 3.10."""
+COUNTS = frozenset({"count_bits", "first_leading_bit", "first_trailing_bit"})
+"""What came with GLSL 4.00 and ES 3.10. In ES the results are ``lowp``: a device may compute
+``1000 * bitCount(x)`` in nine bits."""
+
+LACKS = COUNTS | {"reverse_bits"}
+"""What came with them, too, and is ``highp`` in ES."""
 
 WITHOUT_FMA = {"fma": "({0:p} * {1:p} + {2:p})"}
 
@@ -168,14 +172,20 @@ VULKAN = Profile(
     checkers=("glslang-vulkan",),
 )
 
-CANNOT = {
-    "gather": Lack("gathering of texels", "`load` each of the four"),
-    "gather_compare": Lack("gathering of comparisons", "compare at each of the four texels"),
+NO_LEVELS = {
     "texture_levels": Lack(
         "way to tell how many levels a texture has",
         "read level 0, which all have, or filter with `.level(…)`",
     ),
 }
+"""``textureQueryLevels`` came with GLSL 4.30; no version of ES has it."""
+
+CANNOT = {
+    "gather": Lack("gathering of texels", "`load` each of the four"),
+    "gather_compare": Lack("gathering of comparisons", "compare at each of the four texels"),
+    **NO_LEVELS,
+}
+"""``textureGather`` came with GLSL 4.00 and ES 3.10."""
 
 BOTTOM_FIRST = Framebuffer(
     clip_depth="-1..1",
@@ -201,17 +211,35 @@ OPENGL = Profile(
     checkers=("glslang-gl330",),
 )
 
+NO_BUFFERS = 0
+"""OpenGL 4.5 guarantees storage buffers to fragments alone, and ES 3.1 to kernels alone."""
+
+OPENGL_4 = Profile(
+    name="gl450",
+    doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
+    "clip space of `glClipControl`.",
+    preamble=("#version 450 core",),
+    numbering="kind",
+    samplers=Samplers(combined=True),
+    framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
+    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    agrees=AGREES,
+    checkers=("glslang-gl450",),
+)
+
+ES_PRECISIONS = (
+    "precision highp float;",
+    "precision highp int;",
+    "precision highp sampler2D;",
+)
+ES_SAMPLERS = Samplers(combined=True, precision="precision highp {type};")
+
 ES = Profile(
     name="es300",
     doc="GLSL ES 3.00 for OpenGL ES 3.0 and WebGL 2: like gl330, with precisions.",
-    preamble=(
-        "#version 300 es",
-        "precision highp float;",
-        "precision highp int;",
-        "precision highp sampler2D;",
-    ),
+    preamble=("#version 300 es", *ES_PRECISIONS),
     explicit_bindings=False,
-    samplers=Samplers(combined=True, precision="precision highp {type};"),
+    samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     limits=Limits(varyings=15, buffers=0),
     varyings_by_name=True,
@@ -220,6 +248,21 @@ ES = Profile(
     agrees=AGREES,
     cannot=CANNOT,
     checkers=("glslang-es300",),
+)
+
+ES_31 = Profile(
+    name="es310",
+    doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
+    preamble=("#version 310 es", *ES_PRECISIONS),
+    numbering="kind",
+    samplers=ES_SAMPLERS,
+    framebuffer=BOTTOM_FIRST,
+    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    natives=WITHOUT_FMA,
+    lacks=COUNTS,
+    agrees=AGREES,
+    cannot=NO_LEVELS,
+    checkers=("glslang-es310",),
 )
 
 LANGUAGE = Language(
@@ -234,7 +277,7 @@ LANGUAGE = Language(
     primitives=PRIMITIVES,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
-    profiles=(VULKAN, OPENGL, ES),
+    profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", "gl_", "GL_", ".*__"),
     buffer_blocks=True,
     global_fields=True,

@@ -102,6 +102,7 @@ def pipeline(
         front_face="ccw" if on_vulkan else backend["front_face"],
         first_row="top" if on_vulkan else backend["first_row"],
         host_uniforms=tuple(backend["host_uniforms"]),
+        clip_control=tuple(backend["clip_control"]),
     )
 
 

@@ -71,6 +71,11 @@ class Route:
         return tuple({language: None, "vulkan": None} if self.compiler else {language: None})
 
     @property
+    def bottom_up(self) -> bool:
+        """Whether the picture's lowest row is the first one that is drawn."""
+        return self.profile in _BOTTOM_UP
+
+    @property
     def needs(self) -> tuple[str, ...]:
         """The names of all tools that it needs."""
         compiler = CHECKERS[self.compiler].needs if self.compiler else ()
@@ -93,9 +98,13 @@ _PLATFORMS: Mapping[str, Platform] = {
     "hlsl:sm6": "direct3d",
     "wgsl:webgpu": "wgsl",
     "glsl:gl330": "opengl",
+    "glsl:gl450": "opengl",
     "glsl:es300": "es",
+    "glsl:es310": "es",
 }
 """The platform for which each profile that is drawn is written."""
+_BOTTOM_UP = frozenset({"glsl:gl330", "glsl:es300", "glsl:es310"})
+"""The profiles whose rows count upwards."""
 
 _PACKAGE = __name__.rpartition(".")[0]
 _EVERYTHING = ("numpy", "pillow")
@@ -173,6 +182,15 @@ ROUTES: Mapping[str, Route] = {
         Route(
             "llvmpipe:gl330", f"GLSL 3.30, {DRIVERS['llvmpipe'].title}",
             "glsl:gl330", "llvmpipe",
+        ),
+        Route(
+            "llvmpipe:gl450", f"GLSL 4.50, {DRIVERS['llvmpipe'].title}",
+            "glsl:gl450", "llvmpipe",
+        ),
+        # OpenGL 4.5 takes texts of ES 3.1 as they are.
+        Route(
+            "llvmpipe:es310", f"GLSL ES 3.10, {DRIVERS['llvmpipe'].title}",
+            "glsl:es310", "llvmpipe",
         ),
         Route(
             "chromium:webgpu", f"WGSL, {DRIVERS['webgpu'].title}",

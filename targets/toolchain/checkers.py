@@ -121,7 +121,9 @@ CHECKERS: dict[str, Checker] = {
             batch=2, together=2,  # the stages of a program
         ),
         Checker("glslang-gl330", ("glslang",), check_glsl, batch=32, together=8),
+        Checker("glslang-gl450", ("glslang",), check_glsl, batch=32, together=8),
         Checker("glslang-es300", ("glslang",), check_glsl, batch=32, together=8),
+        Checker("glslang-es310", ("glslang",), check_glsl, batch=32, together=8),
         Checker(
             "glslang-hlsl", ("glslang", "spirv-tools"), check_hlsl,
             batch=2, together=2,  # the stages of a program

@@ -15,7 +15,7 @@ from burnish.targets.toolchain import Job, Toolchain, Verdict, count_instruction
 
 from .kit import PLAIN, invoke, shell, tree
 
-TARGETS = ("hlsl", "glsl", "glsl:gl330", "glsl:es300", "wgsl")
+TARGETS = ("hlsl", "glsl", "glsl:gl330", "glsl:gl450", "glsl:es300", "glsl:es310", "wgsl")
 WORDS = ("texture", "sample", "filter", "input", "matrix", "main", "gl_x", "a__b")
 
 

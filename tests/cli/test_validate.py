@@ -29,10 +29,10 @@ def broken() -> tuple[burnish.OutputFile, int]:
 def test_everything_is_accepted(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text(PLAIN)
-    targets = "hlsl,glsl,glsl:gl330,glsl:es300,wgsl"
+    targets = "hlsl,glsl,glsl:gl330,glsl:gl450,glsl:es300,glsl:es310,wgsl"
     result = invoke("compile", file, "-t", targets, "--validate", "-o", tmp_path / "out")
     assert (result.exit_code, result.stderr) == (0, "")
-    assert len(tree(tmp_path / "out")) == 11
+    assert len(tree(tmp_path / "out")) == 15
 
 
 def test_a_refusal_is_told_at_the_material() -> None:

@@ -30,16 +30,17 @@ def _names() -> tuple[str, ...]:
 NAMES = _names()
 """The names of materials, such as ``operations: Limits`` for a file and one of its passes."""
 
-LACKING = dict.fromkeys(
-    (
-        "gathered: Colors", "gathered: Depths", "gathered: Levels", "gathered: Varying",
-        "buffers: Scaled", "buffers: Shapes",
+_WITHOUT = ("glsl:es300", "glsl:gl330")
+LACKING = {
+    **dict.fromkeys(("gathered: Colors", "gathered: Depths"), _WITHOUT),
+    **dict.fromkeys(("gathered: Levels", "gathered: Varying"), (*_WITHOUT, "glsl:es310")),
+    **dict.fromkeys(
+        ("buffers: Scaled", "buffers: Shapes"), (*_WITHOUT, "glsl:es310", "glsl:gl450")
     ),
-    ("glsl:es300", "glsl:gl330"),
-)  # fmt: skip
+}
 """The materials that use something that some profiles lack."""
 
-DEFECTS = {"gathered: Varying": "lavapipe"}
+DEFECTS = {"gathered: Varying": ("lavapipe", "llvmpipe")}
 """Materials that show a driver's bug. Mesa 22.3.6 uses the size of the level of one pixel for all,
 so it clamps loads to the wrong size."""
 

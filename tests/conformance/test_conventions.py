@@ -230,6 +230,8 @@ def drawn(studio: Studio) -> Callable[[str, str, bool], tuple[Floats, ...]]:
     return draw
 
 
+FIRST_ROW_BELOW = ("llvmpipe:gl450", "chromium:webgpu")
+
 Drawn = Callable[[str, str, bool], tuple[Floats, ...]]
 
 
@@ -243,9 +245,9 @@ def test_convention(drawn: Drawn, route: str, expectation: Expectation) -> None:
 @pytest.mark.parametrize("expectation", IN_SPACE, ids=lambda e: e.name)
 @pytest.mark.parametrize("route", ROUTES)
 def test_convention_in_a_flipped_text(drawn: Drawn, route: str, expectation: Expectation) -> None:
-    """The picture is the same; only WebGPU's first row in memory is then the bottom one."""
+    """The picture is the same, but the first row in memory of some is then the bottom one."""
     targets = drawn(route, expectation.drawing, True)
-    from_below = route == "chromium:webgpu" and expectation.flipped is not None
+    from_below = route in FIRST_ROW_BELOW and expectation.flipped is not None
     _check(targets, expectation, expectation.flipped if from_below else expectation.lanes)
 
 

@@ -82,20 +82,40 @@ def texts(profile: str) -> tuple[Text, ...]:
 
 
 _SUFFIXES: Mapping[str, str] = {"vertex": "vert", "fragment": "frag"}
-_HEADERS = {
-    "gl330": "#version 330 core",
-    "es300": "#version 300 es\nprecision highp float;\nprecision highp int;",
+_PRECISIONS = "precision highp float;\nprecision highp int;"
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """What a GLSL of OpenGL has otherwise than that of Vulkan."""
+
+    header: str
+    by_name: bool = False
+    """Whether blocks and varyings have no numbers."""
+    clip_control: tuple[str, ...] = ()
+
+
+_DIALECTS: Mapping[str, Dialect] = {
+    "gl330": Dialect("#version 330 core", by_name=True),
+    "gl450": Dialect("#version 450 core", clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
+    "es300": Dialect(f"#version 300 es\n{_PRECISIONS}", by_name=True),
+    "es310": Dialect(f"#version 310 es\n{_PRECISIONS}"),
 }
 
 
-def _glsl(suffix: str, dialect: str) -> str:
+def _glsl(suffix: str, name: str) -> str:
     """The GLSL for Vulkan, or by some words of OpenGL's."""
     text = (FOLDER / "twins" / f"phong.{suffix}.glsl").read_text(encoding="utf-8")
-    if dialect == "vulkan":
+    if name == "vulkan":
         return text
-    varying = "out" if suffix == "vert" else "in"
-    text = re.sub(rf"layout\(location=\d\) {varying}", varying, text)
-    text = text.replace("#version 450", _HEADERS[dialect]).replace(",set=0,binding=0", "")
+    dialect = _DIALECTS[name]
+    text = text.replace("#version 450", dialect.header).replace(",set=0", "")
+    if dialect.by_name:
+        varying = "out" if suffix == "vert" else "in"
+        text = re.sub(rf"layout\(location=\d\) {varying}", varying, text)
+        text = text.replace(",binding=0", "")
+    if dialect.clip_control:
+        return text
     in_gl = r"\1 gl_Position.z = 2.0*gl_Position.z-gl_Position.w;"
     return re.sub(r"(gl_Position=.*;)", in_gl, text)
 
@@ -180,15 +200,17 @@ def state(scene: str, error: str = "") -> SceneState:
 
 def by_hand(route: Route, codes: Codes) -> Pipeline:
     """The hand-written shaders' own pipeline."""
-    in_gl = route.profile in ("glsl:gl330", "glsl:es300")
-    place = Place("P", None, None) if in_gl else Place("P", 0, 0)
+    dialect = _DIALECTS.get(route.profile.removeprefix("glsl:"))
+    by_name = dialect is not None and dialect.by_name
+    place = Place("P", None, None) if by_name else Place("P", 0, 0)
     return Pipeline(
         codes.stages,
         inputs=(VertexInput("aPos", 0, "float32x3"), VertexInput("aNrm", 1, "float32x3")),
         blocks=(BlockSlot(place, BLOCK_SIZE),),
         textures=(),
         targets=(RenderTarget("rgba32float"),),
-        first_row="bottom" if in_gl else "top",
+        first_row="bottom" if route.bottom_up else "top",
+        clip_control=dialect.clip_control if dialect else (),
     )
 
 

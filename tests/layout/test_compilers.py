@@ -183,7 +183,9 @@ ACCEPTING = (
     *ROUTES,
     Route("wgsl", "tint"),
     Route("glsl:gl330", "glslang-gl330"),
+    Route("glsl:gl450", "glslang-gl450"),
     Route("glsl:es300", "glslang-es300"),
+    Route("glsl:es310", "glslang-es310"),
 )
 
 

@@ -12,7 +12,9 @@ import burnish
 from burnish.api import variants
 from burnish.tests.examples.kit import EXAMPLES
 
-TARGETS = ("hlsl", "glsl", "glsl:gl330", "glsl:es300", "wgsl", "msl")
+TARGETS = (
+    "hlsl", "glsl", "glsl:gl330", "glsl:gl450", "glsl:es300", "glsl:es310", "wgsl", "msl",
+)  # fmt: skip
 
 
 def tiled(members: Iterable[Mapping[str, Any]], size: int) -> bool:

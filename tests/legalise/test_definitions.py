@@ -23,6 +23,9 @@ NEEDED = {
     "glsl:vulkan": {"dot ivec3 ivec3"},
     # The function for the leading bit counts bits itself.
     "glsl:es300": {"dot ivec3 ivec3", COUNTED, LEADING},
+    "glsl:gl450": {"dot ivec3 ivec3"},
+    # It has words for them, but their results are `lowp`.
+    "glsl:es310": {"dot ivec3 ivec3", COUNTED, LEADING},
     "msl": {"dot ivec3 ivec3", LEADING},
     "hlsl": set(),
     "wgsl": set(),

@@ -48,8 +48,8 @@ def test_the_limit_is_told_where_the_block_is_declared() -> None:
     assert diagnostic.span.text == "Sky"
 
 
-@pytest.mark.parametrize("target", ["hlsl", "glsl:gl330", "glsl:es300"])
-def test_other_profiles_have_more_or_bind_by_name(target: str) -> None:
+@pytest.mark.parametrize("target", ["hlsl", "glsl:gl330", "glsl:gl450", "glsl:es300"])
+def test_other_profiles_have_more_or_number_them_otherwise(target: str) -> None:
     assert burnish.compile(blocked(7, 2000), [target])["M"].files
 
 

@@ -85,10 +85,23 @@ def test_where_places_are_names() -> None:
     assert made.host_uniforms == ("viewport_height",)
 
 
+def test_where_places_are_numbers_without_groups() -> None:
+    """Each kind is numbered on its own, and a texture has its sampler with it."""
+    made = pipeline(reflection(), ROUTES["llvmpipe:gl450"], CODES)
+    assert [slot.place.binding for slot in made.blocks] == [0, 1, 2]
+    (texture,) = made.textures
+    assert (texture.texture, texture.sampler) == (Place("albedo", 0, 0), None)
+    assert made.host_uniforms == ()
+    assert made.clip_control == ("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")
+    assert pipeline(reflection(), ROUTES["llvmpipe:es310"], CODES).clip_control == ()
+
+
 @pytest.mark.parametrize(
     ("route", "front_face", "first_row"),
     [
         ("llvmpipe:gl330", "cw", "top"),
+        ("llvmpipe:gl450", "cw", "bottom"),
+        ("llvmpipe:es310", "cw", "top"),
         ("chromium:webgl2", "cw", "top"),
         ("chromium:webgpu", "cw", "bottom"),
         ("lavapipe:wgsl-naga", "ccw", "top"),
@@ -106,7 +119,9 @@ def test_what_hosts_of_flipped_texts_are_told() -> None:
     assert {name: (row["front_face"], row["first_row"]) for name, row in backends.items()} == {
         "glsl:vulkan": ("ccw", "top"),
         "glsl:gl330": ("cw", "top"),
+        "glsl:gl450": ("cw", "bottom"),
         "glsl:es300": ("cw", "top"),
+        "glsl:es310": ("cw", "top"),
         "hlsl:sm6": ("cw", "bottom"),
         "wgsl:webgpu": ("cw", "bottom"),
     }

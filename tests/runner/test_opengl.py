@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import DriverError, Job
+from burnish.targets.runner.drivers.draw import BlockSlot, Code, DriverError, Job
 from burnish.targets.runner.drivers.opengl.driver import OpenGL
 
 from . import textual_shaders as shaders
-from .textual_kit import NEAREST, SIZE, full, image, pipeline, read, shoot
+from .textual_kit import NEAREST, SIZE, Floats, floats, full, image, pipeline, place, read, shoot
 
 
 @pytest.mark.parametrize("api", ["opengl", "webgl2"])
@@ -35,6 +36,47 @@ def test_uniform_that_the_job_lacks(api: str) -> None:
     )
     with pytest.raises(DriverError, match="'height', which the job does not have"):
         shoot(api, Job(pipeline(api, glsl), (full((1, 1, 1, 1)),)))
+
+
+PLACED = """#version 450 core
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec4 paint;
+void main() { gl_Position = vec4(place, 1.0); }
+|#version 450 core
+layout(std140, binding = 5) uniform Tint { vec4 tint; };
+layout(binding = 3) uniform sampler2D image;
+layout(location = 0) out vec4 target;
+void main() { target = tint + texture(image, vec2(0.5)) + vec4(gl_FragCoord.zzzz); }
+"""
+
+
+def _placed(block: int, texture: int, **options: Any) -> Floats:
+    """What a text draws that binds a block and a texture itself, if they are at these bindings."""
+    vertex, fragment = PLACED.split("|")
+    chosen = replace(
+        pipeline("opengl"),
+        stages={"vertex": Code("main", vertex), "fragment": Code("main", fragment)},
+        blocks=(BlockSlot(place("Tint", 0, block), 16),),
+        textures=(replace(NEAREST, texture=place("image", 0, texture)),),
+        **options,
+    )
+    half = image(np.full((1, 1, 4), 0.5, np.float32))
+    drawn = replace(full((0, 0, 0, 0)), blocks=(floats((1, 2, 3, 4)),), textures=(half,))
+    return shoot("opengl", Job(chosen, (drawn,)))
+
+
+def test_a_text_may_bind_blocks_and_textures_itself() -> None:
+    assert (_placed(5, 3) == np.array((1, 2, 3, 4)) + 0.5 + 0.75).all()
+    assert (_placed(4, 3) != _placed(5, 3)).any()
+    assert (_placed(5, 2) != _placed(5, 3)).any()
+
+
+def test_clip_space_is_that_of_the_pipeline_and_not_of_the_one_before() -> None:
+    """What lies half-way between 0 and 1 is three quarters of the way between -1 and 1."""
+    own = _placed(5, 3)
+    told = _placed(5, 3, clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE"), first_row="top")
+    assert (own - told == 0.25).all()
+    assert (_placed(5, 3) == own).all()
 
 
 def test_bytes_are_filtered_as_floats() -> None:

@@ -67,6 +67,12 @@ def test_an_unknown_route_is_an_error_with_a_way_out(typed: str, hint: str) -> N
     assert hint in str(error.value)
 
 
+@pytest.mark.parametrize("route", ROUTES.values(), ids=lambda route: route.name)
+def test_which_rows_come_first_is_what_the_profile_says(route: Route) -> None:
+    _, profile = registry.select(route.profile)
+    assert route.bottom_up == profile.framebuffer.rows_up
+
+
 def test_what_starts_a_worker() -> None:
     chosen = select(["all"])
     states = routes.inspect_tools(chosen)

@@ -186,7 +186,7 @@ NUMBERS_DATA = np.array([-7, 2**20, -(2**30), 0] + [9] * 8 + [16777213, 9, 9, 9]
 
 def numbers(api: str, slot: BlockSlot = NUMBERS) -> Pipeline:
     """A pipeline that adds a block of numbers to its colour."""
-    where = place("numbers" if api == "webgpu" else "Numbers", 2, 5)
+    where = place("numbers", 2, 5) if api == "webgpu" else place("Numbers")
     return pipeline(
         api,
         shaders.NUMBERS_GLSL,

@@ -167,7 +167,8 @@ ROLES: Mapping[str, Role] = {
     "function, argument and part": Role(_functions, IN_RECORDS, in_hlsl=200),
     "structure": Role(_structures, IN_RECORDS | TYPES),
     "member": Role(_members),
-    "texture": Role(_textures, NAMES_OF_VALUES | {"vec2", "vec3", "vec4"}),
+    # glslang takes bindings of samplers below 80.
+    "texture": Role(_textures, NAMES_OF_VALUES | {"vec2", "vec3", "vec4"}, at_once=80),
     "attribute": Role(_attributes, NAMES_OF_VALUES, in_hlsl=29),
     "varying": Role(_varyings, NAMES_OF_VALUES, in_hlsl=100),
     "light": Role(_lights),

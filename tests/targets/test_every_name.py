@@ -20,7 +20,7 @@ from .name_roles import RESERVED, ROLES, Role
 
 STAGES = {"vertex": "vert", "fragment": "frag"}
 FOLDER = Path(__file__).with_name("words")
-OTHERS = "glsl,glsl:gl330,glsl:es300,msl,wgsl"
+OTHERS = "glsl,glsl:gl330,glsl:gl450,glsl:es300,glsl:es310,msl,wgsl"
 """All targets but HLSL."""
 SAME_FRONT_END = "dxc-spirv"
 """It reads the same text as ``dxc-dxil``, with the same front end, and takes very long."""

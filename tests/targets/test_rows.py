@@ -83,6 +83,13 @@ def test_what_is_defined_stands_before_its_users_and_once() -> None:
     assert "bitCount" not in text
 
 
+def test_what_es_computes_in_low_precision_is_defined() -> None:
+    es = BY_NAME["glsl:es310"]
+    text = emitted(program_of_rows(es.profile), es)["fragment"]
+    assert "bitfieldReverse(" in text
+    assert not re.search(r"bitCount|findMSB|findLSB", text)
+
+
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_rows_print(selected: Selected) -> None:
     text = emitted(program_of_rows(selected.profile), selected)["fragment"]

@@ -10,12 +10,14 @@ import burnish
 from burnish.compiler.diagnostics.render import render_all
 
 MAPS = "map t : texture2d  map d : depth2d  map a : texture2d_array  map u : utexture2d"
+BOTH = "vec3(d(uv, 0.5) * d.load(ivec2(0)))"
+"""Compares with a texture and loads from it."""
 LACKING = {
     "t.gather(uv, 0).rgb": "error[B0701]: glsl:es300 has no gathering of texels",
     "d.gather(uv, 0.5).rgb": "error[B0701]: glsl:es300 has no gathering of comparisons",
     "vec3(float(t.levels()))": "error[B0701]: glsl:es300 has no way to tell how many levels",
     "t.load(ivec2(0), 3).rgb": "error[B0701]: glsl:es300 has no way to tell how many levels",
-    "vec3(d(uv, 0.5) * d.load(ivec2(0)))":
+    BOTH:
         "error[B0701]: glsl:es300 has no texture that is both compared and loaded",
 }  # fmt: skip
 
@@ -33,6 +35,17 @@ def test_what_a_profile_lacks_is_told_where_it_is_wanted(color: str, told: str) 
     assert shown.startswith(told)
     assert " ^^^" in shown and "help: " in shown
     assert text(color, "glsl:vulkan")
+
+
+@pytest.mark.parametrize("profile", ["glsl:gl450", "glsl:es310"])
+@pytest.mark.parametrize("color", LACKING)
+def test_newer_profiles_lack_less(color: str, profile: str) -> None:
+    counts_levels = ".levels()" in color or ".load(ivec2(0), 3)" in color
+    if color == BOTH or (counts_levels and profile == "glsl:es310"):
+        with pytest.raises(burnish.CompileError, match=f"{profile} has no"):
+            text(color, profile)
+    else:
+        assert text(color, profile)
 
 
 def test_a_profile_may_lack_what_is_not_wanted_of_it() -> None:

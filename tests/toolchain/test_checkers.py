@@ -31,6 +31,25 @@ void main() {
 }
 """
 
+GL_4 = """#version 450 core
+layout(std140, binding = 0) uniform P { vec3 tint; };
+layout(location = 0) in vec3 normal;
+layout(location = 0) out vec4 colour;
+void main() {
+  colour = vec4(normalize(normal) * tint, 1.0);
+}
+"""
+
+ES_31 = """#version 310 es
+precision highp float;
+layout(std140, binding = 0) uniform P { vec3 tint; };
+layout(location = 0) in vec3 normal;
+layout(location = 0) out vec4 colour;
+void main() {
+  colour = vec4(normalize(normal) * tint, 1.0);
+}
+"""
+
 VULKAN = """#version 450
 layout(std140, set = 0, binding = 0) uniform P { vec3 tint; };
 layout(location = 0) in vec3 normal;
@@ -80,7 +99,9 @@ class Sample:
 SAMPLES = {
     "glslang-vulkan": Sample(VULKAN, "main", 6),
     "glslang-gl330": Sample(GL, "main", 6),
+    "glslang-gl450": Sample(GL_4, "main", 6),
     "glslang-es300": Sample(ES, "main", 7),
+    "glslang-es310": Sample(ES_31, "main", 7),
     "glslang-hlsl": Sample(HLSL, "shade", 3),
     "dxc-spirv": Sample(HLSL, "shade", 3, 37),
     "dxc-dxil": Sample(HLSL, "shade", 3, 37),

@@ -188,6 +188,8 @@ class Pipeline:
     buffers: tuple[BufferSlot, ...] = ()
     host_uniforms: tuple[str, ...] = ()
     """Single float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
+    clip_control: tuple[str, ...] = ()
+    """What ``glClipControl`` is given (the reflection's ``clip_control``); empty: OpenGL's own."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -159,7 +159,7 @@ INTERPOLATE = "{% if field.flat %}@interpolate(flat) {% endif %}"
 BETWEEN = "{{% if field.flat %}}{} {{% elif field.crosses %}}{} {{% endif %}}"
 """Replaces the interpolation qualifiers of everything that is passed between the stages."""
 GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
-OPENGL, BROWSER = "llvmpipe:gl330", "chromium:webgl2"
+OPENGL, OPENGL_4, BROWSER = "llvmpipe:gl330", "llvmpipe:gl450", "chromium:webgl2"
 DISCARD = "{% for line in entry.discard %}\n    {{ line }}"
 NEGATED = "line.replace('if (', 'if (!(').replace(') {', ')) {') }}"
 REWRITTEN_Z = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;"
@@ -254,6 +254,14 @@ PIPELINE = [
             skeleton("glsl", (REWRITTEN_Z, ""))),
     Planted("z left between 0 and w", "pipeline: Crossing", BROWSER,
             skeleton("glsl", (REWRITTEN_Z, ""))),
+    Planted("OpenGL's own clip space", "pipeline: Crossing", OPENGL_4,
+            framebuffer("glsl", "gl450", clip_control=())),
+    Planted("blocks where others are", "storage: Plain", OPENGL_4,
+            skeleton("glsl", ("binding = {{ block.slot.binding }}",
+                              "binding = {{ 7 - block.slot.binding }}"))),
+    Planted("textures where others are", "textures: Wraps", OPENGL_4,
+            skeleton("glsl", ("binding = {{ texture.slot.binding }}",
+                              "binding = {{ 7 - texture.slot.binding }}"))),
     Planted("z rewritten for Vulkan", "operations: Limits", GLSL,
             framebuffer("glsl", "vulkan", clip_depth="-1..1")),
     Planted("y negated", "operations: Limits", WGSL,

@@ -1,1 +1,1 @@
-"""Draws GLSL 3.30 core with OpenGL, off screen, on Mesa's llvmpipe through EGL."""
+"""Draws GLSL of OpenGL and ES with OpenGL 4.5, off screen, on Mesa's llvmpipe through EGL."""

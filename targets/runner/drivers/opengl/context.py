@@ -18,6 +18,14 @@ ENVIRONMENT = {
     **mesa.SETTINGS,
 }
 
+CLIP_CONTROL = {
+    "GL_LOWER_LEFT": 0x8CA1,
+    "GL_UPPER_LEFT": 0x8CA2,
+    "GL_NEGATIVE_ONE_TO_ONE": 0x935E,
+    "GL_ZERO_TO_ONE": 0x935F,
+}
+"""The constants of ``glClipControl`` by their names."""
+
 GL_COLOR = 0x1800
 GL_DEPTH = 0x1801
 GL_BLEND = 0x0BE2
@@ -56,9 +64,9 @@ def create_context() -> moderngl.Context:
     try:
         # moderngl's stubs say that the backend is a dict, but it takes the name.
         backend: Any = "egl"
-        context = moderngl.create_context(require=330, standalone=True, backend=backend)
+        context = moderngl.create_context(require=450, standalone=True, backend=backend)
     except Exception as error:  # moderngl raises bare ``Exception`` for whatever EGL lacks
         install = tool_named("llvmpipe").install
-        raise DriverError(f"there is no OpenGL: {error}; to install it: {install}") from None
+        raise DriverError(f"there is no OpenGL 4.5: {error}; to install it: {install}") from None
     context.gc_mode = "auto"
     return context

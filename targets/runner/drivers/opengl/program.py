@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import moderngl
 
 from ..checks import check_block_size, lane_count
-from ..draw import DriverError, Pipeline
+from ..draw import DriverError, Pipeline, Place
 from .context import Functions
 
 KINDS = {"float32": "f", "sint32": "i", "uint32": "u"}
@@ -15,7 +15,7 @@ KINDS = {"float32": "f", "sint32": "i", "uint32": "u"}
 
 
 def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) -> moderngl.Program:
-    """Compile and link; the binding of every block and texture is its number in the pipeline.
+    """Compile and link; where the text does not bind blocks and textures itself, bind them.
 
     Raises ``DriverError`` with the driver's log, or if the text and the pipeline disagree.
     """
@@ -33,14 +33,23 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
         member = program.get(block.place.identifier, None)
         if isinstance(member, moderngl.UniformBlock):
             check_block_size(block, member.size)
-            member.binding = number
+            if block.place.binding is None:
+                member.binding = number
     functions.glUseProgram(program.glo)
     for number, slot in enumerate(pipeline.textures):
         sampler = program.get(slot.texture.identifier, None)
-        if isinstance(sampler, moderngl.Uniform):
+        if isinstance(sampler, moderngl.Uniform) and slot.texture.binding is None:
             # moderngl does not know all types of samplers.
             functions.glUniform1i(sampler.location, number)
     return program
+
+
+def bound_at(place: Place, number: int) -> int:
+    """Where a block or texture is bound: at the text's binding, else at its number in the pipeline.
+
+    ``renderer.py`` puts there what the shader reads.
+    """
+    return number if place.binding is None else place.binding
 
 
 def attribute_layout(format: str) -> str:

@@ -8,14 +8,16 @@ from contextlib import ExitStack
 import moderngl
 
 from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Primitive, StepMode
-from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
-from .program import attribute_layout, link
+from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
+from .program import attribute_layout, bound_at, link
 from .screen import Screen
 from .texture_units import bound_texture
 
 RATES: Mapping[StepMode, str] = {"vertex": "/v", "instance": "/i"}
 """The suffix of moderngl's layouts for each rate."""
 
+OWN_CLIP_CONTROL = ("GL_LOWER_LEFT", "GL_NEGATIVE_ONE_TO_ONE")
+"""OpenGL's own clip space, which texts have that are for older versions, too."""
 
 MODES: Mapping[Primitive, int] = {
     "point": moderngl.POINTS,
@@ -88,6 +90,8 @@ def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeli
     context.cull_face = "front" if pipeline.cull == "front" else "back"
     context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
     functions.glEnable(GL_FRAMEBUFFER_SRGB)
+    names = pipeline.clip_control or OWN_CLIP_CONTROL
+    functions.glClipControl(*(CLIP_CONTROL[name] for name in names))
 
 
 def _render(
@@ -102,8 +106,8 @@ def _render(
         if isinstance(uniform, moderngl.Uniform):
             uniform.value = float(draw.height)
     blocks = [context.buffer(data) for data in draw.blocks]
-    for number, block in enumerate(blocks):
-        block.bind_to_uniform_block(number)
+    for number, (block, buffer) in enumerate(zip(pipeline.blocks, blocks, strict=True)):
+        buffer.bind_to_uniform_block(bound_at(block.place, number))
     attributes = [
         (
             context.buffer(data),
@@ -116,6 +120,7 @@ def _render(
     indices = context.buffer(draw.indices)
     array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
     with ExitStack() as textures:
-        for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
+        for number, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
+            unit = bound_at(slot.texture, number)
             textures.enter_context(bound_texture(functions, slot, image, unit))
         array.render(MODES[pipeline.primitive], instances=draw.instance_count)
