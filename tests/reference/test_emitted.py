@@ -28,7 +28,9 @@ from burnish.targets.runner.scene_state import SceneState, set_up
 from ..conformance import subjects
 from ..examples.kit import EXAMPLES, PROFILES
 
-FILES = (*EXAMPLES, *sorted(subjects.FOLDER.glob("*.burnish")))
+DRAWN = tuple(path for path in EXAMPLES if path.stem != "swarm")
+"""Not the kernel, of which ``tests/conformance/test_kernels.py`` asks the same."""
+FILES = (*DRAWN, *sorted(subjects.FOLDER.glob("*.burnish")))
 RULES = RasterRules(36, 28)
 """Small pictures, of a device that rounds nothing."""
 CLOSE = 1e-9
