@@ -144,7 +144,7 @@ def test_a_reader_that_leaves(tmp_path: Path) -> None:
 
 
 DRAWING = [
-    "render m.burnish -o m.png --size 4", "conform m.burnish --routes llvmpipe", "targets"
+    "render m.burnish -o m.png --size 4", "conform m.burnish --routes llvmpipe:gl330", "targets"
 ]  # fmt: skip
 
 

@@ -37,7 +37,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_agreement() -> None:
     """A heading for each material, a line for each route, and what drew; nothing else."""
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330,lavapipe:glsl")
     assert (result.exit_code, result.stderr) == (0, "")
     table, told = result.stdout.split("\n\n")
     heading, material, *rows = table.splitlines()
@@ -62,7 +62,7 @@ def test_a_file_whose_name_is_no_text(folder: Path) -> None:
         (folder / name).write_text(UP)
     except OSError:
         pytest.skip("this file system has no such names")
-    result = invoke("conform", name, "--routes", "llvmpipe", "--report", "report")
+    result = invoke("conform", name, "--routes", "llvmpipe:gl330", "--report", "report")
     assert (result.exit_code, result.stderr) == (0, "")
     assert r"caf\xe9.burnish: Up" in result.stdout
     (row,) = json.loads((folder / "report" / "report.json").read_text("utf-8"))["rows"]
@@ -86,14 +86,16 @@ def test_rigs_and_passes() -> None:
         "rig Day { sun : Point }\nrig Dusk { moon : Point }\n"
         "pass Cut : Forward { discard when alpha < 0.5 }\n"
     )
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330")
     headings = re.findall(r"^m\.burnish: .*", result.stdout, re.MULTILINE)
     assert headings == [
         "m.burnish: Wall × Day", "m.burnish: Wall × Day × Cut",
         "m.burnish: Wall × Dusk", "m.burnish: Wall × Dusk × Cut",
     ]  # fmt: skip
     assert result.stdout.endswith("\n4 agree\n")
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--rig", "Day", "--pass", "Cut")
+    result = invoke(
+        "conform", "m.burnish", "--routes", "llvmpipe:gl330", "--rig", "Day", "--pass", "Cut"
+    )
     assert "m.burnish: Wall × Day × Cut\n" in result.stdout
     assert result.stdout.endswith("\n1 agrees\n")
 
@@ -108,7 +110,7 @@ pass Glow { target shine : rgba32f = vec4(material.glow) }
 def test_a_pass_that_fits_some_materials() -> None:
     """The others are told, and are not drawn with it."""
     Path("m.burnish").write_text(GLOW)
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--pass", "Glow")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330", "--pass", "Glow")
     assert result.exit_code == 0
     assert "\nm.burnish: Lit × Glow\n" in result.stdout
     assert result.stdout.endswith("\n1 agrees\n")
@@ -122,7 +124,7 @@ def test_the_errors_of_all_files_are_told() -> None:
     """So is a slot of which no material knows."""
     Path("a.burnish").write_text(GLOW.replace("material.glow", "material.gleam"))
     Path("b.burnish").write_text(UP.replace("normal", "norml"))
-    result = invoke("conform", "a.burnish", "m.burnish", "b.burnish", "--routes", "llvmpipe")
+    result = invoke("conform", "a.burnish", "m.burnish", "b.burnish", "--routes", "llvmpipe:gl330")
     assert (result.exit_code, result.stdout) == (1, "")
     assert "unknown slot of `Plain` `gleam`" in result.stderr
     assert "unknown name `norml`" in result.stderr
@@ -133,7 +135,7 @@ def test_routes_whose_profile_lacks_something() -> None:
     Path("m.burnish").write_text(
         "material Four { map t : texture2d  color = t.gather(uv, 0).rgb }\n"
     )
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330,lavapipe:glsl")
     assert (result.exit_code, result.stderr) == (1, "")
     assert re.search(r"^  lavapipe:glsl   agrees ", result.stdout, re.MULTILINE)
     assert re.search(r"^  llvmpipe:gl330  not run$", result.stdout, re.MULTILINE)
@@ -146,7 +148,7 @@ def test_values_that_overflow() -> None:
     Path("m.burnish").write_text(
         "material Hot { param heat : float = 1e30  color = vec3(heat * heat) }\n"
     )
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330")
     assert result.exit_code == 1
     assert result.stdout.endswith("\n1 overflows\n")
     assert "the value leaves what float32 holds, where nothing is promised" in result.stderr
@@ -163,7 +165,7 @@ def test_values_that_nobody_has_set() -> None:
         "        + groove * coat.weights[1] + 0.01 * float(bone.y)\n"
         "}\n"
     )
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--seed", "5")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330", "--seed", "5")
     assert (result.exit_code, result.stderr) == (0, "")
 
 
@@ -172,7 +174,10 @@ def test_warnings_are_told_once() -> None:
     Path("m.burnish").write_text(
         f"import std.lights.{{Point}}\n{UP}rig A {{ p : Point }}\nrig B {{ p : Point }}\n/// lost\n"
     )
-    for command in (("conform", "--routes", "llvmpipe"), ("render", "-o", "x.png", "--size", 4)):
+    for command in (
+        ("conform", "--routes", "llvmpipe:gl330"),
+        ("render", "-o", "x.png", "--size", 4),
+    ):
         result = invoke(*command, "m.burnish")
         assert result.exit_code == 0
         assert result.stderr.startswith("warning[B0113]")
@@ -188,7 +193,7 @@ def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
         return replace(found, low=found.targets, high=found.targets)
 
     monkeypatch.setattr(plan, "remembered", exactly)
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--report", "out")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330", "--report", "out")
     assert result.exit_code == 1
     assert re.search(rf"^  llvmpipe:gl330  differs  {NUMBER}  ", result.stdout, re.MULTILINE)
     assert result.stdout.endswith(f"\n1 differs\nreport: {Path('out/index.html')}\n")
@@ -218,7 +223,7 @@ HASH = "material Hash { color = vec3(fract(sin(dot(uv, vec2(12.9898, 78.233))) *
 def test_what_proves_little_is_a_warning() -> None:
     """It names the place in the source, and is a failure only with --strict."""
     Path("m.burnish").write_text(HASH)
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330,lavapipe:glsl")
     assert result.exit_code == 0
     assert result.stdout.endswith("\n2 prove little\n")
     heading, *cases, reason = result.stderr.splitlines()
@@ -228,7 +233,9 @@ def test_what_proves_little_is_a_warning() -> None:
     assert re.fullmatch(
         rf"  {re.escape(expression)} magnifies rounding (\d·)?10\^\d times \(m\.burnish:1\)", reason
     )
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--strict", "--report", "out")
+    result = invoke(
+        "conform", "m.burnish", "--routes", "llvmpipe:gl330", "--strict", "--report", "out"
+    )
     assert result.exit_code == 1
     assert result.stderr.startswith("error: m.burnish: Hash, llvmpipe:gl330: proves little\n")
     assert '<failure type="proves little"' in Path("out/junit.xml").read_text()
@@ -236,7 +243,7 @@ def test_what_proves_little_is_a_warning() -> None:
 
 def test_what_is_nowhere_to_be_seen_proves_little() -> None:
     Path("m.burnish").write_text("material Far { position = vec3(0, 0, 9) color = #ffffff }")
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330")
     assert result.exit_code == 0
     assert result.stderr == (
         "warning: m.burnish: Far, llvmpipe:gl330: proves little\n"
@@ -249,7 +256,7 @@ def test_explaining_a_pixel() -> None:
     """Its value, its bounds, what each route has drawn, and the way of the error."""
     Path("m.burnish").write_text(HASH)
     result = invoke(
-        "conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl", "--explain", "36,28",
+        "conform", "m.burnish", "--routes", "llvmpipe:gl330,lavapipe:glsl", "--explain", "36,28",
         "--case", "defaults",
     )  # fmt: skip
     assert (result.exit_code, result.stderr) == (0, "")
@@ -266,7 +273,7 @@ def test_explaining_a_pixel() -> None:
     expression = "`fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453)` (m.burnish:1)"
     assert text.count(expression) >= 2
     # Without a case, one is chosen.
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--explain", "36,28")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330", "--explain", "36,28")
     assert re.search(r"pixel 36,28 of `(stretched|behind|inside)`", result.stdout)
 
 
@@ -286,7 +293,9 @@ NOT_EXPLAINED = {
 @pytest.mark.parametrize("words", NOT_EXPLAINED)
 def test_pixels_that_cannot_be_explained(words: str) -> None:
     code, message = NOT_EXPLAINED[words]
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--explain", *words.split())
+    result = invoke(
+        "conform", "m.burnish", "--routes", "llvmpipe:gl330", "--explain", *words.split()
+    )
     assert result.exit_code == code
     assert message in result.stderr
 
@@ -294,7 +303,14 @@ def test_pixels_that_cannot_be_explained(words: str) -> None:
 def test_a_material_that_does_not_show_the_pixel_does_not_hide_the_others() -> None:
     Path("m.burnish").write_text(HASH + FAR_AWAY)
     result = invoke(
-        "conform", "m.burnish", "--routes", "llvmpipe", "--explain", "36,28", "--case", "defaults"
+        "conform",
+        "m.burnish",
+        "--routes",
+        "llvmpipe:gl330",
+        "--explain",
+        "36,28",
+        "--case",
+        "defaults",
     )
     assert result.exit_code == 1
     assert re.search("^m.burnish: Hash$", result.stdout, re.MULTILINE)
@@ -321,7 +337,7 @@ def test_what_explaining_a_pixel_has_no_use_for(option: str) -> None:
 def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
     worker = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
     monkeypatch.setattr(routes.DriverRow, "command", lambda *_: worker)
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330")
     assert result.exit_code == 1
     assert "\n  llvmpipe:gl330  failed\n" in result.stdout
     assert result.stdout.endswith("\n1 failed\n")
@@ -359,7 +375,7 @@ def without(monkeypatch: pytest.MonkeyPatch, tool: str) -> None:
 def test_a_route_without_its_tools(monkeypatch: pytest.MonkeyPatch) -> None:
     """Among all routes it is only told of; asked for by name, it is an error."""
     without(monkeypatch, "naga")
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:wgsl-naga")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330,lavapipe:wgsl-naga")
     assert (result.exit_code, result.stderr) == (1, "")
     assert "\n  lavapipe:wgsl-naga  not run\n" in result.stdout
     assert (
@@ -399,7 +415,7 @@ def test_bad_command_lines(line: str, expected: tuple[int, str], folder: Path) -
 
 def test_an_error_in_any_file_is_told_before_anything_is_drawn() -> None:
     Path("wrong.burnish").write_text("material M { color = tnt }")
-    result = invoke("conform", "m.burnish", "wrong.burnish", "--routes", "llvmpipe")
+    result = invoke("conform", "m.burnish", "wrong.burnish", "--routes", "llvmpipe:gl330")
     assert (result.exit_code, result.stdout) == (1, "")
     assert result.stderr.startswith("error[B0201]: unknown name `tnt`\n")
 
@@ -410,7 +426,7 @@ def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
     Path("w.burnish").write_text(
         "pass Two : Forward { target more : rgba16f = vec4(normal, 1) }\nmaterial Wall { }\n"
     )
-    line = ("m.burnish", "w.burnish", "--routes", "llvmpipe,chromium", "--report", "out")
+    line = ("m.burnish", "w.burnish", "--routes", "llvmpipe:gl330,chromium", "--report", "out")
     assert invoke("conform", *line).exit_code == 1
     chromium = tool_named("chromium").find()
     assert chromium is not None

@@ -230,7 +230,7 @@ UP = "material Up { color = 0.5 + 0.5 * normal }"
 
 
 def test_routes_side_by_side(tmp_path: Path) -> None:
-    sheet = draw(UP, tmp_path, "--on", "llvmpipe,reference", size=128).astype(int)
+    sheet = draw(UP, tmp_path, "--on", "llvmpipe:gl330,reference", size=128).astype(int)
     reference, drawn = sheet[16:144, 16:144], sheet[16:144, 160:288]
     assert np.abs(drawn - reference).max() <= 1
     assert reference[20, 64, 1] > reference[108, 64, 1], "the normal points up at the top"
@@ -244,11 +244,11 @@ def test_routes_whose_profile_lacks_something(tmp_path: Path) -> None:
     assert result.exit_code == 0
     told = "note: Four is not drawn by llvmpipe:gl330: glsl:gl330 has no gathering of texels\n"
     assert told in result.stderr and (tmp_path / "m.png").exists()
-    result = invoke("render", file, "-o", tmp_path / "n.png", "--on", "llvmpipe")
+    result = invoke("render", file, "-o", tmp_path / "n.png", "--on", "llvmpipe:gl330")
     assert result.exit_code == 1 and result.stderr.startswith("error[B0701]: glsl:gl330 has no")
 
 
-@pytest.mark.parametrize("route", ["lavapipe:glsl", "llvmpipe", "chromium:webgl2"])
+@pytest.mark.parametrize("route", ["lavapipe:glsl", "llvmpipe:gl330", "chromium:webgl2"])
 def test_one_route(route: str, tmp_path: Path) -> None:
     reference = draw(UP, tmp_path, size=32).astype(int)
     assert np.abs(draw(UP, tmp_path, "--on", route, size=32) - reference).max() <= 1

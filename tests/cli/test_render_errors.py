@@ -116,7 +116,7 @@ OPTIONS = {
     "--on lavapip": "there is no route `lavapip`; did you mean `lavapipe`?",
     "--on ,": "--on names no route",
     "--on all --size 4096": (
-        "a sheet of 12 pictures of 4096 x 4096 pixels is too large: "
+        "a sheet of 14 pictures of 4096 x 4096 pixels is too large: "
         "choose a smaller --size, or fewer routes"
     ),
 }
@@ -236,7 +236,7 @@ def test_a_value_that_only_one_material_has() -> None:
 
 
 LACKING = (
-    "nothing is drawn by llvmpipe:gl330: "
+    "nothing is drawn by llvmpipe:gl330, llvmpipe:gl450, llvmpipe:es310: "
     "llvmpipe is missing; to install it: apt-get install -y --no-install-recommends "
     "libegl1 libegl-mesa0 libgl1-mesa-dri; "
     "moderngl is missing; to install it: pip install 'burnish[run]'; "
@@ -281,13 +281,13 @@ def test_a_driver_that_breaks_down(deed: str, said: str, monkeypatch: pytest.Mon
     monkeypatch.setitem(Runner.__init__.__kwdefaults__, "time_limit", 0.5)
     worker = [sys.executable, "-c", deed]
     monkeypatch.setattr(routes.DriverRow, "command", lambda *_: worker)
-    result = invoke("render", "m.burnish", "-o", "x.png", "--on", "llvmpipe")
+    result = invoke("render", "m.burnish", "-o", "x.png", "--on", "llvmpipe:gl330")
     text = said.format(python=sys.executable)
     assert result.exit_code == 1
     assert result.stderr == f"error: llvmpipe {text}\n"
     assert not Path("x.png").exists()
 
-    sheet = ("-o", "sheet.png", "--on", "reference,llvmpipe", "--size", 4)
+    sheet = ("-o", "sheet.png", "--on", "reference,llvmpipe:gl330", "--size", 4)
     result = invoke("render", "m.burnish", *sheet)
     assert result.exit_code == 1
     assert result.stderr == f"error: Whole, llvmpipe:gl330: llvmpipe {text}\n"
