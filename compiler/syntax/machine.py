@@ -15,6 +15,11 @@ from .reductions import reduction
 from .tokens import Token
 
 
+OPENS_STRIP = "{"
+"""It stands behind an expression only where strips of an expansion begin. But the tables do not tell
+these expressions from others, and would reduce any: then it is too late to say what was expected."""
+
+
 class Machine:
     """Takes tokens; ``builder`` makes a node for each production that has a name."""
 
@@ -61,6 +66,8 @@ class Machine:
             symbol = token[0]
             if symbol == "NAME" and token[1] in words:
                 symbol = symbol_of(index)
+            if symbol == OPENS_STRIP and not self.accepts(symbol):
+                return index
             while (action := actions[stack[-1]].get(symbol)) is not None and action < 0:
                 production = productions[~action]
                 if production.renames:
