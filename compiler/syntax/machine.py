@@ -14,10 +14,9 @@ from .lalr_tables import Tables
 from .reductions import reduction
 from .tokens import Token
 
-
 OPENS_STRIP = "{"
-"""It stands behind an expression only where strips of an expansion begin. But the tables do not tell
-these expressions from others, and would reduce any: then it is too late to say what was expected."""
+"""Behind an expression it stands only where strips of an expansion begin. But the tables do not
+tell these expressions from others, and reduce any, after which nobody knows what was expected."""
 
 
 class Machine:

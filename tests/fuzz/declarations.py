@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from .expressions import FUEL, Writer
 from .rules import BOOLS, FLOATS, GEOMETRIC, INTS, MATRICES, NUMBERS, TYPES, UINTS
-from .scope import IN_TERM, LIGHT, Scope, Signature, local, variable
+from .scope import IN_TERM, LIGHT, SURFACE, Scope, Signature, local, variable
 from .textures import KINDS, all_reads
 from .tree import Node, expression, listed
 
@@ -165,6 +165,35 @@ def parameters(writer: Writer, letter: str, most: int) -> Iterator[tuple[Node, N
         name = f"{letter}{number}"
         text = f"param {name} : {type_} {limits}{group}{default}".strip()
         yield Node(text, role="parameter", optional=True, name=name), variable(name, type_)
+
+
+def buffer(writer: Writer, name: str) -> tuple[Node, list[Node]]:
+    """A storage buffer, with references to its elements and to their number."""
+    type_ = writer.chance.choice(("float", "vec3", "int", "uvec2", "mat3"))
+    group = writer.chance.choice(GROUPS)
+    number, last = f"{name}.count", f"{name}[{name}.count - 1]"
+    elements = [f"{name}[2]", last, f"{name}[int(9 * uv.x)]"]
+    references = [
+        variable(number, "int"),
+        *(expression(type_, text, role="variable", needs={SURFACE} if "uv" in text else ())
+          for text in elements),
+    ]  # fmt: skip
+    declared = Node(f"buffer {name} : {type_}[] {group}".strip(), role="buffer", optional=True)
+    return declared, [replace(reference, name=name) for reference in references]
+
+
+def kernel(writer: Writer, outside: Scope) -> Node:
+    """A kernel that computes an element for each of a buffer's."""
+    element = writer.chance.choice(("float", "vec2", "int", "uvec4"))
+    leaves = (variable("given[index]", element), variable("given.count", "int"))
+    scope = replace(outside, leaves=(*outside.leaves, *leaves, variable("index", "int")))
+    result = writer.chance.choice(("float", "vec3", "int", "uvec2"))
+    value = writer.expression(result, scope, FUEL // 2)
+    form = (
+        f"kernel Computed {{{{\n    buffer given : {element}[]\n"
+        f"    result made : {result}[given.count] = {result}({{}})\n}}}}"
+    )
+    return Node(form, (value,), role="kernel", optional=True)
 
 
 def light(writer: Writer, callables: Callables, *, mixed: bool) -> Node:

@@ -93,6 +93,8 @@ class _Program:
         outside = replace(self.scope, callables=callables)
         terms = list(declarations.terms(writer, outside))
         self.file += [node for _, node in (*functions, *terms)]
+        if writer.maybe(0.06):
+            self.file.append(declarations.kernel(writer, outside))
         if own_light:
             mixed = writer.maybe(0.2)
             self.file += [declarations.light_mixin(writer)] * mixed
@@ -175,7 +177,9 @@ class _Program:
         known = scope.leaves
         scope, items = self._members(scope, "b", most=2)
         scope, slots = self._slots(scope, "d", most=2)
-        self.inherited += [leaf for leaf in scope.leaves if leaf not in known]
+        new = (leaf for leaf in scope.leaves if leaf not in known)
+        # An element of a buffer is no name that could be overridden.
+        self.inherited += [leaf for leaf in new if str(leaf) == leaf.name]
         color = self.writer.expression("rgb", scope, FUEL // 2)
         items += [*slots, Node("color = {}", (color,), role="slot", optional=True)]
         form = "abstract material Base {{\n    {}\n}}"
@@ -213,6 +217,10 @@ class _Program:
             name = f"{letter}_in{number}"
             items.append(Node(f"attribute {name} : {type_}{rate}", optional=True, name=name))
             scope = scope.having(variable(name, type_, () if type_ != "mat2" else {SURFACE}))
+        if writer.maybe(0.08):
+            node, references = declarations.buffer(writer, f"{letter}_buffer")
+            items.append(node)
+            scope = scope.having(*references)
         return replace(scope, maps=(*scope.maps, *(each for each, _ in maps))), items
 
     def _maps(self, letter: str) -> Iterator[tuple[Map, Node]]:
