@@ -20,7 +20,7 @@ from burnish.targets.runner.routes import ROUTES
 from .kit import Studio
 
 FILE = Path(__file__).with_name("kernels.burnish")
-ROUTES_WITHOUT = {"llvmpipe:gl330", "chromium:webgl2"}
+ROUTES_WITHOUT = {"llvmpipe:gl330", "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgl2"}
 NAMES = ("Structures", "Numbers", "Vectors", "Sums", "Fixed")
 
 

@@ -22,7 +22,7 @@ PROFILES = tuple(
     for target in map(registry.load, registry.names())
     for profile in target.profiles
 )
-WITHOUT_BUFFERS = frozenset({"glsl:gl330", "glsl:es300"})
+WITHOUT_BUFFERS = frozenset({"glsl:gl330", "glsl:gl450", "glsl:es300", "glsl:es310"})
 LACKING: Mapping[str, frozenset[str]] = {"lanterns": WITHOUT_BUFFERS, "swarm": WITHOUT_BUFFERS}
 """By example, the profiles that lack what it shows."""
 STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}

@@ -10,6 +10,7 @@ whether a constant is rounded before it is used, and how far a function is off w
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -265,8 +266,11 @@ class Device(OwnFunctions):
             return Chosen(self, x.value * y.value)
         factors = (*_parts(x, x.factors), *_parts(y, y.factors))
         if 2 < len(factors) <= MOST_PARTS and self._does(self._habits.reorders):
-            return Chosen(self, self._in_any_order(factors, operator.mul), (), factors)
-        return Chosen(self, self.rounded(x.value * y.value), (), factors)
+            ordered = self._in_any_order(factors, operator.mul)
+            found = np.where(_stays_normal(factors), ordered, self.rounded(x.value * y.value))
+        else:
+            found = self.rounded(x.value * y.value)
+        return Chosen(self, found, (), factors)
 
     def _unrounded(self, x: Chosen) -> Array:
         """The exact product of two numbers, if the device fuses it with the sum that it is in."""
@@ -422,6 +426,14 @@ class Device(OwnFunctions):
 
     def arctanh(self, x: Any, /) -> Chosen:
         return self._function("atanh", np.arctanh, x)
+
+
+def _stays_normal(factors: tuple[Array, ...]) -> Array:
+    """Whether every product of some of the factors is a normal number."""
+    magnitudes = [np.abs(factor) for factor in factors]
+    least = math.prod(np.minimum(magnitude, 1.0) for magnitude in magnitudes)
+    most = math.prod(np.maximum(magnitude, 1.0) for magnitude in magnitudes)
+    return (least >= 4 * SMALLEST_NORMAL) & (most < 0.25 / SMALLEST_NORMAL)
 
 
 def _common_factor(x: Chosen, y: Chosen) -> tuple[Array, Array, Array] | None:

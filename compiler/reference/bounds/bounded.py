@@ -18,9 +18,7 @@ from ....stdlib.builtins.facts import SMALLEST_NORMAL, ULP
 from . import whole
 from .affine import Form, alone, chosen
 from .operators import Operators
-from .orders import Single, Sum, Term, is_coarse, sum_of_doubles
-from .orders import in_any_order as sum_in_any_order
-from .products import growth, in_any_order, product_form, products, square
+from .orders import Single, Sum, Term, in_any_order, is_coarse
 from .rounding import (
     ROUNDED_UP,
     SUBNORMAL_STEP,
@@ -36,6 +34,9 @@ from .rounding import (
 
 _numbers = count()
 
+_STEP = 2.0**-52
+"""The largest error of a float64, relative to the number."""
+
 
 class Bounded(Operators):
     """One lane: arrays of the same kind (float64, int64 or bool) that broadcast together.
@@ -46,8 +47,8 @@ class Bounded(Operators):
     """
 
     __slots__ = (
-        "_factors", "_growth", "_magnitude", "_number", "_of", "_radius", "_sum", "form", "high",
-        "low", "value",
+        "_factors", "_magnitude", "_number", "_of", "_radius", "_sum", "form", "high", "low",
+        "value",
     )  # fmt: skip
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
@@ -61,8 +62,6 @@ class Bounded(Operators):
         self._sum: Sum | None = None
         self._factors = 0
         """How many multiplications made it."""
-        self._growth: Array | None = None
-        """How much larger it may make a product: the product of what its factors may."""
         self._number = next(_numbers)
         self._of: frozenset[int] = frozenset()
         """The numbers of all its factors, if it is a product."""
@@ -172,8 +171,9 @@ class Bounded(Operators):
         if not self.is_exact:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
+        made._sum, made._factors, made._of = self._sum, self._factors, self._of
         made._number = self._number
-        return made._made_as(self)
+        return made
 
     def __abs__(self) -> Bounded:
         if self.is_exact:
@@ -211,19 +211,6 @@ class Bounded(Operators):
         return Bounded(~self.value, ~self.high, ~self.low) if not self.is_exact else exact(
             ~self.value)  # fmt: skip
 
-    def _made_as(self, other: Bounded) -> Bounded:
-        """This lane, with the terms or factors of another one that a device computes likewise."""
-        self._sum, self._factors, self._of = other._sum, other._factors, other._of
-        self._growth = other._growth
-        return self
-
-    @property
-    def growth(self) -> Array:
-        """How much larger this lane may make a product that it is a factor of."""
-        if self._growth is None:
-            self._growth = growth(self)
-        return self._growth
-
     def _whole(self, operation: whole.Operation, other: Any) -> Bounded:
         """An operation on whole numbers, which does not round."""
         y = as_bounded(other)
@@ -257,7 +244,9 @@ def remembered(lane: Any) -> Any:
     """A lane whose error is shared by all that is computed from it."""
     if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
         return lane
-    return Bounded(lane.value, lane.low, lane.high, lane.any_form.shared())._made_as(lane)
+    made = Bounded(lane.value, lane.low, lane.high, lane.any_form.shared())
+    made._sum, made._factors, made._of = lane._sum, lane._factors, lane._of
+    return made
 
 
 def constant(value: float) -> Bounded:
@@ -300,7 +289,8 @@ def rounded(x: Bounded) -> Bounded:
 def limited(x: Bounded, low: Array, high: Array) -> Bounded:
     """The lane, of which is known that it is between these, too."""
     made = Bounded(x.value, np.maximum(x.low, low), np.minimum(x.high, high), x.form)
-    return made._made_as(x)
+    made._sum, made._factors, made._of = x._sum, x._factors, x._of
+    return made
 
 
 def widened(x: Bounded, by: Array) -> Bounded:
@@ -319,6 +309,30 @@ def widened(x: Bounded, by: Array) -> Bounded:
 # --- operations -----------------------------------------------------------------------------------
 
 
+def products(x: Bounded, y: Bounded) -> tuple[Array, Array]:
+    """The ends of all products; NaN where one may be infinite and the other one zero."""
+    if y.is_exact:
+        one, other = x.low * y.value, x.high * y.value
+        return np.minimum(one, other), np.maximum(one, other)
+    if x.is_exact:
+        return products(y, x)
+    a, b, c, d = x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high
+    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
+    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
+    if np.isfinite((high - low).sum()):
+        return low, high
+    nothing = (_is_infinite(x) & _has_zero(y)) | (_has_zero(x) & _is_infinite(y))
+    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
+
+
+def _is_infinite(x: Bounded) -> Array:
+    return ~(np.isfinite(x.low) & np.isfinite(x.high))
+
+
+def _has_zero(x: Bounded) -> Array:
+    return (x.low <= 0) & (x.high >= 0)
+
+
 def negated(condition: Bounded) -> Bounded:
     """Where a condition does not hold."""
     if condition.is_exact:
@@ -333,18 +347,26 @@ def _condition(x: Bounded, y: Bounded, compare: Any, holds: Array, fails: Array)
     return Bounded(value, holds, np.logical_not(fails))
 
 
-def _rounded(value: Array, low: Array, high: Array, form: Form | None = None) -> Bounded:
-    """The result of a correctly rounded operation, from the ends of its exact results."""
+def _rounded(
+    value: Array, low: Array, high: Array, form: Form | None = None, times: int = 1
+) -> Bounded:
+    """The result of a correctly rounded operation, from the ends of its exact results.
+
+    ``times`` says how often it may be rounded: in another order, results that are less than half
+    as large are, too, whose steps are not finer beside them.
+    """
     if np.asarray(value).dtype.kind != "f":
         return exact(value) if low is high else Bounded(value, low, high)
-    if low is high and is_float32(value):
+    if low is high and times == 1 and is_float32(value):
         return exact(value)
-    if form is None:
+    if times == 1 and form is None:
         return Bounded(value, *outward(low, high))
     magnitude = np.maximum(np.abs(low), np.abs(high))
-    error = rounding_error(magnitude)
-    form = form.widened(error + lost(magnitude + error))
-    return Bounded(value, *outward(low, high), form)
+    error = rounding_error(magnitude, times)
+    low, high = outward(low, high) if times == 1 else of_device(low - error, high + error)
+    if form is not None:
+        form = form.widened(error + lost(magnitude + error))
+    return Bounded(value, low, high, form)
 
 
 def _added(x: Bounded, y: Bounded) -> Bounded:
@@ -352,8 +374,8 @@ def _added(x: Bounded, y: Bounded) -> Bounded:
     value = x.value + y.value
     are_exact = x.is_exact and y.is_exact
     low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
-    if are_exact and x.kind == "f":
-        low, high = sum_of_doubles(value, x.value, y.value)
+    if are_exact and x.kind == "f" and not _is_whole_sum(value, x.value, y.value):
+        low, high = value - _STEP * np.abs(value), value + _STEP * np.abs(value)
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)
     if made.kind != "f":
@@ -365,7 +387,7 @@ def _added(x: Bounded, y: Bounded) -> Bounded:
     roundings = 2 if (x._of | {x._number}) & (y._of | {y._number}) else 1
     sum_ = Sum(roundings + sum(before), terms, is_exact)
     if sum_.roundings > 1 and not is_exact:
-        more = sum_in_any_order(sum_)
+        more = in_any_order(sum_)
         low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
         made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
     made._sum = sum_
@@ -375,32 +397,49 @@ def _added(x: Bounded, y: Bounded) -> Bounded:
 def _multiplied(x: Bounded, y: Bounded) -> Bounded:
     """A product, with the error that any order of its factors may have.
 
-    In another order other products round, on either side: those that are less than half as large
-    do, too, whose steps are not finer beside them.
+    In another order other products round, on either side. Orders with partial products that are
+    no normal numbers, where those of the written order are, are not allowed for.
     """
     value = x.value * y.value
-    if x.is_exact and y.is_exact:
-        (low, high), form = (value, value), None
-    else:
-        low, high = square(x) if x is y else products(x, y)
-        form = product_form(x, y)
     factors = x._factors + y._factors + 1
-    if np.asarray(value).dtype.kind != "f":
-        return _rounded(value, low, high)
-    grown = x.growth * y.growth
-    if factors == 1:
-        made = _rounded(value, low, high, form)
+    if x.is_exact and y.is_exact:
+        made = _rounded(value, value, value, times=factors)
     else:
-        made = Bounded(value, *in_any_order(low, high, form, factors, grown))
-    made._factors, made._growth = factors, grown
-    made._of = x._of | y._of | {x._number, y._number}
+        ends = _square(x) if x is y else products(x, y)
+        made = _rounded(value, *ends, _product_form(x, y), times=factors)
+    if made.kind == "f":
+        made._factors = factors
+        made._of = x._of | y._of | {x._number, y._number}
     return made
+
+
+def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
+    """Whether float64 holds a sum exactly; else a device may round it to either side."""
+    return bool(((value - x == y) & (value - y == x)).all())
 
 
 def _term(lane: Bounded) -> Term:
     if lane._sum is not None:
         return lane._sum
     return Single(lane.low, lane.high, lane.magnitude)
+
+
+def _square(x: Bounded) -> tuple[Array, Array]:
+    nearest = np.minimum(np.abs(x.low), np.abs(x.high))
+    near = np.where((x.low <= 0) & (x.high >= 0), 0, nearest)
+    return near * near, x.magnitude**2
+
+
+def _product_form(x: Bounded, y: Bounded) -> Form | None:
+    if x.form is None and y.form is None:
+        return None
+    if y.is_exact:
+        assert x.form is not None
+        return x.form.scaled(y.value)
+    if x.is_exact:
+        return _product_form(y, x)
+    form = x.any_form.scaled(y.value).plus(y.any_form.scaled(x.value))
+    return form.widened(x.radius * y.radius)
 
 
 def _is_coarse(lane: Bounded) -> bool:

@@ -22,11 +22,11 @@ from .bounded import (
     exact,
     limited,
     negated,
+    products,
     rounded,
     widened,
 )
 from .choices import certain_choice, of_conditions, of_ends, open_choice
-from .products import products
 from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 

@@ -1,8 +1,8 @@
-"""Sums whose terms a compiler may take in another order.
+"""Sums and products whose terms and factors a compiler may take in another order.
 
 GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
-("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum, and widens
-the next one by the error that any order may have; ``products.py`` does the same for products.
+("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum and product,
+and widens the next one by the error that any order may have.
 """
 
 from __future__ import annotations
@@ -72,17 +72,6 @@ class Single:
 
 
 Term = Sum | Single
-
-_DOUBLE_STEP = 2.0**-52
-"""The largest error of a float64, relative to the number."""
-
-
-def sum_of_doubles(value: Array, x: Array, y: Array) -> tuple[Array, Array]:
-    """The ends of an exact sum: where float64 does not hold it, a device may round to either
-    side."""
-    if ((value - x == y) & (value - y == x)).all():
-        return value, value
-    return value - _DOUBLE_STEP * np.abs(value), value + _DOUBLE_STEP * np.abs(value)
 
 
 def in_any_order(sum_: Sum) -> Array:

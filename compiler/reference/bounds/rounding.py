@@ -29,22 +29,20 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
     return _finite_or_infinite(_down(low), _up(high))
 
 
-def of_device(low: Array, high: Array, smallest: Array = SMALLEST_NORMAL) -> tuple[Array, Array]:
+def of_device(low: Array, high: Array) -> tuple[Array, Array]:
     """Between which numbers a device's float32 is, if it is within an error from these.
 
-    A result beyond the largest float32 is infinite, and one below ``smallest`` may be flushed to
-    zero.
+    A result beyond the largest float32 is infinite, and a subnormal one may be flushed to zero.
     """
     low, high = _finite_or_infinite(low, high)
-    return _flushed_up(low, smallest), _flushed_down(high, smallest)
+    return _flushed_up(low), _flushed_down(high)
 
 
-def rounding_error(magnitude: Array, times: int = 1, step: Array = SUBNORMAL_STEP) -> Array:
-    """The largest error of results of this magnitude that are rounded so often; none of zero.
-
-    ``step`` is the distance of the smallest numbers.
-    """
-    return relative_error(times) * magnitude + np.minimum(magnitude * 2.0**1000, times * step)
+def rounding_error(magnitude: Array, times: int = 1) -> Array:
+    """The largest error of results of this magnitude that are rounded so often; none of zero."""
+    return relative_error(times) * magnitude + np.minimum(
+        magnitude * 2.0**1000, times * SUBNORMAL_STEP
+    )
 
 
 def relative_error(times: int) -> float:
@@ -53,10 +51,10 @@ def relative_error(times: int) -> float:
     return times * ULP * (1.0 + times * ULP)
 
 
-def lost(magnitude: Array, smallest: Array = SMALLEST_NORMAL) -> Array:
+def lost(magnitude: Array) -> Array:
     """What a result of this magnitude may lose besides rounding: all of it, if it is flushed to
     zero, and everything is lost if it overflows."""
-    found = np.minimum(magnitude, smallest)
+    found = np.minimum(magnitude, SMALLEST_NORMAL)
     if np.fmax.reduce(magnitude, axis=None, initial=0.0) > LARGEST_FLOAT:
         return np.where(magnitude > LARGEST_FLOAT, np.inf, found)
     return found
@@ -111,12 +109,12 @@ def _finite_or_infinite(low: Array, high: Array) -> tuple[Array, Array]:
     return low, np.maximum(np.where(high > LARGEST_FLOAT, np.inf, high), -LARGEST_FLOAT)
 
 
-def _flushed_up(low: Array, smallest: Array) -> Array:
-    """The lower end of an interval, or zero if it is positive and too small."""
-    tiny = (low > 0) & (low < smallest)
+def _flushed_up(low: Array) -> Array:
+    """The lower end of an interval, or zero if it is positive and subnormal."""
+    tiny = (low > 0) & (low < SMALLEST_NORMAL)
     return np.where(tiny, 0.0, low) if np.count_nonzero(tiny) else low
 
 
-def _flushed_down(high: Array, smallest: Array) -> Array:
-    """The upper end of an interval, or zero if it is negative and too small."""
-    return 0.0 - _flushed_up(-high, smallest)
+def _flushed_down(high: Array) -> Array:
+    """The upper end of an interval, or zero if it is negative and subnormal."""
+    return 0.0 - _flushed_up(-high)

@@ -74,7 +74,7 @@ def whole(name: str, wrong: Callable[..., Any]) -> Plant:
 def _truncated(xp: Any, x: Any, y: Any) -> Any:
     tiny = abs(y) < 1e-30
     divisor = xp.where(tiny, 1.0, y)
-    return xp.where(tiny, 0.0, x - divisor * xp.trunc(x / divisor))
+    return xp.where(tiny, 0.0, x - divisor * xp.trunc(xp.divide(x, divisor)))
 
 
 def _half_away(xp: Any, x: Any) -> Any:
