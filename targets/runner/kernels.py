@@ -1,6 +1,6 @@
 """Runs kernels: the values of an instance as a dispatch, and its answer as elements.
 
-``conform`` and tests call it; ``reference_kernel`` computes the same by the reference.
+``conform`` and tests call it; ``compiler/reference/kernel.py`` computes the same by the reference.
 """
 
 from __future__ import annotations
