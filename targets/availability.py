@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from . import registry
-from .description.capabilities import CAPABILITIES, lacking
+from .description.capabilities import CAPABILITIES, lacking, without_native_stages
 from .description.capability import Standing, standing
 from .description.profile import Profile
 
@@ -24,9 +24,8 @@ def way_out(feature: str, profile: Profile) -> str:
     capability = lacking(feature)
     if capability is None:
         return ""
-    here = standing(capability, profile)
-    if here.kind == "lowered":
-        return f"without `--geometry-stage`, {here.how}"
+    if here := without_native_stages(feature, profile):
+        return here
     elsewhere = _compile_for(lambda other: standing(capability, other).kind != "absent")
     return ", or ".join(filter(None, (capability.instead, elsewhere)))
 

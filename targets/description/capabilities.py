@@ -15,7 +15,8 @@ needs it, with which all of its cells are tried.
 from __future__ import annotations
 
 from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, VERTEX
-from .capability import Capability, Need, Way, a_stage, some_builtins, words_for
+from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
+from .profile import Profile
 
 BUFFERS = Need("storage buffers", lambda profile: profile.limits.buffers > 0)
 SEPARATE_SAMPLERS = Need(
@@ -116,3 +117,10 @@ def feature_of_builtin(name: str) -> str:
     """What is missing where a profile lacks a builtin and there is no replacement for it."""
     needs = (need for row in CAPABILITIES for way in row.ways for need in way.needs)
     return next((need.feature for need in needs if name in need.builtins), f"`{name}`")
+
+
+def without_native_stages(feature: str, profile: Profile) -> str:
+    """The advice not to ask for a profile's own stages; empty if nothing else could be done."""
+    capability = lacking(feature)
+    instead = capability and lowering(capability, profile)
+    return f"without `--native-stages`, {instead.how}" if instead else ""

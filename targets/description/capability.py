@@ -87,15 +87,17 @@ class Standing:
 
 def standing(capability: Capability, profile: Profile) -> Standing:
     """The cell of a capability and a profile."""
-    missing = lacked(capability, profile)
+    missing = _missing(capability.ways[0], profile)
     if not missing:
         return Standing("native")
-    for way in capability.ways[1:]:
-        if all(need.is_met(profile) for need in way.needs):
-            return Standing("lowered", way.how, missing)
-    return Standing("absent", missing=missing)
+    instead = lowering(capability, profile)
+    return Standing("lowered", instead.how, missing) if instead else Standing("absent", "", missing)
 
 
-def lacked(capability: Capability, profile: Profile) -> tuple[str, ...]:
-    """What a profile has not got that it would need to do something by its own means."""
-    return tuple(need.feature for need in capability.ways[0].needs if not need.is_met(profile))
+def lowering(capability: Capability, profile: Profile) -> Way | None:
+    """What the compiler does in a profile if it does not use the profile's own means."""
+    return next((way for way in capability.ways[1:] if not _missing(way, profile)), None)
+
+
+def _missing(way: Way, profile: Profile) -> tuple[str, ...]:
+    return tuple(need.feature for need in way.needs if not need.is_met(profile))

@@ -13,7 +13,12 @@ from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
-from ..description.capabilities import BUFFERS, SEPARATE_SAMPLERS, feature_of_builtin
+from ..description.capabilities import (
+    BUFFERS,
+    SEPARATE_SAMPLERS,
+    feature_of_builtin,
+    without_native_stages,
+)
 from ..description.capability import feature_of_stage
 from ..description.profile import LIMITED, Limits, Profile
 from .samplers import sampler_use
@@ -63,7 +68,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
                 name, count, limit, of_expansion=of_corners, instead=BY_CORNER if of_corners else ""
             )
     if not {stage.row for stage in _emitting(program)} - {*profile.stages}:
-        yield from _too_much_emitted(program, profile.limits)
+        yield from _too_much_emitted(program, profile)
     yield from _excessive_places(program, profile.limits)
 
 
@@ -88,18 +93,19 @@ def _emitting(program: Program) -> list[Stage]:
     return [stage for stage in program.stages if stage.emitted]
 
 
-def _too_much_emitted(program: Program, limits: Limits) -> Iterator[Excess]:
+def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
     """More vertices, or numbers, than a stage can emit for one primitive."""
     for stage in _emitting(program) if program.expansion else ():
         assert program.expansion is not None
         vertices = program.expansion.vertices
         components = vertices * sum(width(root.type) for root in stage.roots)
         for name, count, limit in (
-            ("emitted_vertices", vertices, limits.emitted_vertices),
-            ("emitted_components", components, limits.emitted_components),
+            ("emitted_vertices", vertices, profile.limits.emitted_vertices),
+            ("emitted_components", components, profile.limits.emitted_components),
         ):
             if count > limit:
-                yield Excess(name, count, limit, of_expansion=True, instead=WITHOUT_STAGE)
+                instead = without_native_stages(feature_of_stage(stage.row), profile)
+                yield Excess(name, count, limit, of_expansion=True, instead=instead)
 
 
 def _nested_blocks(region: Region) -> int:
@@ -127,9 +133,8 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 
 BY_CORNER = (
     "each corner that is read has inputs of its own: read fewer slots by corner, or compile with "
-    "`--geometry-stage` for a profile that has it"
+    "`--native-stages` for a profile that has it"
 )
-WITHOUT_STAGE = "without `--geometry-stage`, each primitive is drawn as an instance"
 
 
 def lacks(program: Program, profile: Profile) -> Iterator[Lack]:

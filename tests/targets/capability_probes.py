@@ -62,12 +62,12 @@ PROBES: Mapping[str, Probe] = {
     }"""),
     "expansions": Probe(
         EXPANSION.format("triangle", step=1),
-        native={"geometry_stage": True},
+        native={"native_stages": True},
         is_native=has_geometry_stage,
     ),
     "expansions with adjacency": Probe(
         EXPANSION.format("triangle_adjacency", step=2),
-        native={"geometry_stage": True},
+        native={"native_stages": True},
         is_native=has_geometry_stage,
     ),
     "kernels over buffers": Probe(

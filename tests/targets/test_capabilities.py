@@ -62,7 +62,7 @@ def test_what_is_lowered_does_without_them(row: Capability, name: str) -> None:
     if probe.native:
         (found,) = refused(probe, name, native=True)
         assert (found.rule.code, found.hint) == (
-            "B0701", f"without `--geometry-stage`, {standing(row, profile_of(name)).how}",
+            "B0701", f"without `--native-stages`, {standing(row, profile_of(name)).how}",
         )  # fmt: skip
 
 
