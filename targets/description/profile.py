@@ -87,6 +87,8 @@ class Limits:
     """Vertices that a geometry stage emits for one primitive."""
     emitted_components: int = 1024
     """Numbers that all of these have together, those of their positions included."""
+    work_group: int = 128
+    """Invocations in a work group."""
     groups: int | None = None
     """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
     bindings: int | None = None

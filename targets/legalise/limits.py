@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...compiler.ir.kernel import invocations
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture, width
@@ -38,6 +39,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     varyings = max((len(face.varyings) for face in program.interfaces), default=0)
     block = max((block.size for block in program.blocks), default=0)
     depth = max(_nested_blocks(region) for stage in program.stages for region in stage.regions)
+    together = 0 if program.work_group is None else invocations(program.work_group)
     by_corner = BY_CORNER if program.expansion and not _emitting(program) else ""
     for what, count, limit in (
         ("varyings", varyings, profile.limits.varyings),
@@ -47,6 +49,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
         ("bytes in a uniform block", block, profile.limits.block_bytes),
         ("nested blocks", depth, profile.limits.nested_blocks),
         ("render targets", len(program.results_of(TARGET)), profile.limits.render_targets),
+        ("invocations in a work group", together, profile.limits.work_group),
     ):
         if count > limit:
             yield Excess(what, count, limit, instead=by_corner if what == INPUTS else "")
