@@ -20,6 +20,7 @@ from .operations import NATIVE, builtin_of
 from .shader import Store
 from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .storage import stored_type, structs_in
+from .tessellation import Tessellation
 from .types import Struct, Type
 
 StageName = str
@@ -393,6 +394,8 @@ class Program:
     buffers: tuple[Buffer, ...] = ()
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into."""
+    tessellation: Tessellation | None = None
+    """What each patch of it is divided into."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
 
