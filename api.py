@@ -69,7 +69,7 @@ def compile(
     single_file: bool = False,
     line_directives: bool = False,
     partial: bool = False,
-    geometry_stage: bool = False,
+    native_stages: bool = False,
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
@@ -82,8 +82,8 @@ def compile(
     everything themselves. With ``line_directives``, texts have ``#line`` directives that
     name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
-    and its ``lacking`` says why. With ``geometry_stage``, a material that expands primitives has
-    a geometry stage for it; otherwise each primitive is drawn as an instance.
+    and its ``lacking`` says why. With ``native_stages``, a material that expands primitives has
+    the stage for it that a target provides; otherwise each primitive is drawn as an instance.
 
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
@@ -92,7 +92,7 @@ def compile(
     _check_names(material=material, rig=rig, pass_=pass_)
     _check_flags(
         hoist=hoist, flip_y=flip_y, single_file=single_file,
-        line_directives=line_directives, partial=partial, geometry_stage=geometry_stage,
+        line_directives=line_directives, partial=partial, native_stages=native_stages,
     )  # fmt: skip
     chosen = select_targets(_names_of_targets(targets), report, single_file=single_file)
     frontend, module = _opened(source, search_path, report)
@@ -104,7 +104,7 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        expand = count_strips if geometry_stage else lower_expansion
+        expand = count_strips if native_stages else lower_expansion
         shader = expand(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)

@@ -19,6 +19,7 @@ from .operations import NATIVE, builtin_of
 from .shader import Store
 from .stages import IMAGE, VERTICES, Domain, InterpolationMode, StageRow
 from .storage import stored_type, structs_in
+from .tessellation import Tessellation
 from .types import Struct, Type
 
 StageName = str
@@ -394,6 +395,8 @@ class Program:
     buffers: tuple[Buffer, ...] = ()
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into."""
+    tessellation: Tessellation | None = None
+    """What each patch of it is divided into."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""

@@ -15,6 +15,7 @@ from .expansion import Expansion
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
+from .tessellation import Tessellation
 
 ConstantValue = float | int | bool | tuple["ConstantValue", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
@@ -246,6 +247,8 @@ class Shader:
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into, whichever stage does it."""
+    tessellation: Tessellation | None = None
+    """What each patch of the mesh is divided into, whichever stage does it."""
 
     @property
     def roots(self) -> Roots:

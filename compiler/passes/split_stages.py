@@ -78,7 +78,7 @@ def split_stages(
     )
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers,
-        shader.expansion,
+        shader.expansion, shader.tessellation,
     )  # fmt: skip
 
 

@@ -100,9 +100,9 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 INPUTS = "vertex inputs"
 BY_CORNER = (
     "each corner that is read has inputs of its own: read fewer slots by corner, or compile with "
-    "`--geometry-stage` for a profile that has it"
+    "`--native-stages` for a profile that has it"
 )
-WITHOUT_STAGE = "without `--geometry-stage`, each primitive is drawn as an instance"
+WITHOUT_STAGE = "without `--native-stages`, each primitive is drawn as an instance"
 OTHER_PROFILE = "compile for a profile that has this stage"
 
 NO_BUFFERS = Lack(
