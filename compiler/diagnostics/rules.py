@@ -720,17 +720,6 @@ NOT_IN_KERNEL = _error(
     "{what} is not available in a kernel",
     "Derivatives, and reads of textures without a level, compare neighbouring pixels.",
 )
-MIXED_RESULTS = _error(
-    "B0550",
-    "`{name}` is {kind}, and the first result is {first}",
-    "An invocation computes an element by its number, or a texel by its place. Write a second "
-    "kernel.",
-)
-NO_FORMAT = _error(
-    "B0551",
-    "`{name}` does not say of which format its texels are",
-    "An image has one format, as a render target has: `image2d<rgba16f>[size]`.",
-)
 
 # Expansions
 
@@ -778,6 +767,20 @@ TWO_EXPANSIONS = _error(
     "`{name}` expands its primitives twice",
     "A material has one expansion, with as many groups of strips as it needs. Two mixins that each "
     "have one cannot be combined.",
+)
+
+# Kernels over images
+
+MIXED_RESULTS = _error(
+    "B0550",
+    "`{name}` is {kind}, and the first result is {first}",
+    "An invocation computes an element by its number, or a texel by its place. Write a second "
+    "kernel.",
+)
+NO_FORMAT = _error(
+    "B0551",
+    "`{name}` does not say of which format its texels are",
+    "An image has one format, as a render target has: `image2d<rgba16f>[size]`.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

@@ -9,13 +9,13 @@ from collections.abc import Container
 from functools import partial
 
 from ...frozen import changed, frozen
+from ..ir.full_screen import full_screen, without_extent, writes_images
 from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Result, Shader
 from .checkpoint import verified, verified_results
 from .expand_builtins import expand_builtins
-from .full_screen import full_screen, without_extent, writes_images
 from .fuse import fuse
 from .guard import Guard, Guarding
 from .hoist import Derived, hoist

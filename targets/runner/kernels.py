@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
-from ...compiler.passes.full_screen import CORNERS, full_screen, writes_images
 from ...frozen import changed
 from .drivers.draw import Dispatch
 from .instances.instance import Instance

@@ -36,8 +36,7 @@ def _materials(path: Path) -> Iterator[str]:
     text = path.read_text("utf-8")
     kinds = ("material", "kernel") if "image2d" in text else ("material",)
     for declared in parse(Source(path.name, text), Report()).declarations:
-        is_drawn = isinstance(declared, ast.Record) and declared.kind in kinds
-        if is_drawn and not declared.abstract:
+        if isinstance(declared, ast.Record) and declared.kind in kinds and not declared.abstract:
             yield declared.name.text
 
 

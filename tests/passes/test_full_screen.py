@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 import burnish
+from burnish.compiler.ir.full_screen import full_screen
 from burnish.compiler.ir.stages import CLIP_POSITION, RASTERISED, TARGET
 from burnish.compiler.ir.verify import verify_results
-from burnish.compiler.passes.full_screen import full_screen
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner.kernels import drawable, full_screen_state
 from burnish.targets.runner.reference import expected

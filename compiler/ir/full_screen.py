@@ -9,11 +9,11 @@ calls ``full_screen`` behind all passes but the last one, for the profiles that 
 from __future__ import annotations
 
 from ...frozen import changed
-from ..ir import build
-from ..ir.node import Graph, Node
-from ..ir.rewrite import rewrite
-from ..ir.shader import Result, Shader
-from ..ir.stages import (
+from . import build
+from .node import Graph, Node
+from .rewrite import rewrite
+from .shader import Result, Shader
+from .stages import (
     CLIP_POSITION,
     EXTENT,
     FRAGMENT,
@@ -24,7 +24,7 @@ from ..ir.stages import (
     SystemInput,
     inputs_of,
 )
-from ..ir.types import BOOL, FLOAT, IVEC2, UINT, VEC4
+from .types import BOOL, FLOAT, IVEC2, UINT, VEC4
 
 CORNERS = 3
 """How many vertices a host draws."""
