@@ -50,9 +50,9 @@ def _data(node: Node) -> dict[str, Any]:
         return {"operator": node.data.operator, "bound": node.data.bound}
     if node.op not in _KEYS:
         raise ValueError(f"a host cannot compute {node.op}")
-    is_leaf = isinstance(node.data, Parameter | Resource)
-    data = node.data.name if is_leaf else listed(node.data)
-    return {_KEYS[node.op]: data}
+    if isinstance(node.data, Parameter | Resource):
+        return {_KEYS[node.op]: node.data.name}
+    return {_KEYS[node.op]: listed(node.data)}
 
 
 def listed(value: object) -> Any:
