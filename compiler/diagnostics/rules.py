@@ -774,6 +774,25 @@ EXPANDS_TOO_FAR = _error(
     "a primitive would turn into {count} vertices, and {most} is the most",
     "Let ranges say more closely how many strips there are, or expand a finer mesh by less.",
 )
+NOT_SO_MANY_LAYERS = _error(
+    "B0528",
+    "render targets have 1 to {most} layers, and not {count}",
+    "`layers of 6` says how many layers each render target of a pass has. More than 256 are not "
+    "guaranteed to exist.",
+)
+NO_LAYER = _error(
+    "B0529",
+    "`{name}` draws into layers, but nothing says into which",
+    "An expansion of the pass or of its material says to which layer a strip is drawn: it sets "
+    "their slot `layer : int`. The nearest layer counts.",
+)
+LAYER_WITHIN_STRIP = _error(
+    "B0530",
+    "vertices of one strip have different layers",
+    "A strip is drawn to one layer, so `layer` may depend on the strip's number, on "
+    "`primitive_index` and on values at corners with a number that is the same for all of the "
+    "strip's vertices.",
+)
 TWO_EXPANSIONS = _error(
     "B0527",
     "`{name}` expands its primitives twice",

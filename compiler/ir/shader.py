@@ -120,6 +120,9 @@ class RenderTarget:
     format: str
     blend: str
     """``none``, ``alpha``, ``add`` …: what the hardware does behind the shader."""
+    layers: int = 0
+    """How many it has; 0 where it is a single picture and no array of them. All targets of a shader
+    have equally many."""
 
     @property
     def fixed_point(self) -> bool:
@@ -248,6 +251,9 @@ class Shader:
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into, whichever stage does it."""
+    layer: Parameter | None = None
+    """Where render targets have layers and each of these has a draw of its own: what says for which
+    one a draw is."""
     tessellation: Tessellation | None = None
     """What each patch of the mesh is divided into, whichever stage does it."""
     work_group: WorkGroup | None = None
@@ -257,6 +263,11 @@ class Shader:
     def roots(self) -> Roots:
         """The values of all results: what passes and walks over the graph start from."""
         return Roots([result.value for result in self.results])
+
+    @property
+    def layers(self) -> int:
+        """How many layers each render target has; 0 where they are single pictures."""
+        return max((r.state.layers for r in self.results if r.state is not None), default=0)
 
     def results_of(self, kind: str) -> tuple[Result, ...]:
         """The results of one kind, in order."""

@@ -53,6 +53,11 @@ CAPABILITIES: tuple[Capability, ...] = (
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
     ),
     Capability(
+        "layers",
+        "A pass draws to several layers of its render targets: `layers of 6`.",
+        (Way((a_stage(GEOMETRY),)), Way((), "each layer is a draw of its own")),
+    ),
+    Capability(
         "kernels over buffers",
         "The elements of storage buffers are computed: `kernel` with `result name : T[count] = …`.",
         (Way((a_stage(COMPUTE),)),),

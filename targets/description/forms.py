@@ -72,6 +72,8 @@ class Forms:
     """Where it lands in clip space."""
     position: str = ""
     """What then stands for that."""
+    deliver_layer: str = ""
+    """To which layer of the render targets it belongs."""
     emit_vertex: str = ""
     end_strip: str = ""
 

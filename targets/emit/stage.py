@@ -12,7 +12,7 @@ from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
 from ...compiler.ir.program import Field, Function, Output, Stage
 from ...compiler.ir.shader import Store
-from ...compiler.ir.stages import CLIP_POSITION, DISCARD, EXTENT, STORE, TARGET
+from ...compiler.ir.stages import CLIP_POSITION, DISCARD, EXTENT, LAYER, STORE, TARGET
 from ...compiler.ir.storage import stored_element
 from ...compiler.ir.types import INT, Array, Struct
 from ..description.shading_language import FieldRole
@@ -79,7 +79,7 @@ class StagePrinter:
         for output in stage.results:
             if output.field is not None:
                 stored.append((self._field(output.field, _role(output)), output.value))
-            elif output.kind not in (CLIP_POSITION, DISCARD, EXTENT, STORE):
+            elif output.kind not in (CLIP_POSITION, DISCARD, EXTENT, LAYER, STORE):
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
@@ -109,7 +109,8 @@ class StagePrinter:
         if not self._stage.emitted or expansion is None:
             return None
         primitive = self._language.primitives[expansion.primitive]
-        return ExpansionView(primitive, expansion.corners, expansion.vertices)
+        is_layered = self._stage.value_of(LAYER) is not None
+        return ExpansionView(primitive, expansion.corners, expansion.vertices, is_layered)
 
     def _delivered(self, output: Output, value: str) -> Iterator[str]:
         """The lines that give an emitted vertex one of its outputs."""
@@ -117,6 +118,9 @@ class StagePrinter:
         if output.field is not None:
             name = self._field_name(output.field, _role(output))
             yield forms.deliver.format(name=name, value=value)
+            return
+        if output.kind == LAYER:
+            yield forms.deliver_layer.format(value=value)
             return
         position = forms.position
         yield forms.deliver_position.format(value=value)

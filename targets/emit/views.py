@@ -118,6 +118,8 @@ class ExpansionView:
     corners: int
     vertices: int
     """How many it emits at most."""
+    is_layered: bool
+    """Whether it says to which layer of the render targets they belong."""
 
 
 @frozen

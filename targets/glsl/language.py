@@ -113,6 +113,7 @@ INPUTS = {
 FORMS = Forms(
     deliver_position="gl_Position = {value};",
     position="gl_Position",
+    deliver_layer="gl_Layer = {value};",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
 )

@@ -53,6 +53,7 @@ FORMS = Forms(
     deliver="output.{name} = {value};",
     deliver_position="output.clip_position = {value};",
     position="output.clip_position",
+    deliver_layer="output.target_layer = uint({value});",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
     lane_words=("Red", "Green", "Blue", "Alpha"),
@@ -251,6 +252,6 @@ LANGUAGE = Language(
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "primitive_index", *STAGE_STRUCTS,
+        "target_layer", "primitive_index", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

@@ -183,6 +183,17 @@ KINDS: tuple[MemberKind, ...] = (
         doc="where a pass writes nothing",
     ),
     MemberKind(
+        word="layers",
+        node=members.Layers,
+        productions={"layers": members.Layers},
+        opening=("of",),
+        records=("pass",),
+        inheritance="replaced",
+        contribution="result",
+        form="the number of layers is `layers of 6`",
+        doc="how many layers each render target of a pass has",
+    ),
+    MemberKind(
         word="expand",
         node=members.Expand,
         productions={"expand": _expand},

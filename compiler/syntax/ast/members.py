@@ -96,6 +96,14 @@ class Discard:
     condition: Expression
 
 
+@frozen(eq=False)
+class Layers:
+    """``layers of 6``: how many layers each render target of a pass has."""
+
+    span: Span
+    count: Expression
+
+
 StripShape = Literal["strip", "list"]
 """Triangles that each share two vertices with the one before, or that share none."""
 
@@ -147,7 +155,19 @@ class WorkGroup:
     sides: tuple[Expression, ...]
 
 
-Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Result | WorkGroup
+Member = (
+    Param
+    | Map
+    | Buffer
+    | Attribute
+    | Slot
+    | Target
+    | Discard
+    | Layers
+    | Expand
+    | Result
+    | WorkGroup
+)
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 

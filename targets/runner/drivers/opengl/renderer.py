@@ -9,6 +9,7 @@ import moderngl
 
 from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Primitive, StepMode
 from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
+from .layered_screen import LayeredScreen
 from .program import attribute_layout, bound_at, link
 from .screen import Screen
 from .texture_units import bound_texture
@@ -68,13 +69,18 @@ def _picture(
     pipeline: Pipeline,
     draw: Draw,
 ) -> Picture:
-    screen = Screen(context, functions, pipeline.targets, (draw.width, draw.height))
+    size, layers = (draw.width, draw.height), pipeline.layers
+    screen = (
+        LayeredScreen(context, functions, pipeline.targets, size, layers)
+        if layers
+        else Screen(context, functions, pipeline.targets, size)
+    )
     try:
         _set_state(context, functions, pipeline)
         screen.clear(draw.clear)
         screen.set_blending()
         _render(context, functions, program, pipeline, draw)
-        picture = Picture(draw.width, draw.height, screen.read(pipeline))
+        picture = Picture(draw.width, draw.height * (layers or 1), screen.read(pipeline))
     finally:
         screen.release()
     if (error := context.error) != "GL_NO_ERROR":

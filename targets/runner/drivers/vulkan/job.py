@@ -98,6 +98,7 @@ class _Painter:
                 self._description.targets,
                 self._render_pass,
                 (width, height),
+                self._description.layers,
             )
         return self._canvases[width, height]
 
