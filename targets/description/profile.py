@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...compiler.ir.stages import RASTERISED, Chain
+from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, RASTERISED, Chain, StageRow
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain
 from .spellings import PipelineInput, Spellings
@@ -19,18 +19,6 @@ Numbering = Literal["set", "kind"]
 
 GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
 """Bind group of each parameter group: WebGPU guarantees four."""
-
-
-@frozen
-class Lack:
-    """Something that a profile has not got."""
-
-    feature: str
-    """Behind "… has no"."""
-    instead: str
-    """What a user can do."""
-    of_expansion: bool = False
-    """Whether it is what the material turns its primitives into that needs it."""
 
 
 @frozen(kw_only=True)
@@ -67,14 +55,21 @@ class Framebuffer:
 
 @frozen
 class Limits:
-    """What every device and every compiler of a profile has, or takes, at least."""
+    """What every device and every compiler of a profile has, or takes, at least.
+
+    ``LIMITED`` says what messages and the manual call each of them.
+    """
 
     varyings: int = 16
     """Vectors that cross between the stages."""
     attributes: int = 16
     """Locations of vertex inputs."""
-    buffers: int = 8
-    """Storage buffers that one stage reads; 0 where there are none at all."""
+    vertex_buffers: int = 8
+    """Storage buffers that a stage reads which computes vertices; 0 where it can read none."""
+    fragment_buffers: int = 8
+    """Those that the fragment stage reads; likewise."""
+    kernel_buffers: int = 8
+    """Those that a kernel reads and writes; likewise."""
     textures: int = 16
     """Textures with their samplers that one stage reads."""
     block_bytes: int = 16384
@@ -93,6 +88,45 @@ class Limits:
     """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
     bindings: int | None = None
     """Numbers of bindings in a group; likewise."""
+
+    def buffers_of(self, row: StageRow) -> int:
+        """How many storage buffers a stage may have; 0 where it can have none."""
+        return int(getattr(self, buffer_limit(row)))
+
+
+def buffer_limit(row: StageRow) -> str:
+    """The field of ``Limits`` that says how many storage buffers a stage may have."""
+    others = {FRAGMENT.name: "fragment_buffers", COMPUTE.name: "kernel_buffers"}
+    return others.get(row.name, "vertex_buffers")
+
+
+@frozen
+class Limited:
+    """What messages and the manual say of one limit."""
+
+    what: str
+    """What there is a limited number of: behind a number."""
+    stage: StageRow | None = None
+    """The stage that it is about, if it means nothing without."""
+
+
+LIMITED: Mapping[str, Limited] = {
+    "varyings": Limited("varyings"),
+    "attributes": Limited("vertex inputs"),
+    "vertex_buffers": Limited("storage buffers of a stage that computes vertices"),
+    "fragment_buffers": Limited("storage buffers of the fragment stage"),
+    "kernel_buffers": Limited("storage buffers of a kernel", COMPUTE),
+    "textures": Limited("textures"),
+    "block_bytes": Limited("bytes in a uniform block"),
+    "render_targets": Limited("render targets"),
+    "nested_blocks": Limited("nested blocks"),
+    "emitted_vertices": Limited("vertices of one primitive", GEOMETRY),
+    "emitted_components": Limited("numbers at the vertices of one primitive", GEOMETRY),
+    "work_group": Limited("invocations in a work group", COMPUTE),
+    "groups": Limited("bind groups"),
+    "bindings": Limited("bindings in a group"),
+}
+"""The fields of ``Limits``."""
 
 
 @frozen(eq=False, kw_only=True)
@@ -118,6 +152,9 @@ class Profile:
     """The text states set and binding; otherwise the host assigns them by name."""
     numbering: Numbering = "set"
     """Where a number may be used once only: in a set, or for blocks, textures and samplers each."""
+    numbers_storage_apart: bool = False
+    """Where kinds are numbered on their own: whether storage buffers are one of them, and do not
+    follow the blocks."""
     sets: Mapping[str, int] = GROUP_SETS
     default_set: int = 2
     """Where a user's own groups go."""
@@ -133,7 +170,8 @@ class Profile:
     these are others than the builtin's ``domain``. They are more if the language defines what
     others leave open; then it needs fewer guards. They are fewer if it has the operation for some
     types only, or a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
-    cannot: Mapping[str, Lack] = EMPTY
-    """Natives that the profile has not got, nor an exact replacement for."""
+    cannot: frozenset[str] = frozenset()
+    """Builtins that the profile has not got, nor an exact replacement for. What is said where a
+    program uses one stands in ``capabilities.py``."""
     checkers: tuple[str, ...] = ()
     """Checkers of ``targets.toolchain`` that have to accept the text."""

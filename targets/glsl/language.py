@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import COMPUTED, EXPANDED
+from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
 from ...compiler.ir.types import BOOL, INT, UINT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Framebuffer, Lack, Limits, Profile, Samplers
+from ..description.profile import Framebuffer, Limits, Profile, Samplers
 from ..description.reserved import read_reserved
 from ..description.shading_language import Language
 from ..description.spellings import (
@@ -158,7 +158,7 @@ VULKAN = Profile(
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
     preamble=("#version 450",),
-    limits=Limits(groups=4, buffers=4),
+    limits=Limits(groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4),
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(
@@ -172,19 +172,10 @@ VULKAN = Profile(
     checkers=("glslang-vulkan",),
 )
 
-NO_LEVELS = {
-    "texture_levels": Lack(
-        "way to tell how many levels a texture has",
-        "read level 0, which all have, or filter with `.level(…)`",
-    ),
-}
-"""``textureQueryLevels`` came with GLSL 4.30; no version of ES has it."""
+NO_LEVELS = frozenset({"texture_levels"})
+"""It came with GLSL 4.30; no version of ES has it."""
 
-CANNOT = {
-    "gather": Lack("gathering of texels", "`load` each of the four"),
-    "gather_compare": Lack("gathering of comparisons", "compare at each of the four texels"),
-    **NO_LEVELS,
-}
+CANNOT = NO_LEVELS | {"gather", "gather_compare"}
 """``textureGather`` came with GLSL 4.00 and ES 3.10."""
 
 BOTTOM_FIRST = Framebuffer(
@@ -202,7 +193,7 @@ OPENGL = Profile(
     explicit_bindings=False,
     samplers=Samplers(combined=True),
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
@@ -211,18 +202,18 @@ OPENGL = Profile(
     checkers=("glslang-gl330",),
 )
 
-NO_BUFFERS = 0
-"""OpenGL 4.5 guarantees storage buffers to fragments alone, and ES 3.1 to kernels alone."""
-
 OPENGL_4 = Profile(
     name="gl450",
+    stages=(*RASTERISED, *COMPUTED),
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
     preamble=("#version 450 core",),
     numbering="kind",
+    numbers_storage_apart=True,
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
-    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    # Only fragments and kernels are guaranteed to have storage buffers.
+    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024),
     agrees=AGREES,
     checkers=("glslang-gl450",),
 )
@@ -241,7 +232,7 @@ ES = Profile(
     explicit_bindings=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
@@ -252,12 +243,15 @@ ES = Profile(
 
 ES_31 = Profile(
     name="es310",
+    stages=(*RASTERISED, *COMPUTED),
     doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
     preamble=("#version 310 es", *ES_PRECISIONS),
     numbering="kind",
+    numbers_storage_apart=True,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    # Only kernels are guaranteed to have storage buffers.
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=4),
     natives=WITHOUT_FMA,
     lacks=COUNTS,
     agrees=AGREES,
