@@ -120,9 +120,9 @@ LIMITED: Mapping[str, Limited] = {
     "block_bytes": Limited("bytes in a uniform block"),
     "render_targets": Limited("render targets"),
     "nested_blocks": Limited("nested blocks"),
+    "work_group": Limited("invocations in a work group", COMPUTE),
     "emitted_vertices": Limited("vertices of one primitive", GEOMETRY),
     "emitted_components": Limited("numbers at the vertices of one primitive", GEOMETRY),
-    "work_group": Limited("invocations in a work group", COMPUTE),
     "groups": Limited("bind groups"),
     "bindings": Limited("bindings in a group"),
 }

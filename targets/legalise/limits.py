@@ -84,18 +84,19 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "block_bytes": max((block.size for block in program.blocks), default=0),
         "nested_blocks": max(depths),
         "render_targets": len(program.results_of(TARGET)),
-        "work_group": invocations(program.work_group) if program.work_group else 0,
+        "work_group": 0 if program.work_group is None else invocations(program.work_group),
         **_buffer_counts(program, profile),
     }
 
 
 def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
     """Likewise of storage buffers. Where a stage can have none, that is what ``lacks`` tells."""
-    return {
-        buffer_limit(stage.row): len(stage.buffers)
-        for stage in program.stages
-        if stage.buffers and profile.limits.buffers_of(stage.row)
-    }
+    counts: dict[str, int] = {}
+    for stage in program.stages:
+        if profile.limits.buffers_of(stage.row):
+            name = buffer_limit(stage.row)
+            counts[name] = max(counts.get(name, 0), len(stage.buffers))
+    return counts
 
 
 def _emitting(program: Program) -> list[Stage]:
