@@ -774,6 +774,12 @@ EXPANDS_TOO_FAR = _error(
     "a primitive would turn into {count} vertices, and {most} is the most",
     "Let ranges say more closely how many strips there are, or expand a finer mesh by less.",
 )
+TWO_EXPANSIONS = _error(
+    "B0527",
+    "`{name}` expands its primitives twice",
+    "A record has one expansion, with as many groups of strips as it needs. Two mixins that each "
+    "have one cannot be combined.",
+)
 NOT_SO_MANY_LAYERS = _error(
     "B0528",
     "render targets have 1 to {most} layers, and not {count}",
@@ -792,12 +798,6 @@ LAYER_WITHIN_STRIP = _error(
     "A strip is drawn to one layer, so `layer` may depend on the strip's number, on "
     "`primitive_index` and on values at corners with a number that is the same for all of the "
     "strip's vertices.",
-)
-TWO_EXPANSIONS = _error(
-    "B0527",
-    "`{name}` expands its primitives twice",
-    "A record has one expansion, with as many groups of strips as it needs. Two mixins that each "
-    "have one cannot be combined.",
 )
 
 # Kernels over images

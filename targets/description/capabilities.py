@@ -66,8 +66,9 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "layers",
-        "A pass draws to several layers of its render targets: `layers of 6`.",
-        (Way((a_stage(GEOMETRY),)), Way((), "each layer is a draw of its own")),
+        "A pass draws to several layers of its render targets: `layers of 6`. Where this is "
+        "lowered, each layer is a draw of its own.",
+        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
     ),
     Capability(
         "kernels over buffers",

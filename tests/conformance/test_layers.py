@@ -17,6 +17,7 @@ from burnish.compiler.ir import build
 from burnish.compiler.ir.types import BOOL
 from burnish.compiler.passes import lower_expansion
 from burnish.compiler.semantics.shading import elaborate
+from burnish.compiler.semantics.shading.layers import layer_of
 from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.runner import binding, layers, runner
@@ -185,12 +186,11 @@ PLANTED = {
         elaborate, "layer_of",
         lambda *given: (
             changed(result, value=result.value.operands[0])
-            for result in _layer_of(*given)
+            for result in layer_of(*given)
         ),
     ),
     "targets without layers": _replaced(binding, "_layers", lambda _row: 0),
 }  # fmt: skip
-_layer_of = elaborate.layer_of
 
 
 @pytest.mark.parametrize("plant", PLANTED.values(), ids=PLANTED)
