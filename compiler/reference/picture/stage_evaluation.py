@@ -20,7 +20,8 @@ from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import Type, scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
-from ..bounds.bounded import constant, hull
+from ..bounds.bounded import constant
+from ..bounds.lanes import hull
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes, Namespace
 from ..storage_buffers import reader
