@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from .capture import Capture
 from .expansion import EmittedStrips, Expansion
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
@@ -340,6 +341,8 @@ class Stage:
     """The builtins whose own operations it uses; what a profile lacks is looked up here."""
     emitted: tuple[EmittedGroup, ...] = ()
     """Where it emits vertices, in which groups; then there is nothing else that it computes."""
+    emitting: tuple[Node, ...] = ()
+    """What asks for each group of the expansion whether a strip is emitted, as one graph for all."""
 
     @property
     def name(self) -> StageName:
@@ -392,6 +395,8 @@ class Program:
     buffers: tuple[Buffer, ...] = ()
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into."""
+    capture: Capture | None = None
+    """What is written of each vertex instead of drawing."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""

@@ -11,6 +11,7 @@ from typing import Any
 
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
+from .capture import Capture
 from .expansion import Expansion
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
@@ -246,6 +247,8 @@ class Shader:
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into, whichever stage does it."""
+    capture: Capture | None = None
+    """What is written of each vertex instead of drawing, by a stream output or by a kernel."""
 
     @property
     def roots(self) -> Roots:

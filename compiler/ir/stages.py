@@ -35,6 +35,8 @@ DISCARD = "discard"
 """The kind of the result that says where nothing is written."""
 EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
+CAPTURE = "capture"
+"""The kind of a result that is written to a buffer for each vertex, instead of drawing."""
 STORE = "store"
 """The kind of a result that is written to an element of a storage buffer."""
 EXTENT = "extent"
@@ -114,7 +116,7 @@ VERTEX = StageRow(
         SystemInput("vertex_index", UINT, VERTICES),
         SystemInput("instance_index", UINT, INSTANCES),
     ),
-    delivers=(CLIP_POSITION,),
+    delivers=(CLIP_POSITION, CAPTURE),
 )  # fmt: skip
 
 PRIMITIVE_INDEX = SystemInput("primitive_index", UINT, EMITTED)
@@ -129,7 +131,7 @@ STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
 GEOMETRY = StageRow(
     "geometry", EMITTED, "geom", "gs_main",
     inputs=(PRIMITIVE_INDEX,),
-    delivers=(CLIP_POSITION, EMITTING),
+    delivers=(CLIP_POSITION, EMITTING, CAPTURE),
 )  # fmt: skip
 
 FRAGMENT = StageRow(
@@ -168,6 +170,11 @@ RASTERISED: Chain = (VERTEX, FRAGMENT)
 EXPANDED: Chain = (VERTEX, GEOMETRY, FRAGMENT)
 """What turns each primitive of a mesh into others before these are drawn."""
 
+CAPTURED: Chain = (VERTEX,)
+"""What writes the vertices of a mesh's triangles to a buffer, and draws nothing."""
+
+CAPTURED_EXPANDED: Chain = (VERTEX, GEOMETRY)
+"""What writes what each primitive of a mesh turns into."""
 
 COMPUTED: Chain = (COMPUTE,)
 """What computes the elements of buffers, each by an invocation of its own."""

@@ -66,7 +66,7 @@ def computed(
             return (index,)
         key = node.data, node.type
         if key not in read:
-            found = _leaf(node, values, textures, rules)
+            found = leaf(node, values, textures, rules)
             if found is None:
                 return None
             read[key] = found
@@ -88,9 +88,10 @@ def computed(
     return found
 
 
-def _leaf(
+def leaf(
     node: Node, values: Mapping[str, Any], textures: Mapping[str, Texels], rules: RasterRules
 ) -> Lanes | None:
+    """The value of a parameter, a texture or a buffer; ``None`` for other nodes."""
     match node.data:
         case Buffer():
             return reader(values, node)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
-from ...compiler.ir.stages import TARGET
+from ...compiler.ir.stages import CAPTURE, TARGET
 from ...compiler.ir.types import Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
@@ -41,6 +41,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     by_corner = BY_CORNER if program.expansion and not _emitting(program) else ""
     for what, count, limit in (
         ("varyings", varyings, profile.limits.varyings),
+        ("captured values", len(program.results_of(CAPTURE)), profile.limits.varyings),
         (INPUTS, inputs, profile.limits.attributes),
         ("storage buffers", buffers, profile.limits.buffers or buffers),
         ("textures", textures, profile.limits.textures),
@@ -105,10 +106,19 @@ BY_CORNER = (
 WITHOUT_STAGE = "without `--geometry-stage`, each primitive is drawn as an instance"
 OTHER_PROFILE = "compile for a profile that has this stage"
 
+NO_STREAM_OUTPUT = Lack(
+    "stream output", "without `--geometry-stage`, a kernel writes what is captured"
+)
+
 NO_BUFFERS = Lack(
     "storage buffers",
     "keep the elements in an array of a known length, `param name : T[16]`, or load them from a "
     "texture",
+)
+
+NO_NUMBERS = Lack(
+    "`vertex_index` where vertices are captured",
+    "give the number as a vertex input: `attribute number : uint`",
 )
 
 COMPARED_AND_LOADED = Lack(
@@ -123,6 +133,11 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
             emits = bool(stage.emitted)
             instead = WITHOUT_STAGE if emits else OTHER_PROFILE
             yield Lack(f"{stage.name} stage", instead, emits), stage.roots[0].id
+    captured = program.results_of(CAPTURE)
+    if captured and profile.stream_output is None:
+        yield NO_STREAM_OUTPUT, captured[0].value.id
+    elif captured and not profile.stream_output.indexed:
+        yield from ((NO_NUMBERS, number) for number in _numbers_of_vertices(program))
     reading = [s for s in program.stages if s.buffers and s.row in profile.stages]
     if reading and not profile.limits.buffers:
         yield NO_BUFFERS, _first_read(reading[0])
@@ -135,6 +150,14 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
         compared = _is_depth(read) and read.resource in program.sampled
         if profile.samplers.combined and compared and read.builtin == "load":
             yield COMPARED_AND_LOADED, read.node
+
+
+def _numbers_of_vertices(program: Program) -> list[int]:
+    """The ids of the nodes that read the number of a vertex."""
+    stage = program.stages[0]
+    (number, *_) = stage.row.inputs
+    nodes = visible(stage.roots, into_bodies=True)
+    return [node.id for node in nodes if node.op == "input" and node.data == number]
 
 
 def _first_read(stage: Stage) -> int:

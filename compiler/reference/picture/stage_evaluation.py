@@ -120,7 +120,7 @@ class StageEvaluator:
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
-                return self._given(_attribute(geometry, node.data))
+                return self._given(attribute_lanes(geometry, node.data))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return (inputs[INPUT.data(node).name],) if node.op == "input" else self._parameter(node)
@@ -346,7 +346,8 @@ def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
     return textures[resource.name]
 
 
-def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
+def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
+    """The values of a vertex input at all vertices."""
     lanes = width(attribute.type)
     array: Any = geometry.attributes.get(attribute.name)
     if array is None or array.ndim != 2 or array.shape[1] != lanes:

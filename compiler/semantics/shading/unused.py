@@ -27,7 +27,7 @@ from ..state.scope import Scope
 from ..types.generics import examples, of_unknown_family, uninferable
 from ..types.typenames import Variables
 from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
-from .elaborate import places_vertices, results_of, written_results
+from .elaborate import delivers_vertices, results_of, written_results
 from .expanding import expanded
 from .instances import instance_of
 from .placeholders import some, stand_in
@@ -232,7 +232,7 @@ class _Trial:
 
 def _check_parts(parts: Parts, setting: Setting) -> bool:
     other = set_up_beside(setting, parts)
-    delivered = places_vertices(results_of(other))
+    delivered = delivers_vertices(results_of(other))
     return delivered or is_declared_abstract(other.passing.record)
 
 

@@ -102,13 +102,25 @@ class Discard:
     condition: Expression
 
 
-StripShape = Literal["strip", "list"]
-"""Triangles that each share two vertices with the one before, or that share none."""
+@frozen(eq=False)
+class Capture:
+    """``capture place : vec3 = e``: what a pass keeps of each vertex."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    value: Expression
+
+
+StripShape = Literal["strip", "list", "points"]
+"""Triangles that each share two vertices with the one before, or that share none; or vertices that
+are points, each alone."""
 
 
 @frozen(eq=False)
 class Strips:
-    """``strip of 4 as i for s in 0..n where c like corner[0] { … }``: triangles of an expansion."""
+    """``strip of 4 as i for s in 0..n where c like corner[0] { … }``: a group of an expansion."""
 
     span: Span
     shape: StripShape
@@ -145,7 +157,7 @@ class Result:
     value: Expression
 
 
-Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Result
+Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Capture | Expand | Result
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 
@@ -333,6 +345,18 @@ KINDS: tuple[MemberKind, ...] = (
         contribution="result",
         form="a pass discards pixels by `discard when condition`",
         doc="where a pass writes nothing",
+    ),
+    MemberKind(
+        word="capture",
+        node=Capture,
+        productions={"capture": Capture},
+        opening=("NAME", ":"),
+        records=("pass",),
+        inheritance="replaced",
+        contribution="result",
+        form="a pass captures vertices by `capture name : type = expression`",
+        doc="what a pass writes of each vertex to a buffer, instead of drawing",
+        has_default=True,
     ),
     MemberKind(
         word="expand",

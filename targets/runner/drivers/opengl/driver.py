@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
-from ..checks import check, check_names
-from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
+from ..checks import check, check_capture, check_names
+from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
     from .renderer import Renderer
@@ -32,6 +32,12 @@ class OpenGL:
     def compute(self, _job: KernelJob) -> Sequence[Written]:
         """OpenGL 3.3 has no kernels. Raises ``DriverError``."""
         raise DriverError("OpenGL 3.3 cannot run kernels")
+
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """The vertices that each draw of the job captures. Raises ``DriverError``."""
+        check_capture(job)
+        check_names(job.pipeline)
+        return self._start().capture(job)
 
     def _start(self) -> Renderer:
         if self._renderer is None:

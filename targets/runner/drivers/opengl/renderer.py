@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from contextlib import ExitStack
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
 
 import moderngl
 
-from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Primitive, StepMode
+from ..draw import (
+    CORNERS,
+    Captured,
+    CaptureJob,
+    Device,
+    Draw,
+    DriverError,
+    Job,
+    Picture,
+    Pipeline,
+    Primitive,
+    StepMode,
+)
 from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, bound_at, link
 from .screen import Screen
@@ -34,6 +46,9 @@ class Renderer:
     def __init__(self) -> None:
         self._context = create_context()
         self._functions = Functions()
+        self._nowhere = self._context.simple_framebuffer((1, 1))
+        """What is bound while vertices are captured: OpenGL wants something to draw to, although
+        nothing is drawn."""
 
     def device(self) -> Device:
         """The device; OpenGL reports only one precision, that of snapping vertices."""
@@ -60,6 +75,45 @@ class Renderer:
         finally:
             program.release()
 
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """Link the job's program and capture with it. Raises ``DriverError``."""
+        self._context.clear_errors()  # of a job that broke off
+        self._nowhere.use()
+        program = link(self._context, self._functions, job.pipeline)
+        try:
+            return [
+                _captured(self._context, self._functions, program, job.pipeline, draw, most)
+                for draw, most in zip(job.draws, job.most, strict=True)
+            ]
+        except moderngl.Error as error:
+            raise DriverError(f"OpenGL: {error}") from None
+        finally:
+            program.release()
+
+
+def _captured(
+    context: moderngl.Context,
+    functions: Functions,
+    program: moderngl.Program,
+    pipeline: Pipeline,
+    draw: Draw,
+    most: int,
+) -> Captured:
+    """What one draw captures into a buffer for so many vertices at most."""
+    stream = pipeline.stream_output
+    assert stream is not None
+    context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
+    buffer = context.buffer(reserve=max(most, 1) * stream.stride)
+    counting = context.query(primitives=True)
+    with _bound(context, functions, program, pipeline, draw) as array, counting:
+        array.transform(buffer, MODES[pipeline.primitive], instances=draw.instance_count)
+    count = int(counting.primitives) * CORNERS[stream.primitive]
+    if (error := context.error) != "GL_NO_ERROR":
+        raise DriverError(f"OpenGL reports {error}")
+    if count > most:
+        raise DriverError(f"{count} vertices were captured, and there was room for {most}")
+    return Captured(count, buffer.read(count * stream.stride) if count else b"")
+
 
 def _picture(
     context: moderngl.Context,
@@ -73,7 +127,8 @@ def _picture(
         _set_state(context, functions, pipeline)
         screen.clear(draw.clear)
         screen.set_blending()
-        _render(context, functions, program, pipeline, draw)
+        with _bound(context, functions, program, pipeline, draw) as array:
+            array.render(MODES[pipeline.primitive], instances=draw.instance_count)
         picture = Picture(draw.width, draw.height, screen.read(pipeline))
     finally:
         screen.release()
@@ -94,13 +149,15 @@ def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeli
     functions.glClipControl(*(CLIP_CONTROL[name] for name in names))
 
 
-def _render(
+@contextmanager
+def _bound(
     context: moderngl.Context,
     functions: Functions,
     program: moderngl.Program,
     pipeline: Pipeline,
     draw: Draw,
-) -> None:
+) -> Iterator[moderngl.VertexArray]:
+    """The vertices of a draw, while everything is bound that the program reads."""
     for name in pipeline.host_uniforms:
         uniform = program.get(name, None)
         if isinstance(uniform, moderngl.Uniform):
@@ -123,4 +180,4 @@ def _render(
         for number, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
             unit = bound_at(slot.texture, number)
             textures.enter_context(bound_texture(functions, slot, image, unit))
-        array.render(MODES[pipeline.primitive], instances=draw.instance_count)
+        yield array
