@@ -26,6 +26,7 @@ from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
 from .garbage import seldom_collected
+from .targets.availability import way_out, with_as_many
 from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.directives import Directed, directed
@@ -69,7 +70,7 @@ def compile(
     single_file: bool = False,
     line_directives: bool = False,
     partial: bool = False,
-    geometry_stage: bool = False,
+    native_stages: bool = False,
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
@@ -82,8 +83,8 @@ def compile(
     everything themselves. With ``line_directives``, texts have ``#line`` directives that
     name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
-    and its ``lacking`` says why. With ``geometry_stage``, a material that expands primitives has
-    a geometry stage for it; otherwise each primitive is drawn as an instance.
+    and its ``lacking`` says why. With ``native_stages``, a material that expands primitives has
+    the stage for it that a target provides; otherwise each primitive is drawn as an instance.
 
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
@@ -92,7 +93,7 @@ def compile(
     _check_names(material=material, rig=rig, pass_=pass_)
     _check_flags(
         hoist=hoist, flip_y=flip_y, single_file=single_file,
-        line_directives=line_directives, partial=partial, geometry_stage=geometry_stage,
+        line_directives=line_directives, partial=partial, native_stages=native_stages,
     )  # fmt: skip
     chosen = select_targets(_names_of_targets(targets), report, single_file=single_file)
     frontend, module = _opened(source, search_path, report)
@@ -104,7 +105,8 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        expand = count_strips if geometry_stage else lower_expansion
+        # What is captured is emitted by the stage itself.
+        expand = count_strips if native_stages or elaborated.capture else lower_expansion
         shader = expand(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
@@ -216,16 +218,16 @@ def _lacking(
         name, report = full_name(target, profile), Report()
         for excess in excesses(staged.program, profile):
             report.add(
-                rules.TOO_MANY, expanded if excess.instead else places.get(excess.block),
+                rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),
                 count=excess.count,
                 what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
-                hint=excess.instead,
+                hint=excess.instead or with_as_many(excess.limit_name, excess.count),
             )  # fmt: skip
-        for lack, node in lacks(staged.program, profile):
+        for lack in lacks(staged.program, profile):
             report.add(
                 rules.UNSUPPORTED,
-                expanded if lack.of_expansion else shader.notes.spans.get(node),
-                target=name, feature=lack.feature, hint=lack.instead,
+                expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
+                target=name, feature=lack.feature, hint=way_out(lack.feature, profile),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics

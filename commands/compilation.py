@@ -57,7 +57,7 @@ def _compiled(request: Request) -> CompileResult:
         flip_y=request.flip_y,
         single_file=request.single_file,
         line_directives=request.line_directives,
-        geometry_stage=request.geometry_stage,
+        native_stages=request.native_stages,
     )
 
 

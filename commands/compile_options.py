@@ -82,10 +82,10 @@ HOIST = Option(
     "Leave values that depend only on parameters to the host, or compute them in the shader.",
     off="--no-hoist",
 )
-GEOMETRY_STAGE = Option(
-    "geometry_stage",
-    ("--geometry-stage",),
-    "Expand primitives in a geometry stage, instead of drawing each as an instance.",
+NATIVE_STAGES = Option(
+    "native_stages",
+    ("--native-stages",),
+    "Use the stages that a target has for primitives, instead of drawing each as an instance.",
 )
 CACHE = Option(
     "cache",
@@ -96,7 +96,7 @@ CACHE = Option(
 
 OPTIONS = (
     TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES,
-    HOIST, GEOMETRY_STAGE, CACHE,
+    HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
 """All that say what to compile. ``--watch`` and ``--help`` are about something else."""
 
@@ -119,7 +119,7 @@ class Request:
     flip_y: bool = False
     line_directives: bool = False
     hoist: bool = True
-    geometry_stage: bool = False
+    native_stages: bool = False
     cache: bool = True
 
 

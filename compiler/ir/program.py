@@ -20,6 +20,7 @@ from .operations import NATIVE, builtin_of
 from .shader import Store
 from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .storage import stored_type, structs_in
+from .tessellation import Tessellation
 from .types import Struct, Type
 
 StageName = str
@@ -342,7 +343,7 @@ class Stage:
     emitted: tuple[EmittedGroup, ...] = ()
     """Where it emits vertices, in which groups; then there is nothing else that it computes."""
     emitting: tuple[Node, ...] = ()
-    """What asks for each group of the expansion whether a strip is emitted, as one graph for all."""
+    """For each group of the expansion, whether a strip of it is emitted; one graph for all."""
 
     @property
     def name(self) -> StageName:
@@ -395,6 +396,8 @@ class Program:
     buffers: tuple[Buffer, ...] = ()
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into."""
+    tessellation: Tessellation | None = None
+    """What each patch of it is divided into."""
     capture: Capture | None = None
     """What is written of each vertex instead of drawing."""
 

@@ -16,6 +16,7 @@ from .expansion import Expansion
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
+from .tessellation import Tessellation
 
 ConstantValue = float | int | bool | tuple["ConstantValue", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
@@ -249,6 +250,8 @@ class Shader:
     """What each primitive of the mesh turns into, whichever stage does it."""
     capture: Capture | None = None
     """What is written of each vertex instead of drawing, by a stream output or by a kernel."""
+    tessellation: Tessellation | None = None
+    """What each patch of the mesh is divided into, whichever stage does it."""
 
     @property
     def roots(self) -> Roots:

@@ -12,14 +12,19 @@ To add a stage is to add a row; ``docs/architecture.md`` lists what else it need
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from itertools import pairwise
 from typing import Literal
 
 from ...frozen import frozen
-from .types import BOOL, INT, UINT, VEC4, Type
+from .types import BOOL, INT, UINT, VEC2, VEC3, VEC4, Type
 
 Domain = str
 """What a value varies over: one of these names, or that of another stage's row."""
 VERTICES: Domain = "vertex"
+PATCHES: Domain = "patch"
+"""The patches of a mesh that is tessellated."""
+TESSELLATED: Domain = "tessellated"
+"""The vertices of the triangles or lines into which patches are divided."""
 EMITTED: Domain = "emitted"
 """The vertices of the primitives that those of a mesh turn into."""
 FRAGMENTS: Domain = "fragment"
@@ -33,6 +38,11 @@ TARGET = "target"
 """The kind of a result that is written to a render target."""
 DISCARD = "discard"
 """The kind of the result that says where nothing is written."""
+EDGE_LEVEL = "edge_level"
+"""The kind of the results that say into how many steps each edge of a patch is divided; in the
+order of ``tessellation.PatchKind.edges``."""
+INNER_LEVEL = "inner_level"
+"""The kind of those that say the same of the inside: of a quad along u, and then along v."""
 EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
 CAPTURE = "capture"
@@ -70,6 +80,14 @@ FLAT = Crossing(VERTICES, FRAGMENTS, "flat")
 """As the first of a triangle's vertices has it."""
 CORNER = Crossing(VERTICES, EMITTED, "corner")
 """As one corner of the primitive has it that is being expanded."""
+PATCH_CORNER = Crossing(VERTICES, PATCHES, "corner")
+"""As one control point of the patch has it whose levels are computed."""
+CONTROL_POINT = Crossing(VERTICES, TESSELLATED, "corner")
+"""The same where a vertex of that patch is computed."""
+SMOOTH_TESSELLATED = Crossing(TESSELLATED, FRAGMENTS, "perspective")
+FLAT_TESSELLATED = Crossing(TESSELLATED, FRAGMENTS, "flat")
+OF_PATCH = Crossing(PATCHES, TESSELLATED, "flat")
+"""What is the same all over a patch."""
 SMOOTH_EMITTED = Crossing(EMITTED, FRAGMENTS, "perspective")
 FLAT_EMITTED = Crossing(EMITTED, FRAGMENTS, "flat")
 
@@ -105,6 +123,8 @@ class StageRow:
     """What it may read of the pipeline, besides what the stage before it hands on."""
     delivers: tuple[str, ...]
     """The kinds of results that it can have, besides varyings."""
+    hands_on: bool = False
+    """Whether the stage behind it reads the same vertices, besides what this one computes."""
     has_derivatives: bool = False
     """Whether it runs beside its neighbours, so that differences between them can be taken: by
     derivatives, and by reads of textures that choose their level themselves."""
@@ -117,6 +137,27 @@ VERTEX = StageRow(
         SystemInput("instance_index", UINT, INSTANCES),
     ),
     delivers=(CLIP_POSITION, CAPTURE),
+)  # fmt: skip
+
+CONTROL = StageRow(
+    "control", PATCHES, "tesc", "hs_main",
+    inputs=(),
+    delivers=(EDGE_LEVEL, INNER_LEVEL),
+    hands_on=True,
+)  # fmt: skip
+
+PATCH_WEIGHTS = SystemInput("patch_weights", VEC3, TESSELLATED)
+"""Where a vertex lies in a triangle: the weights of its three ends."""
+PATCH_COORDINATE = SystemInput("patch_coordinate", VEC2, TESSELLATED)
+"""Where it lies in a quad (u, v), or on the lines of an isoline patch: u along a line, and v tells
+the lines apart."""
+PATCH_INDEX = SystemInput("patch_index", UINT, TESSELLATED)
+"""The number of the patch in the draw."""
+
+EVALUATION = StageRow(
+    "evaluation", TESSELLATED, "tese", "ds_main",
+    inputs=(PATCH_WEIGHTS, PATCH_COORDINATE, PATCH_INDEX),
+    delivers=(CLIP_POSITION,),
 )  # fmt: skip
 
 PRIMITIVE_INDEX = SystemInput("primitive_index", UINT, EMITTED)
@@ -155,7 +196,9 @@ COMPUTE = StageRow(
     delivers=(STORE, EXTENT),
 )  # fmt: skip
 
-STAGES: Mapping[str, StageRow] = {row.name: row for row in (VERTEX, GEOMETRY, FRAGMENT, COMPUTE)}
+STAGES: Mapping[str, StageRow] = {
+    row.name: row for row in (VERTEX, CONTROL, EVALUATION, GEOMETRY, FRAGMENT, COMPUTE)
+}
 """All stages by name."""
 
 ENTRY_POINTS = tuple(row.entry for row in STAGES.values())
@@ -176,6 +219,9 @@ CAPTURED: Chain = (VERTEX,)
 CAPTURED_EXPANDED: Chain = (VERTEX, GEOMETRY)
 """What writes what each primitive of a mesh turns into."""
 
+TESSELLATED_CHAIN: Chain = (VERTEX, CONTROL, EVALUATION, FRAGMENT)
+"""What divides each patch of a mesh into triangles or lines before these are drawn."""
+
 COMPUTED: Chain = (COMPUTE,)
 """What computes the elements of buffers, each by an invocation of its own."""
 
@@ -183,3 +229,13 @@ COMPUTED: Chain = (COMPUTE,)
 def inputs_of(chain: Iterable[StageRow]) -> dict[str, SystemInput]:
     """What the pipeline supplies to these stages, by name."""
     return {supplied.name: supplied for row in chain for supplied in row.inputs}
+
+
+def joined_in(chain: Chain) -> set[tuple[Domain, Domain]]:
+    """The domains between which values may cross: those of stages that follow each other, and of
+    those with a stage between them that hands its vertices on."""
+    found = set(pairwise(row.domain for row in chain))
+    for before, row, behind in zip(chain, chain[1:], chain[2:], strict=False):
+        if row.hands_on:
+            found.add((before.domain, behind.domain))
+    return found

@@ -8,7 +8,6 @@ contain after which pass. The tests verify every graph after every pass; elsewhe
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import pairwise
 from typing import Any
 
 from .domains import Domains, MixedDomainsError, exists
@@ -23,10 +22,10 @@ from .operations import (
     Form,
     Operation,
 )
-from .shader import Result
-from .stages import Chain
+from .shader import Result, Shader
+from .stages import CONTROL, EDGE_LEVEL, INNER_LEVEL, PATCHES, TESSELLATED, Chain, joined_in
 from .storage import stored_type
-from .types import Type
+from .types import FLOAT, Type
 
 Variables = frozenset[tuple[Formal | int, Type]]
 """Variables of binders further out, by formal or de Bruijn index, and the types of their uses."""
@@ -64,7 +63,7 @@ def verify(roots: Iterable[Node], *, stage: Form) -> None:
 def verify_results(results: Sequence[Result], chain: Chain) -> None:
     """Raise ``InvalidGraphError`` where results or crossings do not fit the chain of stages."""
     domains = Domains()
-    joined = set(pairwise(row.domain for row in chain))
+    joined = joined_in(chain)
     for node in reachable([result.value for result in results]):
         if node.op == "cross":
             crossing = CROSS.data(node)
@@ -78,6 +77,27 @@ def verify_results(results: Sequence[Result], chain: Chain) -> None:
             raise InvalidGraphError(result.value, problem)
         if not exists(domains.of(result.value), result.stage.domain):
             raise InvalidGraphError(result.value, f"no value per {result.stage.domain}")
+
+
+def verify_levels(shader: Shader) -> None:
+    """Raise ``InvalidGraphError`` where a shader with a control stage lacks a level of its patches,
+    or reads a control point that they do not have."""
+    if CONTROL not in shader.chain:
+        return
+    patches, roots = shader.tessellation, shader.roots
+    if patches is None:
+        raise InvalidGraphError(roots[0], "a control stage without patches")
+    for kind, wanted in ((EDGE_LEVEL, patches.kind.edges), (INNER_LEVEL, patches.kind.inner)):
+        levels = shader.results_of(kind)
+        if len(levels) != len(wanted) or any(level.value.type != FLOAT for level in levels):
+            raise InvalidGraphError(roots[0], f"not {len(wanted)} floats as {kind}")
+    for node in reachable(roots):
+        if node.op != "cross" or CROSS.data(node).mode != "corner":
+            continue
+        number = node.operands[1].data
+        of_patch = CROSS.data(node).destination in (PATCHES, TESSELLATED)
+        if of_patch and isinstance(number, int) and not 0 <= number < patches.points:
+            raise InvalidGraphError(node, "a control point that the patch does not have")
 
 
 def _check_order(node: Node) -> None:

@@ -35,7 +35,8 @@ def verified(name: str, form: Form, roots: Roots) -> Roots:
 def verified_results(shader: Shader) -> tuple[Result, ...]:
     """What a shader delivers; where that is wanted, it is verified to fit the shader's stages."""
     if os.environ.get(VARIABLE) == "1":
-        from ..ir.verify import verify_results
+        from ..ir.verify import verify_levels, verify_results
 
         verify_results(shader.results, shader.chain)
+        verify_levels(shader)
     return shader.results

@@ -81,7 +81,7 @@ def split_stages(
     )
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers,
-        shader.expansion, shader.capture,
+        shader.expansion, shader.tessellation, shader.capture,
     )  # fmt: skip
 
 

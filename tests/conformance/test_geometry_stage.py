@@ -99,8 +99,7 @@ def both(name: str) -> tuple[CompiledMaterial, CompiledMaterial]:
     """A material, or an example, with a geometry stage; and the same drawn as instances."""
     text = MATERIAL.format(EXACT[name]) if name in EXACT else EXAMPLES / f"{name}.burnish"
     native, lowered = (
-        burnish.compile(text, PROFILES, geometry_stage=stage).materials[0]
-        for stage in (True, False)
+        burnish.compile(text, PROFILES, native_stages=stage).materials[0] for stage in (True, False)
     )
     return native, lowered
 

@@ -13,15 +13,9 @@ import pytest
 
 from burnish.commands.graph.build import picture
 from burnish.commands.graph.text import written
-from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir import build
-from burnish.compiler.ir.leaves import Attribute, Parameter
-from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Field, Let, Stage
 from burnish.compiler.ir.shader import (
-    AttributeInfo,
-    Notes,
-    ParameterInfo,
     RenderTarget,
     Result,
     Shader,
@@ -40,7 +34,7 @@ from burnish.compiler.ir.stages import (
     StageRow,
     SystemInput,
 )
-from burnish.compiler.ir.types import FLOAT, INT, UINT, VEC2, VEC3, VEC4, Type
+from burnish.compiler.ir.types import FLOAT, INT, UINT, VEC2, VEC3, VEC4
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reflection import reflect
@@ -52,7 +46,7 @@ from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
 from burnish.targets.legalise.limits import lacks
 
-HERE = Span(Source("toy.burnish", ""), 0, 0)
+from .toy import Toy
 
 PRIMITIVE = SystemInput("primitive_index", UINT, "emitted")
 GEOMETRY = StageRow(
@@ -64,40 +58,6 @@ OUT_OF_GEOMETRY = Crossing("emitted", FRAGMENTS, "perspective")
 CAPTURING = StageRow(
     "vertex", VERTICES, "vert", "vs_main", inputs=VERTEX.inputs, delivers=("capture",)
 )
-
-
-class Toy:
-    """The leaves and notes of a shader that is made by hand."""
-
-    def __init__(self) -> None:
-        self.graph = Graph()
-        self.notes = Notes()
-        self.attributes: list[AttributeInfo] = []
-        self.parameters: list[ParameterInfo] = []
-
-    def attribute(self, name: str, type_: Type) -> Node:
-        leaf = Attribute(name, type_)
-        self.attributes.append(AttributeInfo(leaf, str(type_), "", HERE))
-        return self.graph.node("attribute", type_, (), leaf)
-
-    def parameter(self, name: str, type_: Type) -> Node:
-        leaf = Parameter(name, type_, "material")
-        self.parameters.append(ParameterInfo(leaf, str(type_), None, None, "", HERE))
-        return self.graph.node("parameter", type_, (), leaf)
-
-    def call(self, name: str, type_: Type, *operands: Node) -> Node:
-        return self.graph.node("call", type_, operands, name)
-
-    def named(self, name: str, value: Node) -> Node:
-        self.notes.names[value.id] = name
-        return value
-
-    def shader(self, results: Sequence[Result], *chain: StageRow) -> Shader:
-        return Shader(
-            name="Toy", doc="", pass_name="P", rig_name="R", graph=self.graph, notes=self.notes,
-            parameters=tuple(self.parameters), resources=(), attributes=tuple(self.attributes),
-            results=tuple(results), chain=chain,
-        )  # fmt: skip
 
 
 def three_stages() -> Shader:
@@ -246,7 +206,7 @@ def test_it_is_emitted(between: tuple[Shader, Staged]) -> None:
 def test_a_profile_without_the_stage_lacks_it(between: tuple[Shader, Staged]) -> None:
     program = between[1].program
     _, profile = registry.select("glsl:vulkan")
-    ((lack, _),) = lacks(program, profile)
+    (lack,) = lacks(program, profile)
     assert lack.feature == "geometry stage"
     assert not list(lacks(program, changed(profile, stages=(VERTEX, GEOMETRY, FRAGMENT))))
 

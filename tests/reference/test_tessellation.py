@@ -13,8 +13,9 @@ from typing import Any, get_args
 import numpy as np
 import pytest
 
+from burnish.compiler.ir.tessellation import Spacing
 from burnish.compiler.reference import tessellation
-from burnish.compiler.reference.tessellation import ONE, Pattern, Spacing
+from burnish.compiler.reference.tessellation import ONE, Pattern
 
 KINDS = ("triangle", "quad", "isolines")
 SPACINGS: tuple[Spacing, ...] = get_args(Spacing)

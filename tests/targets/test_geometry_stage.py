@@ -61,7 +61,7 @@ material Wide {
 
 @pytest.mark.parametrize("profile", PROFILES)
 def test_texts(profile: str) -> None:
-    (material,) = burnish.compile(TENT, profile, geometry_stage=True).materials
+    (material,) = burnish.compile(TENT, profile, native_stages=True).materials
     assert [file.stage for file in material.files] == ["vertex", "geometry", "fragment"]
     for file in material.files:
         path = GOLDEN / file.name
@@ -74,7 +74,7 @@ def test_texts(profile: str) -> None:
 @pytest.mark.parametrize("flip_y", [False, True])
 @pytest.mark.parametrize("profile", PROFILES)
 def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
-    (material,) = burnish.compile(TENT, profile, geometry_stage=True, flip_y=flip_y).materials
+    (material,) = burnish.compile(TENT, profile, native_stages=True, flip_y=flip_y).materials
     assert refused(material) == []
 
 
@@ -100,20 +100,20 @@ def test_strips_that_are_never_there_are_left_out(profile: str) -> None:
         }
         color = vec3(uv, 0)
     }"""
-    (material,) = burnish.compile(text, profile, geometry_stage=True).materials
+    (material,) = burnish.compile(text, profile, native_stages=True).materials
     assert material.text(profile, "geometry").count("for (") == 1
     assert refused(material) == []
 
 
 def test_every_line_has_its_place_in_the_source() -> None:
-    (material,) = burnish.compile(TENT, "glsl:vulkan", geometry_stage=True).materials
+    (material,) = burnish.compile(TENT, "glsl:vulkan", native_stages=True).materials
     geometry = next(file for file in material.files if file.stage == "geometry")
     number = geometry.text.split("\n").index("        EndPrimitive();") + 1
     assert number in geometry.spans
 
 
 def test_the_reflection_says_that_the_stage_is_there() -> None:
-    (material,) = burnish.compile(TENT, "glsl:vulkan", geometry_stage=True).materials
+    (material,) = burnish.compile(TENT, "glsl:vulkan", native_stages=True).materials
     assert material.reflection["draw"] == {
         "primitive": "triangle", "corners": 3, "expanded_by": "geometry", "vertices": 18,
     }  # fmt: skip
@@ -124,34 +124,34 @@ def test_the_reflection_says_that_the_stage_is_there() -> None:
     }  # fmt: skip
 
 
-def told(text: str, profile: str, *, geometry_stage: bool) -> list[str]:
+def told(text: str, profile: str, *, native_stages: bool) -> list[str]:
     """What is said of a material that cannot be compiled for a profile."""
     with pytest.raises(burnish.CompileError) as caught:
-        burnish.compile(text, profile, geometry_stage=geometry_stage)
+        burnish.compile(text, profile, native_stages=native_stages)
     return [render(found) for found in caught.value.diagnostics]
 
 
 @pytest.mark.parametrize("profile", ["wgsl:webgpu", "glsl:es300", "msl:metal2"])
 def test_a_profile_without_the_stage(profile: str) -> None:
-    assert told(TENT, profile, geometry_stage=True) == [
+    assert told(TENT, profile, native_stages=True) == [
         f"""error[B0701]: {profile} has no geometry stage
  --> <text>:9:12
   |
 9 |     expand triangle {{
   |            ^^^^^^^^
-  = help: without `--geometry-stage`, each primitive is drawn as an instance"""
+  = help: without `--native-stages`, each primitive is drawn as an instance"""
     ]
     burnish.compile(TENT, profile)
 
 
 def test_more_than_the_stage_can_emit() -> None:
-    assert told(MANY, "glsl:gl330", geometry_stage=True) == [
+    assert told(MANY, "glsl:gl330", native_stages=True) == [
         f"""error[B0702]: {count} of Many, but glsl:gl330 has only {limit}
  --> <text>:4:12
   |
 4 |     expand triangle {{
   |            ^^^^^^^^
-  = help: without `--geometry-stage`, each primitive is drawn as an instance"""
+  = help: without `--native-stages`, each primitive is drawn as an instance"""
         for count, limit in (
             ("320 vertices of one primitive", 256),
             ("1920 numbers at the vertices of one primitive", 1024),
@@ -161,12 +161,12 @@ def test_more_than_the_stage_can_emit() -> None:
 
 
 def test_more_inputs_than_there_are() -> None:
-    assert told(WIDE, "wgsl", geometry_stage=False) == [
+    assert told(WIDE, "wgsl", native_stages=False) == [
         """error[B0702]: 18 vertex inputs of Wide, but wgsl:webgpu has only 16
  --> <text>:3:12
   |
 3 |     expand triangle_adjacency {
   |            ^^^^^^^^^^^^^^^^^^
-  = help: each corner that is read has inputs of its own: read fewer slots by corner, or compile with `--geometry-stage` for a profile that has it"""  # noqa: E501
+  = help: each corner that is read has inputs of its own: read fewer slots by corner, or compile with `--native-stages` for a profile that has it"""  # noqa: E501
     ]
-    burnish.compile(WIDE, PROFILES, geometry_stage=True)
+    burnish.compile(WIDE, PROFILES, native_stages=True)

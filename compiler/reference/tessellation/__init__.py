@@ -5,7 +5,7 @@ OpenGL leave the triangles inside of a patch open, but drivers make the same one
 are Direct3D's: places are in units of 2^-16, and every rounding is the one that it prescribes.
 """
 
-from .levels import ONE, Spacing
+from .levels import ONE
 from .patterns import Pattern, isolines, quad, triangle
 
-__all__ = ["ONE", "Pattern", "Spacing", "isolines", "quad", "triangle"]
+__all__ = ["ONE", "Pattern", "isolines", "quad", "triangle"]

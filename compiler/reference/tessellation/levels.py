@@ -4,22 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Literal
 
-Spacing = Literal["equal", "fractional_even", "fractional_odd"]
-"""Steps that are all alike, of which there is a whole number; or an even or odd number of steps, of
-which two grow out of nothing as the level rises."""
+from ...ir.tessellation import MOST_LEVEL, Spacing
 
 ONE = 1 << 16
 """The length of an edge in units of its places."""
 HALF = ONE // 2
 
-MOST = 64
-"""No edge has more steps."""
 _RANGES: Mapping[Spacing, tuple[int, int]] = {
-    "equal": (1, MOST),
-    "fractional_even": (2, MOST),
-    "fractional_odd": (1, MOST - 1),
+    "equal": (1, MOST_LEVEL),
+    "fractional_even": (2, MOST_LEVEL),
+    "fractional_odd": (1, MOST_LEVEL - 1),
 }
 """What levels are clamped to."""
 _MORE_THAN_ONE = 1 + 2**-16

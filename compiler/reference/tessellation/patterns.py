@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
-from .levels import MOST, ONE, Spacing, Steps, steps_of
+from ...ir.tessellation import MOST_LEVEL, Spacing
+from .levels import ONE, Steps, steps_of
 from .stitching import Row, Triangle, between_levels, between_rings
 
 Place = tuple[int, int, int]
@@ -85,7 +86,7 @@ def isolines(lines: float, segments: float, spacing: Spacing) -> Pattern:
     found = steps_of(spacing, (segments,), ())
     if found is None or not lines > 0:
         return _NOTHING
-    ((along,), _), count = found, math.ceil(min(max(lines, 1), MOST))
+    ((along,), _), count = found, math.ceil(min(max(lines, 1), MOST_LEVEL))
     rows = Steps(count, "equal")
     places = [
         (along.place(i), rows.place(row), 0) for row in range(count) for i in range(along.count)

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from .levels import MOST, Steps
+from ...ir.tessellation import MOST_LEVEL
+from .levels import Steps
 
 Row = Sequence[int]
 Triangle = tuple[int, int, int]
@@ -22,7 +23,7 @@ def _in_order(node: int, nodes: int) -> Iterator[int]:
         yield from _in_order(2 * node + 1, nodes)
 
 
-_RANKS = (MOST // 2, *_in_order(1, MOST // 2))
+_RANKS = (MOST_LEVEL // 2, *_in_order(1, MOST_LEVEL // 2))
 """The steps of half an edge with the most steps, from the corner on, but for the first one: so many
 steps are there before this one appears. As the level rises, steps appear as evenly as a tree grows.
 """

@@ -1,0 +1,72 @@
+"""What each patch of a mesh is divided into: its kind, its control points, and how its edges lie.
+
+Semantics makes a ``Tessellation`` of a ``tessellate`` member. The lowering and the languages with
+tessellation stages draw by it, and the reflection tells it to the host.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from ...frozen import frozen
+from ..diagnostics.source import Span
+from .stages import PATCH_COORDINATE, PATCH_WEIGHTS, SystemInput
+
+Patch = Literal["triangle", "quad", "isoline"]
+
+Spacing = Literal["equal", "fractional_even", "fractional_odd"]
+"""Steps that are all alike, of which there is a whole number; or an even or odd number of steps, of
+which two grow out of nothing as the level rises."""
+
+MOST_POINTS = 32
+"""No patch has more control points."""
+MOST_LEVEL = 64
+"""No edge is divided into more steps."""
+
+
+@frozen
+class PatchKind:
+    """What all patches of one kind have in common."""
+
+    ends: int
+    """How many of its control points are its corners. A quad's go round it: they lie at (0, 0),
+    (1, 0), (1, 1) and (0, 1). A line begins at the first one, and ends at the other."""
+    edges: tuple[tuple[int, int] | None, ...]
+    """For each ``EDGE_LEVEL``, between which ends the edge lies; ``None`` where it says how many
+    lines there are. The order is Direct3D's: the edges of a triangle across from its ends, and
+    those of a quad at u = 0, v = 0, u = 1 and v = 1."""
+    inner: tuple[tuple[int, ...], ...]
+    """For each ``INNER_LEVEL``, the numbers of the edges that are divided in its direction."""
+    coordinate: SystemInput
+    """Where a vertex lies in the patch."""
+    cell: int
+    """How many vertices each of its parts has: triangles, or lines."""
+
+
+PATCH_KINDS: Mapping[Patch, PatchKind] = {
+    "triangle": PatchKind(3, ((1, 2), (2, 0), (0, 1)), ((0, 1, 2),), PATCH_WEIGHTS, 3),
+    "quad": PatchKind(
+        4, ((0, 3), (0, 1), (1, 2), (3, 2)), ((1, 3), (0, 2)), PATCH_COORDINATE, 3
+    ),
+    "isoline": PatchKind(2, (None, (0, 1)), (), PATCH_COORDINATE, 2),
+}  # fmt: skip
+
+
+@frozen
+class Tessellation:
+    """How each patch is divided; the results of the control stage say into how many steps."""
+
+    patch: Patch
+    points: int
+    """How many control points a patch has, each of which is a vertex of the mesh."""
+    ends: tuple[int, ...]
+    """Which of them are its corners, in the order of ``PatchKind.ends``."""
+    spacing: Spacing
+    span: Span
+    """Where the kind of patch is named."""
+
+    @property
+    def kind(self) -> PatchKind:
+        """What it shares with others of its kind."""
+        return PATCH_KINDS[self.patch]
