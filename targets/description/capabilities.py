@@ -25,7 +25,7 @@ SEPARATE_SAMPLERS = Need(
 STREAM_OUTPUT = Need("stream output", lambda profile: profile.stream_output is not None)
 NUMBERED_CAPTURES = Need(
     "`vertex_index` where vertices are captured",
-    lambda profile: profile.stream_output is not None and profile.stream_output.indexed,
+    lambda profile: profile.stream_output is None or profile.stream_output.indexed,
 )
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
 
@@ -66,7 +66,7 @@ CAPABILITIES: tuple[Capability, ...] = (
     Capability(
         "numbers of captured vertices",
         "What is captured depends on `vertex_index`.",
-        (Way((NUMBERED_CAPTURES,)),),
+        (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)),),
         "give the number as a vertex input: `attribute number : uint`",
     ),
     Capability(

@@ -114,7 +114,8 @@ class StagePrinter:
             return None
         primitive = self._language.primitives[expansion.primitive]
         emitted = self._language.emitted[expansion.emits]
-        return ExpansionView(primitive, expansion.corners, emitted, expansion.vertices)
+        places = bool(self._stage.results_of(CLIP_POSITION))
+        return ExpansionView(primitive, expansion.corners, emitted, places, expansion.vertices)
 
     def _capture_stride(self) -> int:
         """The bytes of each vertex that this stage captures, where the text has to say it."""

@@ -120,6 +120,8 @@ class ExpansionView:
     corners: int
     emitted: str
     """What it emits: the language's word for streams of points or of triangles."""
+    places: bool
+    """Whether it says where vertices go; those that are captured go nowhere."""
     vertices: int
     """How many it emits at most."""
 

@@ -147,12 +147,12 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         if stage.row not in profile.stages:
             node = stage.roots[0].id
             yield Lack(feature_of_stage(stage.row), node, of_expansion=bool(stage.emitted))
-    for output in program.results_of(CAPTURE)[:1]:
-        if not STREAM_OUTPUT.is_met(profile):
-            yield Lack(STREAM_OUTPUT.feature, output.value.id)
-        elif not NUMBERED_CAPTURES.is_met(profile):
-            numbers = _numbers_of_vertices(program)
-            yield from (Lack(NUMBERED_CAPTURES.feature, number) for number in numbers)
+    captured = program.results_of(CAPTURE)
+    if captured and not STREAM_OUTPUT.is_met(profile):
+        yield Lack(STREAM_OUTPUT.feature, captured[0].value.id)
+    elif captured and not NUMBERED_CAPTURES.is_met(profile):
+        numbers = _numbers_of_vertices(program)
+        yield from (Lack(NUMBERED_CAPTURES.feature, number) for number in numbers)
     reading = [s for s in program.stages if s.buffers and s.row in profile.stages]
     if reading and not BUFFERS.is_met(profile):
         yield Lack(BUFFERS.feature, _first_read(reading[0]))
