@@ -28,7 +28,7 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import CAPTURE, EMITTING, EXTENT, VARYING, StageRow
+from ..ir.stages import CAPTURE, EMITTING, EXTENT, IMAGE, VARYING, StageRow
 from ..ir.types import scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
@@ -81,7 +81,7 @@ def split_stages(
     )
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers,
-        shader.expansion, shader.tessellation, shader.capture,
+        shader.expansion, shader.tessellation, shader.capture, shader.work_group,
     )  # fmt: skip
 
 
@@ -126,7 +126,8 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
                 result.name, result.value.type, next(locations),
                 "flat" if is_whole else "perspective", result.doc,
             )  # fmt: skip
-        yield Output(result.kind, result.value, field, result.store)
+        format_ = result.state.format if result.kind == IMAGE and result.state else ""
+        yield Output(result.kind, result.value, field, result.store, format_)
 
 
 def _crossing_outputs(graph: Graph, varyings: Iterable[Varying]) -> Iterator[Output]:

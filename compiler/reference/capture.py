@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..ir.expansion import EmittedStrips, Expansion
-from ..ir.leaves import Attribute
+from ..ir.leaves import Attribute, Resource
 from ..ir.node import Node, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.shader import Shader
@@ -31,10 +31,12 @@ from ..ir.stages import (
 )
 from .bounds import Bounded, Bounds, Errors, exact, hull
 from .evaluate import Evaluator
-from .kernel import leaf
+from .held_values import HeldValues, as_rounded
 from .namespace import Lanes
+from .picture.sampler import TextureReader
 from .picture.scene import Geometry, RasterRules, Texels
-from .picture.stage_evaluation import as_rounded, attribute_lanes
+from .picture.stage_evaluation import attribute_lanes
+from .picture.texels import Image
 
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
@@ -86,12 +88,13 @@ class _Capturing:
         errors: Errors,
         rules: RasterRules,
     ) -> None:
-        self._values, self._textures, self._rules = values, textures, rules
+        self._held = HeldValues(values, as_rounded)
+        self._textures, self._rules = textures, rules
         self._geometry = geometry
         self._bounds = Bounds(errors)
         self._results = [result.value for result in shader.results_of(CAPTURE)]
         self._emitting = [result.value for result in shader.results_of(EMITTING)]
-        self._read: dict[tuple[Any, Any], Lanes | None] = {}
+        self._readers: dict[Resource, TextureReader] = {}
 
     def of_vertices(self) -> Listed:
         """The vertices of the mesh's triangles, as they are."""
@@ -157,10 +160,12 @@ class _Capturing:
         return self._leaf(node)
 
     def _leaf(self, node: Node) -> Lanes | None:
-        key = node.data, node.type
-        if key not in self._read:
-            self._read[key] = leaf(node, self._values, self._textures, self._rules)
-        return self._read[key]
+        if not isinstance(node.data, Resource):
+            return self._held.value(node)
+        if node.data not in self._readers:
+            image = Image(self._textures[node.data.name], node.data, self._rules)
+            self._readers[node.data] = TextureReader(image)
+        return (self._readers[node.data],)
 
 
 def _rounded_constants(node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
