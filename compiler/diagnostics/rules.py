@@ -781,6 +781,20 @@ TWO_EXPANSIONS = _error(
     "have one cannot be combined.",
 )
 
+# Kernels over images
+
+MIXED_RESULTS = _error(
+    "B0550",
+    "`{name}` is {kind}, and the first result is {first}",
+    "An invocation computes an element by its number, or a texel by its place. Write a second "
+    "kernel.",
+)
+NO_FORMAT = _error(
+    "B0551",
+    "`{name}` does not say of which format its texels are",
+    "An image has one format, as a render target has: `image2d<rgba16f>[size]`.",
+)
+
 # Captures
 
 CAPTURES_AND_DRAWS = _error(
@@ -814,20 +828,6 @@ NO_POINTS = _error(
     "B0565",
     "a group of {count} points emits nothing",
     "`points of n` emits one point or more.",
-)
-
-# Kernels over images
-
-MIXED_RESULTS = _error(
-    "B0550",
-    "`{name}` is {kind}, and the first result is {first}",
-    "An invocation computes an element by its number, or a texel by its place. Write a second "
-    "kernel.",
-)
-NO_FORMAT = _error(
-    "B0551",
-    "`{name}` does not say of which format its texels are",
-    "An image has one format, as a render target has: `image2d<rgba16f>[size]`.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

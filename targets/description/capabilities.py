@@ -67,7 +67,6 @@ CAPABILITIES: tuple[Capability, ...] = (
         "numbers of captured vertices",
         "What is captured depends on `vertex_index`.",
         (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)),),
-        "give the number as a vertex input: `attribute number : uint`",
     ),
     Capability(
         "kernels over buffers",

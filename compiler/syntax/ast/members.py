@@ -160,18 +160,9 @@ class WorkGroup:
 
 
 Member = (
-    Param
-    | Map
-    | Buffer
-    | Attribute
-    | Slot
-    | Target
-    | Discard
-    | Capture
-    | Expand
-    | Result
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Capture | Expand | Result
     | WorkGroup
-)
+)  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 
