@@ -2,42 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Sequence
 
 import moderngl
 
 from ..draw import (
-    CORNERS,
     Captured,
     CaptureJob,
     Device,
     Draw,
     DriverError,
     Job,
+    KernelJob,
     Picture,
     Pipeline,
-    Primitive,
-    StepMode,
+    Written,
 )
+from .capture import capture_job
+from .compute import compute_job
 from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
-from .program import attribute_layout, bound_at, link
+from .program import link
 from .screen import Screen
-from .texture_units import bound_texture
-
-RATES: Mapping[StepMode, str] = {"vertex": "/v", "instance": "/i"}
-"""The suffix of moderngl's layouts for each rate."""
+from .vertices import MODES, vertices
 
 OWN_CLIP_CONTROL = ("GL_LOWER_LEFT", "GL_NEGATIVE_ONE_TO_ONE")
 """OpenGL's own clip space, which texts have that are for older versions, too."""
-
-MODES: Mapping[Primitive, int] = {
-    "point": moderngl.POINTS,
-    "line": moderngl.LINES,
-    "triangle": moderngl.TRIANGLES,
-    "line_adjacency": moderngl.LINES_ADJACENCY,
-    "triangle_adjacency": moderngl.TRIANGLES_ADJACENCY,
-}
 
 
 class Renderer:
@@ -79,40 +68,12 @@ class Renderer:
         """Link the job's program and capture with it. Raises ``DriverError``."""
         self._context.clear_errors()  # of a job that broke off
         self._nowhere.use()
-        program = link(self._context, self._functions, job.pipeline)
-        try:
-            return [
-                _captured(self._context, self._functions, program, job.pipeline, draw, most)
-                for draw, most in zip(job.draws, job.most, strict=True)
-            ]
-        except moderngl.Error as error:
-            raise DriverError(f"OpenGL: {error}") from None
-        finally:
-            program.release()
+        return capture_job(self._context, self._functions, job)
 
-
-def _captured(
-    context: moderngl.Context,
-    functions: Functions,
-    program: moderngl.Program,
-    pipeline: Pipeline,
-    draw: Draw,
-    most: int,
-) -> Captured:
-    """What one draw captures into a buffer for so many vertices at most."""
-    stream = pipeline.stream_output
-    assert stream is not None
-    context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
-    buffer = context.buffer(reserve=max(most, 1) * stream.stride)
-    counting = context.query(primitives=True)
-    with _bound(context, functions, program, pipeline, draw) as array, counting:
-        array.transform(buffer, MODES[pipeline.primitive], instances=draw.instance_count)
-    count = int(counting.primitives) * CORNERS[stream.primitive]
-    if (error := context.error) != "GL_NO_ERROR":
-        raise DriverError(f"OpenGL reports {error}")
-    if count > most:
-        raise DriverError(f"{count} vertices were captured, and there was room for {most}")
-    return Captured(count, buffer.read(count * stream.stride) if count else b"")
+    def compute(self, job: KernelJob) -> Sequence[Written]:
+        """Link the job's kernel and run it. Raises ``DriverError``."""
+        self._context.clear_errors()  # of a job that broke off
+        return compute_job(self._context, self._functions, job)
 
 
 def _picture(
@@ -127,7 +88,7 @@ def _picture(
         _set_state(context, functions, pipeline)
         screen.clear(draw.clear)
         screen.set_blending()
-        with _bound(context, functions, program, pipeline, draw) as array:
+        with vertices(context, functions, program, pipeline, draw) as array:
             array.render(MODES[pipeline.primitive], instances=draw.instance_count)
         picture = Picture(draw.width, draw.height, screen.read(pipeline))
     finally:
@@ -147,37 +108,3 @@ def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeli
     functions.glEnable(GL_FRAMEBUFFER_SRGB)
     names = pipeline.clip_control or OWN_CLIP_CONTROL
     functions.glClipControl(*(CLIP_CONTROL[name] for name in names))
-
-
-@contextmanager
-def _bound(
-    context: moderngl.Context,
-    functions: Functions,
-    program: moderngl.Program,
-    pipeline: Pipeline,
-    draw: Draw,
-) -> Iterator[moderngl.VertexArray]:
-    """The vertices of a draw, while everything is bound that the program reads."""
-    for name in pipeline.host_uniforms:
-        uniform = program.get(name, None)
-        if isinstance(uniform, moderngl.Uniform):
-            uniform.value = float(draw.height)
-    blocks = [context.buffer(data) for data in draw.blocks]
-    for number, (block, buffer) in enumerate(zip(pipeline.blocks, blocks, strict=True)):
-        buffer.bind_to_uniform_block(bound_at(block.place, number))
-    attributes = [
-        (
-            context.buffer(data),
-            f"{attribute_layout(slot.format)}{RATES[slot.step]}",
-            slot.identifier,
-        )
-        for slot, data in zip(pipeline.inputs, draw.vertices, strict=True)
-        if program.get(slot.identifier, None) is not None
-    ]
-    indices = context.buffer(draw.indices)
-    array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
-    with ExitStack() as textures:
-        for number, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
-            unit = bound_at(slot.texture, number)
-            textures.enter_context(bound_texture(functions, slot, image, unit))
-        yield array
