@@ -11,6 +11,7 @@ from typing import Any
 
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
+from .capture import Capture
 from .expansion import Expansion
 from .kernel import WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
@@ -254,6 +255,8 @@ class Shader:
     layer: Parameter | None = None
     """Where render targets have layers and each of these has a draw of its own: what says for which
     one a draw is."""
+    capture: Capture | None = None
+    """What is written of each vertex instead of drawing, by a stream output or by a kernel."""
     tessellation: Tessellation | None = None
     """What each patch of the mesh is divided into, whichever stage does it."""
     work_group: WorkGroup | None = None

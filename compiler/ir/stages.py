@@ -47,6 +47,8 @@ EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
 LAYER = "layer"
 """The kind of the result that says to which layer of the render targets a strip is drawn."""
+CAPTURE = "capture"
+"""The kind of a result that is written to a buffer for each vertex, instead of drawing."""
 STORE = "store"
 """The kind of a result that is written to an element of a storage buffer."""
 IMAGE = "image"
@@ -139,7 +141,7 @@ VERTEX = StageRow(
         SystemInput("vertex_index", UINT, VERTICES),
         SystemInput("instance_index", UINT, INSTANCES),
     ),
-    delivers=(CLIP_POSITION,),
+    delivers=(CLIP_POSITION, CAPTURE),
 )  # fmt: skip
 
 CONTROL = StageRow(
@@ -175,7 +177,7 @@ STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
 GEOMETRY = StageRow(
     "geometry", EMITTED, "geom", "gs_main",
     inputs=(PRIMITIVE_INDEX,),
-    delivers=(CLIP_POSITION, LAYER, EMITTING),
+    delivers=(CLIP_POSITION, LAYER, EMITTING, CAPTURE),
 )  # fmt: skip
 
 FRAGMENT = StageRow(
@@ -217,6 +219,12 @@ RASTERISED: Chain = (VERTEX, FRAGMENT)
 
 EXPANDED: Chain = (VERTEX, GEOMETRY, FRAGMENT)
 """What turns each primitive of a mesh into others before these are drawn."""
+
+CAPTURED: Chain = (VERTEX,)
+"""What writes the vertices of a mesh's triangles to a buffer, and draws nothing."""
+
+CAPTURED_EXPANDED: Chain = (VERTEX, GEOMETRY)
+"""What writes what each primitive of a mesh turns into."""
 
 TESSELLATED_CHAIN: Chain = (VERTEX, CONTROL, EVALUATION, FRAGMENT)
 """What divides each patch of a mesh into triangles or lines before these are drawn."""
