@@ -69,7 +69,7 @@ def full_screen(shader: Shader) -> Shader:
         for result, value in zip(images, values, strict=True)
     )
     results = (Result(CLIP_POSITION, VERTEX, position), *targets)
-    return changed(shader, results=results, chain=RASTERISED)
+    return changed(shader, results=results, chain=RASTERISED, work_group=None)
 
 
 def _texel(shader: Shader) -> Node:

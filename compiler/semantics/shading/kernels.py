@@ -26,6 +26,7 @@ from ...ir.types import (
     Struct,
     Type,
     Vector,
+    width,
     with_width,
 )
 from ...syntax import ast
@@ -47,6 +48,7 @@ from ..types.typenames import Declared
 from .images import extent_type, extent_words, image_result, is_image, mixed, reads_only_sizes
 from .instances import instance_of
 from .slot_checks import check_instance
+from .work_groups import work_group_of
 
 _KNOWN_TO_HOST = frozenset(
     {"constant", "parameter", "call", "native", "select", "vector", "splat", "matrix", "as"}
@@ -84,6 +86,7 @@ def kernel_shader(
     found = [_result(ctx, member, _scope(owner, instance, level))
              for member, owner, level in statements]  # fmt: skip
     check_instance(ctx, instance)
+    group = work_group_of(ctx, record, width(ctx.extent.type))
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:
@@ -116,6 +119,7 @@ def kernel_shader(
         buffers=leaves.buffers,
         written=tuple(info for info, _value in buffers),
         chain=COMPUTED,
+        work_group=group,
     )  # fmt: skip
 
 
