@@ -150,6 +150,7 @@ class _Emitter:
             structs=self._declarations.structs(stages),
             blocks=self._declarations.blocks(stages),
             buffers=self._declarations.buffers(stages),
+            images=self._declarations.images(stages),
             textures=self._declarations.textures(stages),
             helpers=helpers(self._language, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),

@@ -11,6 +11,7 @@ from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...ir import build
+from ...ir.kernel import WRITTEN_GROUP
 from ...ir.leaves import Buffer
 from ...ir.node import Graph, Node, reachable
 from ...ir.shader import BufferInfo, Notes, ParameterInfo, Result, Shader, Store
@@ -55,9 +56,6 @@ _KNOWN_TO_HOST = frozenset(
     | {"swizzle", "index", "member", "called", "struct", "array", "resource"}
 )
 """Operations by which a host computes how many elements a result has, or of which size it is."""
-
-WRITTEN_GROUP = "draw"
-"""The group of the buffers that a kernel writes."""
 
 Written = tuple[BufferInfo, Node] | Result
 """A buffer, and the value of one of its elements; or an image."""
