@@ -60,6 +60,17 @@ def dispatch_of(instance: Instance) -> Dispatch:
     )
 
 
+def elements_of(
+    reflection: Mapping[str, Any], dispatch: Dispatch, written: Written
+) -> dict[str, bytes]:
+    """The bytes of the elements of each result, by name."""
+    count, _, _ = dispatch.extent
+    return {
+        row["name"]: data[: count * row["stride"]]
+        for row, data in zip(reflection["results"], written.buffers, strict=True)
+    }
+
+
 def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
     """What is drawn to make the images of a kernel: one triangle over the whole picture.
 
@@ -100,14 +111,3 @@ def drawable(shader: Shader) -> Shader:
         return shader
     # It adds nodes, and others may walk over the graph that was given.
     return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))
-
-
-def elements_of(
-    reflection: Mapping[str, Any], dispatch: Dispatch, written: Written
-) -> dict[str, bytes]:
-    """The bytes of the elements of each result, by name."""
-    count, _, _ = dispatch.extent
-    return {
-        row["name"]: data[: count * row["stride"]]
-        for row, data in zip(reflection["results"], written.buffers, strict=True)
-    }

@@ -18,7 +18,7 @@ FILE = Path(__file__).with_name("image_kernels.burnish")
 NAMES = ("Bytes", "Few", "Floats", "Stored", "Alone", "Branches")
 WRITTEN = {"Stored", "Alone", "Branches"}
 """Those whose formats a kernel can write."""
-WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgl2"}
+WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:es310", "chromium:webgl2"}
 
 
 @lru_cache(maxsize=1)
