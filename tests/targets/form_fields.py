@@ -24,6 +24,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "deliver": "name value",
             "deliver_position": "value",
             "deliver_layer": "value",
+            "store_texel": "name place value",
             "corner": "name corner",
             "return_": "value",
             "function": "type name parameters",
