@@ -21,6 +21,7 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
 from .compiler.passes.emit_strips import count_strips
+from .compiler.passes.lower_capture import lower_capture
 from .compiler.passes.lower_expansion import lower_expansion
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
@@ -105,9 +106,7 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        # What is captured is emitted by the stage itself.
-        expand = count_strips if native_stages or elaborated.capture else lower_expansion
-        shader = expand(elaborated)
+        shader = count_strips(elaborated) if native_stages else _lowered(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:
@@ -179,6 +178,11 @@ def _opened(
     if isinstance(source, str) and ("\n" in source or "{" in source):
         return frontend, frontend.open_text(source, "<text>")
     return frontend, frontend.open_file(Path(source))
+
+
+def _lowered(shader: Shader) -> Shader:
+    """The shader without the stages that not every target has."""
+    return lower_capture(lower_expansion(shader))
 
 
 def _compiled(

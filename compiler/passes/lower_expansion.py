@@ -25,6 +25,7 @@ from ..ir.operations import CROSS, INPUT
 from ..ir.rewrite import rewrite
 from ..ir.shader import AttributeInfo, MeshInput, Notes, Result, Shader
 from ..ir.stages import (
+    CAPTURED,
     CLIP_POSITION,
     EMITTED,
     EMITTING,
@@ -58,6 +59,9 @@ def lower_expansion(shader: Shader) -> Shader:
     results = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
     emitted = lowering.emitted([r.value for r in results if r.kind == EMITTING])
     placed = [_placed(shader, result, emitted) for result in results if result.kind != EMITTING]
+    if emitted is not None and shader.capture is not None:
+        # There is no place for a vertex that is not captured, so it has to be left out.
+        placed.append(Result(EMITTING, VERTEX, emitted))
     # What tells the vertices apart stands nowhere, but where the expansion does.
     for node in reachable([result.value for result in placed]):
         if node.id >= before:
@@ -66,7 +70,7 @@ def lower_expansion(shader: Shader) -> Shader:
         shader,
         results=tuple(placed),
         attributes=lowering.attributes,
-        chain=RASTERISED,
+        chain=RASTERISED if shader.capture is None else CAPTURED,
     )
 
 
