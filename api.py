@@ -235,7 +235,8 @@ def _lacking(
             report.add(
                 rules.UNSUPPORTED,
                 expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
-                target=name, feature=lack.feature, hint=way_out(lack.feature, profile),
+                target=name, feature=lack.feature,
+                hint=lack.instead or way_out(lack.feature, profile),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics

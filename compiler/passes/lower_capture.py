@@ -66,22 +66,23 @@ class _Reading:
 
     def __init__(self, shader: Shader) -> None:
         self._graph: Graph = shader.graph
+        self._notes = shader.notes
+        self._is_expanded = shader.expansion is not None
         self._listed = 1 if shader.expansion is None else shader.expansion.listed
         """How many vertices come of each element of the buffer."""
         self.span = next(iter(shader.notes.spans.values()))
         infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
         self._members = {info.attribute: _member_name(info.attribute) for info in infos}
-        self.mesh = _mesh(shader, infos, self._members, is_primitive=self._listed > 1)
+        self.mesh = _mesh(shader, infos, self._members, is_primitive=self._is_expanded)
         """The buffer."""
         index = shader.graph.node("input", INT, (), INDEX)
         self._vertex = self._element = index
-        if self._listed > 1:
+        if self._is_expanded:
             listed = build.constant(self._graph, INT, self._listed)
             self._element = self._call(INT, "div", index, listed)
             self._vertex = self._call(INT, "mod", index, listed)
-            shader.notes.names.setdefault(self._element.id, "primitive")
-            shader.notes.names.setdefault(self._vertex.id, "vertex")
-        self._notes = shader.notes
+            self._notes.names.setdefault(self._element.id, "primitive")
+            self._notes.names.setdefault(self._vertex.id, "vertex")
 
     @property
     def extent(self) -> Node:
@@ -97,7 +98,7 @@ class _Reading:
         """What stands for a vertex input, or for a number that the pipeline supplies."""
         leaf = node.data
         if isinstance(leaf, SystemInput):
-            if self._listed > 1:
+            if self._is_expanded:
                 number = self._vertex if leaf.name == VERTEX_INDEX.name else self._element
                 return self._call(UINT, "to_uint", number)
             leaf = _as_attribute(leaf)
@@ -113,12 +114,12 @@ class _Reading:
         """The inputs that are read, in the order of their declaration."""
         read = {node.data for node in reachable(shader.roots) if node.op in ("attribute", "input")}
         yield from (info for info in shader.attributes if info.attribute in read)
-        if self._listed == 1:
+        if not self._is_expanded:
             yield from (self._counted(row) for row in VERTEX.inputs if row in read)
 
     def _counted(self, row: SystemInput) -> AttributeInfo:
         """A number that the host counts."""
-        mesh = MeshInput(row.name, is_number=True)
+        mesh = MeshInput(row.name, 0 if self._is_expanded else None, is_number=True)
         return AttributeInfo(_as_attribute(row), str(row.type), "", self.span, mesh=mesh)
 
     def _call(self, type_: Type, name: str, *operands: Node) -> Node:

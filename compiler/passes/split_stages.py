@@ -62,7 +62,7 @@ def split_stages(
         if before is None:
             inputs = _attributes(shader, nodes)
         else:
-            varyings = pack_varyings(nodes, shader.notes, _taken(interfaces))
+            varyings = pack_varyings(nodes, shader.notes, _taken(interfaces, results))
             interfaces.insert(0, Interface(before.domain, row.domain, varyings))
             inputs = interfaces[0].fields
         stage = _stage(row, shader, blocks, inputs, delivered, groups, nodes)
@@ -103,8 +103,10 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
     return [node for group in groups for node in (group.emitted, *group.delivered)]
 
 
-def _taken(interfaces: Iterable[Interface]) -> set[str]:
-    return {field.name for interface in interfaces for field in interface.fields}
+def _taken(interfaces: Iterable[Interface], results: Iterable[Result]) -> set[str]:
+    """The names of what leaves the stages."""
+    crossing = {field.name for interface in interfaces for field in interface.fields}
+    return crossing | {result.name for result in results if result.kind == CAPTURE}
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
