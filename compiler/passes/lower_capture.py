@@ -82,7 +82,7 @@ class _Reading:
             self._element = self._call(INT, "div", index, listed)
             self._vertex = self._call(INT, "mod", index, listed)
             self._notes.names.setdefault(self._element.id, "primitive")
-            self._notes.names.setdefault(self._vertex.id, "vertex")
+            self._notes.names.setdefault(self._vertex.id, "number")
 
     @property
     def extent(self) -> Node:

@@ -10,9 +10,9 @@ from ..ir.shader import Shader
 def capture_row(shader: Shader) -> dict[str, Any]:
     """What a host has to know of the buffer into which a pass captures."""
     capture, expansion = shader.capture, shader.expansion
+    assert capture is not None
     written = next(iter(shader.written), None)
     is_told = written is not None and written.each > capture.numbers
-    assert capture is not None
     return {
         "primitive": "triangle" if expansion is None else expansion.emits,
         "vertices": 3 if expansion is None else expansion.listed,
