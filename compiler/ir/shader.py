@@ -97,6 +97,11 @@ class BufferInfo:
     """The parameter that says how many there are."""
     doc: str
     span: Span
+    of_mesh: tuple[tuple[str, AttributeInfo], ...] = ()
+    """Where a kernel captures vertices, the vertex inputs whose values the members of its elements
+    hold, by the members' names."""
+    each: int = 1
+    """How many elements an invocation writes."""
 
 
 @frozen
@@ -142,6 +147,8 @@ class Store:
     """How many stored elements hold one value, as the columns of a matrix do."""
     offset: int = 0
     """Which of them this is."""
+    as_bits: bool = False
+    """Whether the bits of the value are written as a uint, whatever its type."""
 
 
 @frozen

@@ -25,7 +25,9 @@ def buffer_rows(infos: Sequence[BufferInfo], program: Program) -> Iterator[dict[
 
 def result_rows(shader: Shader) -> Iterator[dict[str, Any]]:
     """A row for each buffer that a kernel writes."""
-    yield from map(_row, shader.written)
+    for info in shader.written:
+        row = _row(info)
+        yield {**row, "stride": row["stride"] * info.each}
 
 
 def extent_steps(shader: Shader) -> list[dict[str, Any]] | None:

@@ -182,7 +182,7 @@ class StagePrinter:
             namer.declare(read)
         self._index = namer.declare(own.name)
         for node in reachable(self._stage.roots):
-            if node.op == "input" and INPUT.data(node) == own:
+            if node.op == "input" and INPUT.data(node).name == own.name:
                 expressions.bound[node] = self._index, NAME
         value = read if type_ == own.type else f"{self._types.type(own.type)}({read})"
         typed = self._types.declare(self._index, own.type)
