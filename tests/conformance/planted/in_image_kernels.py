@@ -21,7 +21,7 @@ from burnish.targets.runner.drivers.draw import Dispatch, KernelJob
 from .planting import Plant, Planted, form, framebuffer, skeleton, supplied
 
 texel, job_of, pipeline_of = full_screen._texel, kernels.job_of, binding.pipeline
-drawn = pipeline.full_screen
+drawn = full_screen.full_screen
 
 DRAWN, WRITTEN = "Few", "Stored"
 """The kernels that show them: one that profiles draw, and one that they write if they can."""

@@ -76,7 +76,7 @@ class WrittenImages:
         stages: tuple[int, int],
         accesses: tuple[int, int],
     ) -> None:
-        """Record a change of the layout of all images, each from what was before to what is next."""
+        """Record that the layout of all images changes, behind some work and before other work."""
         barriers = [
             vk.VkImageMemoryBarrier(
                 oldLayout=layouts[0],
