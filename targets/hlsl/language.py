@@ -12,7 +12,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
-from ..description.profile import STORABLE, Limits, Profile
+from ..description.profile import STORABLE, Limits, Profile, StreamOutput
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -167,6 +167,8 @@ INPUTS = {
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
+EMITTED = {"point": "PointStream", "triangle": "TriangleStream"}
+
 PRIMITIVES = {
     "point": "point",
     "line": "line",
@@ -228,6 +230,7 @@ AGREES: Mapping[str, Domain] = {
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, *COMPUTED),
+    stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
@@ -255,6 +258,7 @@ LANGUAGE = Language(
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
+    emitted=EMITTED,
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
