@@ -26,6 +26,7 @@ PROFILES = tuple(
 )
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",
 }
 """By example, the capability that it shows, if there are profiles without it."""
