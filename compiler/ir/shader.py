@@ -153,7 +153,7 @@ class Result:
     """What a host knows it by. Results with a name get locations, in order."""
     doc: str = ""
     state: RenderTarget | None = None
-    """For a result of the kind ``TARGET``."""
+    """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
     """For a result of the kind ``STORE``."""
 

@@ -204,7 +204,7 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="replaced",
         contribution="result",
         form="a result is `result name : type[count] = expression`",
-        doc="what a kernel writes to each element of a storage buffer",
+        doc="what a kernel writes to each element of a buffer, or to each texel of an image",
         has_default=True,
     ),
     MemberKind(
