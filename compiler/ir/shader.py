@@ -12,7 +12,7 @@ from typing import Any
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .expansion import Expansion
-from .kernel import WorkGroup
+from .kernel import ScatterOperator, WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
@@ -129,7 +129,8 @@ class RenderTarget:
 
 @frozen(key=True)
 class Store:
-    """Where a result of the kind ``STORE`` goes: a part of an invocation's element."""
+    """Where a result of the kind ``STORE`` goes: a part of an invocation's element. Or what one of
+    the kind ``SCATTER``, and those beside it, is about: an element of its own choice."""
 
     buffer: Buffer
     path: tuple[str | int, ...] = ()
@@ -138,6 +139,8 @@ class Store:
     """How many stored elements hold one value, as the columns of a matrix do."""
     offset: int = 0
     """Which of them this is."""
+    operator: ScatterOperator | None = None
+    """How a value is joined with what the element has, of what is scattered."""
 
 
 @frozen
@@ -155,7 +158,7 @@ class Result:
     state: RenderTarget | None = None
     """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
-    """For a result of the kind ``STORE``."""
+    """For a result of the kind ``STORE`` or ``SCATTER``, and those beside it."""
 
 
 @record

@@ -57,6 +57,8 @@ class BufferView:
     """The buffer as a parameter of a function."""
     written: bool
     """Whether a kernel writes it; all others are only read."""
+    scattered: bool
+    """Whether it does so by joining values with elements that are there already."""
 
 
 @frozen
@@ -138,6 +140,8 @@ class EntryView:
     functions: list[FunctionView]
     lines: list[str]
     stores: list[StoreView]
+    scattered: list[str]
+    """Lines that join values with elements of a kernel's choice."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
     index: str

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
 from ...compiler.ir.types import BOOL, INT, UINT, VEC4
 from ...stdlib.builtins.facts import Fact
@@ -116,6 +117,14 @@ FORMS = Forms(
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
 )
+
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
 
 PRIMITIVES = {
     "point": "points",
@@ -269,6 +278,7 @@ LANGUAGE = Language(
     forms=FORMS,
     natives=NATIVES,
     primitives=PRIMITIVES,
+    atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),

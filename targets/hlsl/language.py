@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
@@ -228,6 +229,14 @@ SM6 = Profile(
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "InterlockedAdd",
+    "min": "InterlockedMin",
+    "max": "InterlockedMax",
+    "and": "InterlockedAnd",
+    "or": "InterlockedOr",
+}
+
 LANGUAGE = Language(
     name="hlsl",
     registers={
@@ -243,6 +252,7 @@ LANGUAGE = Language(
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,

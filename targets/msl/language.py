@@ -18,6 +18,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
@@ -62,6 +63,8 @@ FORMS = Forms(
     block_argument="constant {type}& {name}",
     buffer_argument="device const {type}* {name}",
     written_argument="device {type}* {name}",
+    atomic="atomic_{type}",
+    scatter="{function}(&{place}, {value}, memory_order_relaxed);",
 )
 
 TEXTURES = TextureNames(
@@ -222,6 +225,14 @@ METAL2 = Profile(
     checkers=("clang-msl",),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomic_fetch_add_explicit",
+    "min": "atomic_fetch_min_explicit",
+    "max": "atomic_fetch_max_explicit",
+    "and": "atomic_fetch_and_explicit",
+    "or": "atomic_fetch_or_explicit",
+}
+
 LANGUAGE = Language(
     name="msl",
     title="Metal Shading Language",
@@ -234,6 +245,7 @@ LANGUAGE = Language(
     literals=Literals(float_suffix="f"),
     helpers=HELPERS,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     splats=frozenset(
         {"clamp", "max", "min", "mix", "pow", "step", "smoothstep", "shift_left", "shift_right"}

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
@@ -46,6 +47,8 @@ FORMS = Forms(
     select="select({otherwise}, {then}, {condition})",
     member="{block}.{name}",
     input="input.{name}",
+    atomic="atomic<{type}>",
+    scatter="{function}(&{place}, {value});",
 )
 
 TEXTURES = TextureNames(
@@ -143,6 +146,14 @@ WEBGPU = Profile(
     checkers=("naga", "tint"),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
+
 LANGUAGE = Language(
     name="wgsl",
     title="WGSL",
@@ -151,6 +162,7 @@ LANGUAGE = Language(
     types=TYPES,
     textures=TEXTURES,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     splats=frozenset(
         {"clamp", "max", "min", "pow", "shift_left", "shift_right", "smoothstep", "step"}

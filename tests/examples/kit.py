@@ -25,6 +25,8 @@ PROFILES = tuple(
 )
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "cloth": "kernels over buffers",
+    "histogram": "kernels over buffers",
     "swarm": "kernels over buffers",
 }
 """By example, the capability that it shows, if there are profiles without it."""

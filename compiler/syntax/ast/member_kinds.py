@@ -208,6 +208,30 @@ KINDS: tuple[MemberKind, ...] = (
         has_default=True,
     ),
     MemberKind(
+        word="scatter",
+        node=members.Scatter,
+        productions={"scatter": members.Scatter},
+        opening=("NAME", ":"),
+        records=("kernel",),
+        inheritance="replaced",
+        contribution="result",
+        form="a kernel scatters by `scatter name : uint[count] add value at place where "
+        "condition`, where `min`, `max`, `and` or `or` may stand instead of `add`, and the "
+        "condition is optional",
+        doc="what all invocations of a kernel together make of the elements of a storage buffer",
+    ),
+    MemberKind(
+        word="runs",
+        node=members.Extent,
+        productions={"extent": members.Extent},
+        opening=("over",),
+        records=("kernel",),
+        inheritance="replaced",
+        contribution="result",
+        form="a kernel says for how many elements it runs by `runs over count`",
+        doc="for how many elements a kernel runs that has no result",
+    ),
+    MemberKind(
         word="work_group",
         node=members.WorkGroup,
         productions={"work_group": _work_group},
