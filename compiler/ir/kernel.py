@@ -16,6 +16,9 @@ USUAL: Mapping[int, WorkGroup] = {1: (64, 1, 1), 2: (8, 8, 1)}
 """By the number of dimensions that a kernel's results have: a multiple of what all devices execute
 at once, and no more than any of them takes."""
 
+WRITTEN_GROUP = "draw"
+"""The group of the buffers and images that a kernel writes."""
+
 ScatterOperator = Literal["add", "min", "max", "and", "or"]
 """How a scattered value is joined with what an element has: in any order with the same result."""
 

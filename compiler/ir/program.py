@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from .capture import Capture
 from .expansion import EmittedStrips, Expansion
 from .kernel import WorkGroup
 from .leaves import Buffer, HostPlace, Parameter, Resource
@@ -20,7 +21,6 @@ from .operations import NATIVE, builtin_of
 from .shader import Store
 from .stages import (
     CONDITION,
-    IMAGE,
     PLACE,
     SCATTER,
     VERTICES,
@@ -110,6 +110,17 @@ class Interface:
 
 
 @frozen
+class Image:
+    """An image that a kernel writes."""
+
+    name: str
+    format: str
+    """That of its texels, such as ``rgba16f``."""
+    group: str
+    """The group with which a host binds it."""
+
+
+@frozen
 class Output:
     """One value that a stage delivers."""
 
@@ -120,12 +131,14 @@ class Output:
     """Where it goes, for what has a location: a varying, or a render target."""
     store: Store | None = None
     """Where it goes, for what is written to a storage buffer."""
-    format: str = ""
-    """That of the texels, for what is written to an image."""
+    image: Image | None = None
+    """Where it goes, for what is written to a texel of an image."""
 
     @property
     def shown(self) -> str:
         """What people call it."""
+        if self.image is not None:
+            return self.image.name
         if self.store is not None:
             return ".".join([self.store.buffer.name, *map(str, self.store.path)])
         return self.field.name if self.field is not None else self.kind
@@ -363,6 +376,8 @@ class Stage:
     """The builtins whose own operations it uses; what a profile lacks is looked up here."""
     emitted: tuple[EmittedGroup, ...] = ()
     """Where it emits vertices, in which groups; then there is nothing else that it computes."""
+    emitting: tuple[Node, ...] = ()
+    """For each group of the expansion, whether a strip of it is emitted; one graph for all."""
 
     @property
     def name(self) -> StageName:
@@ -373,6 +388,11 @@ class Stage:
     def outputs(self) -> tuple[Field, ...]:
         """The fields of all results that have one."""
         return tuple(output.field for output in self.results if output.field is not None)
+
+    @property
+    def images(self) -> tuple[Image, ...]:
+        """The images that it writes."""
+        return tuple(output.image for output in self.results if output.image is not None)
 
     @property
     def regions(self) -> tuple[Region, ...]:
@@ -429,6 +449,8 @@ class Program:
     """What each primitive of the mesh turns into."""
     tessellation: Tessellation | None = None
     """What each patch of it is divided into."""
+    capture: Capture | None = None
+    """What is written of each vertex instead of drawing."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
 
@@ -475,9 +497,9 @@ class Program:
         return frozenset(each.store.buffer for each in scattered)
 
     @property
-    def images(self) -> tuple[Output, ...]:
-        """The images that a kernel writes, each as what is written to one of its texels."""
-        return self.results_of(IMAGE)
+    def images(self) -> tuple[Image, ...]:
+        """The images that a kernel writes."""
+        return tuple(image for stage in self.stages for image in stage.images)
 
     @property
     def structs(self) -> tuple[Struct, ...]:

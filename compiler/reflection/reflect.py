@@ -15,8 +15,9 @@ from ..ir.stages import GEOMETRY, IMAGE, TARGET
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
+from .captures import capture_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
-from .tables import BackendTable, BindingPoint
+from .tables import BackendTable, BindingPoint, FieldName
 from .textures import TextureRows
 
 FORMAT = 1
@@ -65,10 +66,11 @@ def reflect(
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
+        "capture": None if shader.capture is None else capture_row(shader),
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),
-        "targets": list(_target_rows(shader, program)),
+        "targets": list(_target_rows(shader)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
     }
 
@@ -132,19 +134,18 @@ def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:
             }
 
 
-def _target_rows(shader: Shader, program: Program) -> Iterable[dict[str, Any]]:
-    """The render targets of a pass; of a kernel over images, these, which it draws or writes."""
-    kind = IMAGE if program.images else TARGET
-    for result, output in zip(shader.results_of(kind), program.results_of(kind), strict=True):
-        state, field = result.state, output.field
-        assert state is not None and field is not None
+def _target_rows(shader: Shader) -> Iterable[dict[str, Any]]:
+    """The render targets of a pass, or the images of a kernel, which it writes or draws."""
+    written = (*shader.results_of(IMAGE), *shader.results_of(TARGET))
+    for location, result in enumerate(written):
+        assert result.state is not None
         yield {
-            "name": field.name,
-            "representation": str(field.type),
-            "location": field.location,
-            "format": state.format,
-            "blend": state.blend,
-            "doc": field.doc,
+            "name": result.name,
+            "representation": str(result.value.type),
+            "location": location,
+            "format": result.state.format,
+            "blend": result.state.blend,
+            "doc": result.doc,
         }
 
 
@@ -165,17 +166,21 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
             for name, point in table.blocks.items()
         },
         "buffers": {name: _binding_row(point) for name, point in table.buffers.items()},
+        "images": {name: _binding_row(point) for name, point in table.images.items()},
         "textures": {name: _binding_row(point) for name, point in table.textures.items()},
         "samplers": {name: _binding_row(point) for name, point in table.samplers.items()},
-        "vertex_inputs": {
-            name: {"identifier": row.identifier, "semantic": row.semantic or None}
-            for name, row in table.vertex_inputs.items()
-        },
+        "vertex_inputs": {name: _field_name_row(row) for name, row in table.vertex_inputs.items()},
+        "stream_output": table.stream_output or None,
+        "captures": {name: _field_name_row(row) for name, row in table.captures.items()},
         "host_uniforms": list(table.host_uniforms),
         "source_maps": {
             name: _source_map(spans) for name, spans in sorted(table.source_maps.items())
         },
     }
+
+
+def _field_name_row(row: FieldName) -> dict[str, Any]:
+    return {"identifier": row.identifier, "semantic": row.semantic or None}
 
 
 def _source_map(spans: Mapping[int, Span]) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, VERTEX, StageRow
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
-from .profile import Profile
+from .profile import STORABLE, Profile
 
 
 def buffers_of(row: StageRow) -> Need:
@@ -29,6 +29,11 @@ def buffers_of(row: StageRow) -> Need:
 
 SEPARATE_SAMPLERS = Need(
     "texture that is both compared and loaded", lambda profile: not profile.samplers.combined
+)
+STREAM_OUTPUT = Need("stream output", lambda profile: profile.stream_output is not None)
+NUMBERED_CAPTURES = Need(
+    "`vertex_index` where vertices are captured",
+    lambda profile: profile.stream_output is None or profile.stream_output.indexed,
 )
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
 
@@ -65,9 +70,22 @@ CAPABILITIES: tuple[Capability, ...] = (
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
     ),
     Capability(
+        "captures",
+        "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = "
+        "…`.",
+        (Way((STREAM_OUTPUT,)),),
+    ),
+    Capability(
         "kernels over buffers",
         "The elements of storage buffers are computed: `kernel` with `result name : T[count] = …`.",
         (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
+    ),
+    Capability(
+        "kernels over images",
+        "Texels of images are computed: `kernel` with `result name : image2d<format>[size] = …`. "
+        "By their own means profiles write at most four images, of the formats "
+        f"{', '.join(f'`{name}`' for name in sorted(STORABLE))}.",
+        (Way((a_stage(COMPUTE),)), Way((), "the kernel is drawn as a full-screen pass")),
     ),
     Capability(
         "storage buffers at fragments",

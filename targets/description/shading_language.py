@@ -29,7 +29,7 @@ STAGE_STRUCTS = tuple(
 FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
 
-BindingKind = Literal["block", "buffer", "written", "texture", "sampler"]
+BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
 
 
@@ -50,6 +50,8 @@ class Language:
     extension: str
     types: TypeNames
     textures: TextureNames
+    images: Mapping[str, str] = EMPTY
+    """By format, how the type of an image is written that a kernel writes."""
     profiles: tuple[Profile, ...]
     """The first is the default."""
     unproven: str = ""
@@ -72,6 +74,8 @@ class Language:
     """How the inputs of the stages that its profiles have are spelled."""
     primitives: Mapping[str, str] = EMPTY
     """What a geometry stage calls the primitives that it gets, where the language has one."""
+    emitted: Mapping[str, str] = EMPTY
+    """What it calls the streams of points and of triangles that it emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     atomics: Mapping[ScatterOperator, str] = EMPTY

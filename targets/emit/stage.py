@@ -12,9 +12,20 @@ from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
 from ...compiler.ir.program import Field, Function, Output, Scattered, Stage
 from ...compiler.ir.shader import Store
-from ...compiler.ir.stages import CLIP_POSITION, DISCARD, EXTENT, STORE, TARGET
+from ...compiler.ir.stages import (
+    CAPTURE,
+    CLIP_POSITION,
+    DISCARD,
+    EXTENT,
+    IMAGE,
+    STORE,
+    TARGET,
+    SystemInput,
+    inputs_of,
+)
 from ...compiler.ir.storage import stored_element
-from ...compiler.ir.types import INT, Array, Struct
+from ...compiler.ir.types import Array, Struct
+from ...frozen import changed
 from ..description.shading_language import FieldRole
 from .comments import comment_line, comment_lines
 from .context import Context
@@ -28,6 +39,9 @@ from .precedence import NAME
 from .statements import INDENT, Statements
 from .strips import Strips
 from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
+
+_WITHOUT_FIELD = (CLIP_POSITION, DISCARD, EXTENT, IMAGE)
+"""The kinds of results for which skeletons have other places."""
 
 
 class StagePrinter:
@@ -78,8 +92,8 @@ class StagePrinter:
         stored = []
         for output in stage.results:
             if output.field is not None:
-                stored.append((self._field(output.field, _role(output)), output.value))
-            elif output.kind not in (CLIP_POSITION, DISCARD, EXTENT) and output.store is None:
+                stored.append((self._output(output), output.value))
+            elif output.store is None and output.kind not in _WITHOUT_FIELD:
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
@@ -89,10 +103,12 @@ class StagePrinter:
             outputs=[field for field, _ in stored],
             blocks=self._declarations.blocks((stage,)),
             buffers=self._declarations.buffers((stage,)),
+            images=self._declarations.images((stage,)),
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
             stores=[] if stage.emitted else list(self._stores(expressions, stored)),
+            texels=list(self._texels(expressions)),
             scattered=[
                 line for each in stage.scattered for line in self._scattered(expressions, each)
             ],
@@ -103,6 +119,7 @@ class StagePrinter:
             guard=guard,
             work_group=() if group is None else group,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
+            capture_stride=self._capture_stride(),
             expansion=self._expansion(),
         )
 
@@ -112,7 +129,26 @@ class StagePrinter:
         if not self._stage.emitted or expansion is None:
             return None
         primitive = self._language.primitives[expansion.primitive]
-        return ExpansionView(primitive, expansion.corners, expansion.vertices)
+        emitted = self._language.emitted[expansion.emits]
+        places = bool(self._stage.results_of(CLIP_POSITION))
+        return ExpansionView(primitive, expansion.corners, emitted, places, expansion.vertices)
+
+    def _capture_stride(self) -> int:
+        """The bytes of each vertex that this stage captures, where the text has to say it."""
+        capture = self._context.program.capture
+        stream = self._context.profile.stream_output
+        is_said = stream is not None and stream.told == "text"
+        captures = is_said and self._stage.results_of(CAPTURE)
+        return capture.stride if capture is not None and captures else 0
+
+    def _output(self, output: Output) -> FieldView:
+        """What a text declares for an output that has a place."""
+        assert output.field is not None
+        view = self._field(output.field, _role(output))
+        capture = self._context.program.capture
+        if output.kind != CAPTURE or capture is None or not self._capture_stride():
+            return view
+        return changed(view, captured_at=str(capture.member(output.field.name).offset))
 
     def _delivered(self, output: Output, value: str) -> Iterator[str]:
         """The lines that give an emitted vertex one of its outputs."""
@@ -135,19 +171,39 @@ class StagePrinter:
         return self._marks.mark(f"{self._index} >= {expressions.text(extent)}", extent)
 
     def _index_line(self, namer: Namer, expressions: Expressions) -> str:
-        """The statement that gives the number of a kernel's element its name; else nothing."""
-        if self._stage.value_of(EXTENT) is None:
+        """The statement that gives the number of a kernel's element, or the place of its texel,
+        its name; else nothing."""
+        own = self._invocation
+        if own is None:
             return ""
-        read, type_ = self._leaves.input("index")
-        if read == "index":
+        read, type_ = self._leaves.input(own.name)
+        if read == own.name:
             namer.declare(read)
-        self._index = namer.declare("index")
+        self._index = namer.declare(own.name)
         for node in reachable(self._stage.roots):
-            if node.op == "input" and INPUT.data(node).name == "index":
+            if node.op == "input" and INPUT.data(node) == own:
                 expressions.bound[node] = self._index, NAME
-        value = read if type_ == INT else f"{self._types.type(INT)}({read})"
-        typed = self._types.declare(self._index, INT)
+        value = read if type_ == own.type else f"{self._types.type(own.type)}({read})"
+        typed = self._types.declare(self._index, own.type)
         return self._language.forms.let.format(typed=typed, name=self._index, value=value)
+
+    @property
+    def _invocation(self) -> SystemInput | None:
+        """What tells a kernel's invocations apart; ``None`` in other stages."""
+        if self._context.program.work_group is None:
+            return None
+        return inputs_of((self._stage.row,))["texel" if self._stage.images else "index"]
+
+    def _texels(self, expressions: Expressions) -> Iterator[str]:
+        """What is written to the images of a kernel."""
+        for output in self._stage.results:
+            if output.image is not None:
+                text = self._language.forms.store_texel.format(
+                    name=self._names.images[output.image.name],
+                    place=self._index,
+                    value=expressions.text(output.value),
+                )
+                yield self._marks.mark(text, output.value)
 
     def _stores(
         self, expressions: Expressions, stored: Iterable[tuple[FieldView, Node]]
@@ -280,10 +336,10 @@ class StagePrinter:
         )
 
     def _supplied(self) -> tuple[str, ...]:
-        """The pipeline's values that the entry point reads; a kernel's always reads its index."""
-        own = self._stage.builtin_inputs
-        is_kernel = self._stage.value_of(EXTENT) is not None
-        return ("index", *own) if is_kernel and "index" not in own else own
+        """The pipeline's values that the entry point reads; a kernel's always reads its place."""
+        own, invocation = self._stage.builtin_inputs, self._invocation
+        missing = invocation is not None and invocation.name not in own
+        return (invocation.name, *own) if invocation and missing else own
 
     def _pipeline_inputs(self) -> list[InputView]:
         inputs = self._context.dialect.inputs

@@ -62,6 +62,18 @@ class BufferView:
 
 
 @frozen
+class ImageView:
+    """An image that a kernel writes."""
+
+    name: str
+    type: str
+    format: str
+    """That of its texels, in Burnish's word."""
+    slot: BindingSlot
+    register: str
+
+
+@frozen
 class TextureView:
     """A texture or a sampler, or both in one."""
 
@@ -84,6 +96,8 @@ class FieldView:
     """Whether it goes from one stage to the next."""
     flat: bool
     comment: str
+    captured_at: str = ""
+    """At which byte of a vertex it is captured, where the text says so."""
 
 
 @frozen
@@ -118,6 +132,10 @@ class ExpansionView:
     primitive: str
     """In the language's own word."""
     corners: int
+    emitted: str
+    """What it emits: the language's word for streams of points or of triangles."""
+    places: bool
+    """Whether it says where vertices go; those that are captured go nowhere."""
     vertices: int
     """How many it emits at most."""
 
@@ -135,23 +153,29 @@ class EntryView:
     """What this stage reads of the file's blocks."""
     buffers: list[BufferView]
     """Likewise."""
+    images: list[ImageView]
+    """Those that it writes."""
     textures: list[TextureView]
-    """Likewise."""
+    """What it reads of the file's textures."""
     functions: list[FunctionView]
     lines: list[str]
     stores: list[StoreView]
+    texels: list[str]
+    """The statements that write the texels of images."""
     scattered: list[str]
     """Lines that join values with elements of a kernel's choice."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
     index: str
-    """The statement that names the number of a kernel's element; empty in other stages."""
+    """The statement that names a kernel's element or texel; empty in other stages."""
     guard: str
     """Where a kernel's invocation has nothing to do; empty in other stages."""
     work_group: tuple[int, ...]
     """How many invocations a kernel runs together along x, y and z; empty in other stages."""
     discard: list[str]
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
+    capture_stride: int = 0
+    """The bytes of each vertex that is captured, where the text says so; else 0."""
     expansion: ExpansionView | None = None
     """Of a stage that emits vertices."""
 
@@ -166,6 +190,7 @@ class FileView:
     structs: list[StructView]
     blocks: list[BlockView]
     buffers: list[BufferView]
+    images: list[ImageView]
     textures: list[TextureView]
     """Each followed by its sampler, if that is an object of its own."""
     helpers: list[str]

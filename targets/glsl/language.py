@@ -8,11 +8,18 @@ from pathlib import Path
 
 from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
-from ...compiler.ir.types import BOOL, INT, UINT, VEC4
+from ...compiler.ir.types import BOOL, INT, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Framebuffer, Limits, Profile, Samplers
+from ..description.profile import (
+    STORABLE,
+    Framebuffer,
+    Limits,
+    Profile,
+    Samplers,
+    StreamOutput,
+)
 from ..description.reserved import read_reserved
 from ..description.shading_language import Language
 from ..description.spellings import (
@@ -108,15 +115,19 @@ INPUTS = {
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
     "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
+    "texel": PipelineInput(Vector("uint", 2), "gl_GlobalInvocationID.xy"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
 }
 
 FORMS = Forms(
     deliver_position="gl_Position = {value};",
     position="gl_Position",
+    store_texel="imageStore({name}, {place}, {value});",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
 )
+
+EMITTED = {"point": "points", "triangle": "triangle_strip"}
 
 ATOMICS: Mapping[ScatterOperator, str] = {
     "add": "atomicAdd",
@@ -164,6 +175,7 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 VULKAN = Profile(
     name="vulkan",
     stages=(*EXPANDED, *COMPUTED),
+    stream_output=StreamOutput("text"),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
     preamble=("#version 450",),
@@ -199,6 +211,7 @@ OPENGL = Profile(
     doc="GLSL 3.30 core: combined samplers, blocks and samplers bound by name.",
     preamble=("#version 330 core",),
     stages=EXPANDED,
+    stream_output=StreamOutput("names"),
     explicit_bindings=False,
     samplers=Samplers(combined=True),
     framebuffer=BOTTOM_FIRST,
@@ -213,9 +226,10 @@ OPENGL = Profile(
 
 OPENGL_4 = Profile(
     name="gl450",
-    stages=(*RASTERISED, *COMPUTED),
+    stages=(*EXPANDED, *COMPUTED),
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
+    stream_output=StreamOutput("text"),
     preamble=("#version 450 core",),
     numbering="kind",
     numbers_storage_apart=True,
@@ -237,6 +251,7 @@ ES_SAMPLERS = Samplers(combined=True, precision="precision highp {type};")
 ES = Profile(
     name="es300",
     doc="GLSL ES 3.00 for OpenGL ES 3.0 and WebGL 2: like gl330, with precisions.",
+    stream_output=StreamOutput("names", indexed=False),
     preamble=("#version 300 es", *ES_PRECISIONS),
     explicit_bindings=False,
     samplers=ES_SAMPLERS,
@@ -254,6 +269,7 @@ ES_31 = Profile(
     name="es310",
     stages=(*RASTERISED, *COMPUTED),
     doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
+    stream_output=StreamOutput("names", indexed=False),
     preamble=("#version 310 es", *ES_PRECISIONS),
     numbering="kind",
     numbers_storage_apart=True,
@@ -275,9 +291,11 @@ LANGUAGE = Language(
     extension="glsl",
     types=TYPES,
     textures=TEXTURES,
+    images=dict.fromkeys(STORABLE, "image2D"),
     forms=FORMS,
     natives=NATIVES,
     primitives=PRIMITIVES,
+    emitted=EMITTED,
     atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,

@@ -9,11 +9,11 @@ from pathlib import Path
 
 from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
-from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile
+from ..description.profile import STORABLE, Limits, Profile, StreamOutput
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -56,6 +56,7 @@ FORMS = Forms(
     position="output.clip_position",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
+    store_texel="{name}[{place}] = {value};",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
@@ -69,6 +70,11 @@ TEXTURES = TextureNames(
     },
     samplers={"filtering": "SamplerState", "comparison": "SamplerComparisonState"},
 )
+
+IMAGES: Mapping[str, str] = {
+    **dict.fromkeys(STORABLE, "RWTexture2D<float4>"),
+    "rgba8": "RWTexture2D<unorm float4>",
+}
 
 NATIVES: Spellings = {
     "mul": Spelling(matrix="mul"),
@@ -158,8 +164,11 @@ INPUTS = {
     "vertex_index": PipelineInput(UINT, "input.{name}", "SV_VertexID"),
     "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
     "index": PipelineInput(UINT, "input.{name}", "SV_DispatchThreadID"),
+    "texel": PipelineInput(Vector("uint", 2), "input.{name}", "SV_DispatchThreadID"),
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
+
+EMITTED = {"point": "PointStream", "triangle": "TriangleStream"}
 
 PRIMITIVES = {
     "point": "point",
@@ -222,6 +231,7 @@ AGREES: Mapping[str, Domain] = {
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, *COMPUTED),
+    stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
@@ -241,6 +251,7 @@ LANGUAGE = Language(
     name="hlsl",
     registers={
         "block": "b{binding}", "buffer": "t{binding}", "written": "u{binding}",
+        "image": "u{binding}",
         "texture": "t{binding}", "sampler": "s{binding}",
     },
     line_directive='#line {line} "{name}"',
@@ -249,6 +260,7 @@ LANGUAGE = Language(
     extension="hlsl",
     types=TYPES,
     textures=TEXTURES,
+    images=IMAGES,
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,
@@ -256,6 +268,7 @@ LANGUAGE = Language(
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
+    emitted=EMITTED,
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),

@@ -20,10 +20,10 @@ from pathlib import Path
 
 from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
-from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile
+from ..description.profile import STORABLE, Limits, Profile
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -63,6 +63,7 @@ FORMS = Forms(
     block_argument="constant {type}& {name}",
     buffer_argument="device const {type}* {name}",
     written_argument="device {type}* {name}",
+    store_texel="{name}.write({value}, uint2({place}));",
     atomic="atomic_{type}",
     scatter="{function}(&{place}, {value}, memory_order_relaxed);",
 )
@@ -189,6 +190,7 @@ INPUTS = {
     "vertex_index": PipelineInput(UINT, "{name}", "vertex_id"),
     "instance_index": PipelineInput(UINT, "{name}", "instance_id"),
     "index": PipelineInput(UINT, "{name}", "thread_position_in_grid"),
+    "texel": PipelineInput(Vector("uint", 2), "{name}", "thread_position_in_grid"),
 }
 
 
@@ -242,6 +244,7 @@ LANGUAGE = Language(
     entry_point="{entry}",
     types=TYPES,
     textures=TEXTURES,
+    images=dict.fromkeys(STORABLE, "texture2d<float, access::write>"),
     literals=Literals(float_suffix="f"),
     helpers=HELPERS,
     forms=FORMS,
@@ -256,6 +259,7 @@ LANGUAGE = Language(
         "block": "buffer({binding})",
         "buffer": "buffer({binding})",
         "written": "buffer({binding})",
+        "image": "texture({binding})",
         "texture": "texture({binding})",
         "sampler": "sampler({binding})",
     },

@@ -15,8 +15,10 @@ import numpy as np
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
 from ...frozen import changed
-from .drivers.draw import Dispatch, KernelJob, Pipeline, Written
+from .drivers.draw import Dispatch, Draw, Job, KernelJob, Picture, Pipeline, Written
 from .instances.instance import Instance
+from .routes import Route
+from .runner import Runner
 from .scene_state import CLEAR, Color, SceneState
 
 _WORD = struct.Struct("<I")
@@ -61,27 +63,6 @@ def dispatch_of(instance: Instance) -> Dispatch:
     )
 
 
-def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
-    """What is drawn to make the images of a kernel: one triangle over the whole picture.
-
-    Raises ``MissingValuesError``, and ``EmptyImageError``.
-    """
-    reflection, (width, height) = instance.reflection, instance.size()
-    if not width * height:
-        raise EmptyImageError(reflection["material"], width, height)
-    corners = np.arange(CORNERS)[None]
-    cleared = (clear,) * len(reflection["targets"])
-    return SceneState(width, height, {}, corners, instance, cleared)
-
-
-def drawable(shader: Shader) -> Shader:
-    """The shader as the reference draws it: a kernel over images as a full-screen pass."""
-    if not writes_images(shader):
-        return shader
-    # It adds nodes, and others may walk over the graph that was given.
-    return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))
-
-
 def _before(row: Mapping[str, Any], count: int) -> bytes:
     """What a buffer holds before a kernel writes it. No API binds one of no bytes."""
     size = max(count, 1) * row["stride"]
@@ -97,3 +78,45 @@ def elements_of(instance: Instance, written: Written) -> dict[str, bytes]:
         row["name"]: data[: counts[row["name"]] * row["stride"]]
         for row, data in zip(instance.reflection["results"], written.buffers, strict=True)
     }
+
+
+def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
+    """What is drawn to make the images of a kernel: one triangle over the whole picture.
+
+    Raises ``MissingValuesError``, and ``EmptyImageError``.
+    """
+    reflection, (width, height) = instance.reflection, instance.size()
+    if not width * height:
+        raise EmptyImageError(reflection["material"], width, height)
+    corners = np.arange(CORNERS)[None]
+    cleared = (clear,) * len(reflection["targets"])
+    return SceneState(width, height, {}, corners, instance, cleared)
+
+
+def pictures_of(
+    route: Route, runner: Runner, reflection: Mapping[str, Any], pipeline: Pipeline,
+    draws: Sequence[Draw],
+) -> Sequence[Picture]:  # fmt: skip
+    """The images of a kernel as pictures: drawn, or computed where the pipeline writes images.
+
+    Raises ``DriverError``.
+    """
+    if not pipeline.images:
+        return runner.draw(route, Job(pipeline, tuple(draws)))
+    dispatches = [
+        Dispatch((draw.width, draw.height, 1), draw.blocks, draw.textures, draw.buffers)
+        for draw in draws
+    ]
+    written = runner.compute(route, job_of(reflection, pipeline, dispatches))
+    return [
+        Picture(draw.width, draw.height, one.images)
+        for draw, one in zip(draws, written, strict=True)
+    ]
+
+
+def drawable(shader: Shader) -> Shader:
+    """The shader as the reference draws it: a kernel over images as a full-screen pass."""
+    if not writes_images(shader):
+        return shader
+    # It adds nodes, and others may walk over the graph that was given.
+    return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from ...diagnostics import rules
 from ...diagnostics.source import Span
+from ...ir.kernel import WRITTEN_GROUP
 from ...ir.leaves import Buffer
 from ...ir.node import Node, reachable
 from ...ir.shader import BufferInfo, ParameterInfo
@@ -25,9 +26,6 @@ _KNOWN_TO_HOST = frozenset(
     | {"swizzle", "index", "member", "called", "struct", "array", "resource"}
 )
 """Operations by which a host computes how many elements a result has, or of which size it is."""
-
-WRITTEN_GROUP = "draw"
-"""The group of the buffers that a kernel writes."""
 
 ELEMENTS = "number of elements"
 """What messages call it if something else than an image says how many elements it has."""

@@ -15,6 +15,7 @@ from .draw import (
     TEXELS,
     BlockSlot,
     BufferSlot,
+    CaptureJob,
     Draw,
     DriverError,
     Image,
@@ -38,8 +39,19 @@ def check(job: Job) -> None:
             raise DriverError(f"draw {number}: {error}") from None
 
 
+def check_capture(job: CaptureJob) -> None:
+    """Raise ``DriverError`` if there is nothing to capture, or a draw does not fit the pipeline."""
+    if job.pipeline.stream_output is None or not job.pipeline.stream_output.outputs:
+        raise DriverError("the pipeline captures nothing")
+    _same_number("capacities", job.most, job.draws)
+    check(Job(job.pipeline, job.draws))
+
+
 def check_kernel(job: KernelJob) -> None:
     """Raise ``DriverError`` if the bytes of a dispatch do not fit the pipeline."""
+    for written in job.pipeline.images:
+        if written.format not in get_args(TargetFormat):
+            raise DriverError(f"there is no image of the format {written.format!r}")
     for number, dispatch in enumerate(job.dispatches):
         try:
             _same_number("uniform blocks", dispatch.blocks, job.pipeline.blocks)

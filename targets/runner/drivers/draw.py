@@ -143,6 +143,14 @@ class BufferSlot:
 
 
 @dataclass(frozen=True, slots=True)
+class ImageSlot:
+    """An image of the pipeline, which a kernel writes."""
+
+    place: Place
+    format: TargetFormat
+
+
+@dataclass(frozen=True, slots=True)
 class TextureSlot:
     """A texture of the pipeline with the sampler that reads it."""
 
@@ -170,6 +178,30 @@ class RenderTarget:
 
 
 @dataclass(frozen=True, slots=True)
+class CapturedOutput:
+    """An output of the last stage that a stream output writes."""
+
+    identifier: str
+    """Its name in the text; OpenGL finds it by that where the text does not say its place."""
+    location: int
+    offset: int
+    """In bytes, from where a vertex begins."""
+
+
+@dataclass(frozen=True, slots=True)
+class StreamOutput:
+    """How vertices are captured instead of drawing."""
+
+    outputs: tuple[CapturedOutput, ...]
+    stride: int
+    """The bytes from one vertex to the next."""
+    primitive: Literal["point", "triangle"]
+    """What the captured vertices are, in turn."""
+    in_text: bool
+    """Whether the text says where its outputs go."""
+
+
+@dataclass(frozen=True, slots=True)
 class Pipeline:
     """The state that all draws of a job share."""
 
@@ -189,10 +221,13 @@ class Pipeline:
     first_row: Literal["top", "bottom"] = "top"
     """Which row of the picture comes first in the framebuffer's memory."""
     buffers: tuple[BufferSlot, ...] = ()
+    images: tuple[ImageSlot, ...] = ()
     host_uniforms: tuple[str, ...] = ()
     """Single float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
     clip_control: tuple[str, ...] = ()
     """What ``glClipControl`` is given (the reflection's ``clip_control``); empty: OpenGL's own."""
+    stream_output: StreamOutput | None = None
+    """Where vertices are captured; then there are no targets."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -254,6 +289,27 @@ class Picture:
 
 
 @dataclass(frozen=True, slots=True)
+class CaptureJob:
+    """A pipeline with a stream output, and what to capture with it."""
+
+    pipeline: Pipeline
+    draws: tuple[Draw, ...]
+    """The sizes of their pictures do not matter."""
+    most: tuple[int, ...]
+    """Of each draw, how many vertices it captures at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Captured:
+    """What was captured by one draw."""
+
+    count: int
+    """The number of vertices."""
+    data: bytes
+    """All of them, without gaps."""
+
+
+@dataclass(frozen=True, slots=True)
 class Device:
     """A driver's description of itself."""
 
@@ -274,7 +330,8 @@ class Dispatch:
     """One run of a kernel: the bytes for every slot, and how many elements it computes."""
 
     extent: Sides
-    """The elements along x, y and z; a buffer's stand along x."""
+    """The elements along x, y and z; a buffer's stand along x. Of images, the width, the height and
+    1."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     buffers: tuple[bytes, ...]
@@ -305,6 +362,8 @@ class Written:
     """What a dispatch has written: all bytes of each buffer that the pipeline writes, in order."""
 
     buffers: tuple[bytes, ...]
+    images: tuple[bytes, ...] = ()
+    """The texels of each image, as ``Picture`` has them."""
 
 
 class DriverError(Exception):

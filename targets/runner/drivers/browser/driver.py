@@ -11,9 +11,12 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ....toolchain.tools import tool_named
-from ..checks import check, check_kernel, check_names
+from ..checks import check, check_capture, check_kernel, check_names
 from ..draw import (
+    Captured,
+    CaptureJob,
     Device,
+    Dispatch,
     Draw,
     DriverError,
     Job,
@@ -68,7 +71,14 @@ class Browser:
         """What each dispatch of the job writes. Raises ``DriverError``."""
         check_kernel(job)
         runs = self._ask("kernel", to_json(job))["written"]
-        return [Written(tuple(map(base64.b64decode, buffers))) for buffers in runs]
+        return [_written(job, *each) for each in zip(job.dispatches, runs, strict=True)]
+
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """The vertices that each draw of the job captures. Raises ``DriverError``."""
+        check_capture(job)
+        check_names(job.pipeline)
+        found = self._ask("capture", to_json(job))["captured"]
+        return [Captured(row["count"], base64.b64decode(row["data"])) for row in found]
 
     def close(self) -> None:
         """End the browser, if there is one."""
@@ -103,6 +113,16 @@ class Browser:
 def _picture(pipeline: Pipeline, draw: Draw, targets: Sequence[Mapping[str, str]]) -> Picture:
     """The picture of the texels that the page returns in base64, with their formats."""
     return Picture(draw.width, draw.height, tuple(_floats(pipeline, draw, t) for t in targets))
+
+
+def _written(job: KernelJob, dispatch: Dispatch, run: Mapping[str, Any]) -> Written:
+    """What the page returns in base64, with texels in their formats."""
+    width, height, _ = dispatch.extent
+    images = (
+        to_float(base64.b64decode(texels), slot.format, width, height, "top")
+        for slot, texels in zip(job.pipeline.images, run["images"], strict=True)
+    )
+    return Written(tuple(map(base64.b64decode, run["buffers"])), tuple(images))
 
 
 def _floats(pipeline: Pipeline, draw: Draw, target: Mapping[str, Any]) -> bytes:
