@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
 from ...compiler.ir.types import BOOL, INT, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
@@ -128,6 +129,14 @@ FORMS = Forms(
 )
 
 EMITTED = {"point": "points", "triangle": "triangle_strip"}
+
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
 
 PRIMITIVES = {
     "point": "points",
@@ -288,6 +297,7 @@ LANGUAGE = Language(
     natives=NATIVES,
     primitives=PRIMITIVES,
     emitted=EMITTED,
+    atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
@@ -239,6 +240,14 @@ SM6 = Profile(
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "InterlockedAdd",
+    "min": "InterlockedMin",
+    "max": "InterlockedMax",
+    "and": "InterlockedAnd",
+    "or": "InterlockedOr",
+}
+
 LANGUAGE = Language(
     name="hlsl",
     registers={
@@ -256,6 +265,7 @@ LANGUAGE = Language(
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,

@@ -26,6 +26,8 @@ PROFILES = tuple(
 )
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "cloth": "kernels over buffers",
+    "histogram": "kernels over buffers",
     "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",
 }
