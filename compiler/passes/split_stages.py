@@ -28,7 +28,8 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import EMITTING, EXTENT, IMAGE, VARYING, StageRow
+from ..ir.stages import CAPTURE, EMITTING, EXTENT, IMAGE, VARYING, StageRow
+from ..ir.types import scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
@@ -64,7 +65,9 @@ def split_stages(
             varyings = pack_varyings(nodes, shader.notes, _taken(interfaces))
             interfaces.insert(0, Interface(before.domain, row.domain, varyings))
             inputs = interfaces[0].fields
-        stages.insert(0, _stage(row, shader, blocks, inputs, delivered, groups, nodes))
+        stage = _stage(row, shader, blocks, inputs, delivered, groups, nodes)
+        emitting = tuple(output.value for output in outputs if output.kind == EMITTING)
+        stages.insert(0, changed(stage, emitting=emitting))
     resources = tuple(
         info.resource
         for info in shader.resources
@@ -78,7 +81,7 @@ def split_stages(
     )
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers,
-        shader.expansion, shader.tessellation, shader.work_group,
+        shader.expansion, shader.tessellation, shader.capture, shader.work_group,
     )  # fmt: skip
 
 
@@ -117,7 +120,12 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
     for result in results:
         field = None
         if result.name and result.store is None:
-            field = Field(result.name, result.value.type, next(locations), doc=result.doc)
+            # Whole numbers of a vertex stage's are marked so in ES.
+            is_whole = result.kind == CAPTURE and scalar_kind(result.value.type) != "float"
+            field = Field(
+                result.name, result.value.type, next(locations),
+                "flat" if is_whole else "perspective", result.doc,
+            )  # fmt: skip
         format_ = result.state.format if result.kind == IMAGE and result.state else ""
         yield Output(result.kind, result.value, field, result.store, format_)
 

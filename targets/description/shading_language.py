@@ -71,6 +71,8 @@ class Language:
     """How the inputs of the stages that its profiles have are spelled."""
     primitives: Mapping[str, str] = EMPTY
     """What a geometry stage calls the primitives that it gets, where the language has one."""
+    emitted: Mapping[str, str] = EMPTY
+    """What it calls the streams of points and of triangles that it emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

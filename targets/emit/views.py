@@ -82,6 +82,8 @@ class FieldView:
     """Whether it goes from one stage to the next."""
     flat: bool
     comment: str
+    captured_at: str = ""
+    """At which byte of a vertex it is captured, where the text says so."""
 
 
 @frozen
@@ -116,6 +118,10 @@ class ExpansionView:
     primitive: str
     """In the language's own word."""
     corners: int
+    emitted: str
+    """What it emits: the language's word for streams of points or of triangles."""
+    places: bool
+    """Whether it says where vertices go; those that are captured go nowhere."""
     vertices: int
     """How many it emits at most."""
 
@@ -148,6 +154,8 @@ class EntryView:
     """How many invocations a kernel runs together along x, y and z; empty in other stages."""
     discard: list[str]
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
+    capture_stride: int = 0
+    """The bytes of each vertex that is captured, where the text says so; else 0."""
     expansion: ExpansionView | None = None
     """Of a stage that emits vertices."""
 

@@ -12,7 +12,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile
+from ..description.profile import Limits, Profile, StreamOutput
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -160,6 +160,8 @@ INPUTS = {
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
+EMITTED = {"point": "PointStream", "triangle": "TriangleStream"}
+
 PRIMITIVES = {
     "point": "point",
     "line": "line",
@@ -221,6 +223,7 @@ AGREES: Mapping[str, Domain] = {
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, *COMPUTED),
+    stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
@@ -246,6 +249,7 @@ LANGUAGE = Language(
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
+    emitted=EMITTED,
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),

@@ -116,7 +116,7 @@ class StageEvaluator:
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
-                return self._given(_attribute(geometry, node.data))
+                return self._given(attribute_lanes(geometry, node.data))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return (
@@ -316,7 +316,8 @@ def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
     return textures[resource.name]
 
 
-def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
+def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
+    """The values of a vertex input at all vertices."""
     lanes = width(attribute.type)
     array: Any = geometry.attributes.get(attribute.name)
     if array is None or array.ndim != 2 or array.shape[1] != lanes:
