@@ -28,7 +28,7 @@ STAGE_STRUCTS = tuple(
 FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
 
-BindingKind = Literal["block", "buffer", "written", "texture", "sampler"]
+BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
 
 
@@ -49,6 +49,8 @@ class Language:
     extension: str
     types: TypeNames
     textures: TextureNames
+    images: Mapping[str, str] = EMPTY
+    """By format, how the type of an image is written that a kernel writes."""
     profiles: tuple[Profile, ...]
     """The first is the default."""
     unproven: str = ""

@@ -7,11 +7,18 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
-from ...compiler.ir.types import BOOL, INT, UINT, VEC4
+from ...compiler.ir.types import BOOL, INT, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Framebuffer, Limits, Profile, Samplers, StreamOutput
+from ..description.profile import (
+    STORABLE,
+    Framebuffer,
+    Limits,
+    Profile,
+    Samplers,
+    StreamOutput,
+)
 from ..description.reserved import read_reserved
 from ..description.shading_language import Language
 from ..description.spellings import (
@@ -107,12 +114,14 @@ INPUTS = {
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
     "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
+    "texel": PipelineInput(Vector("uint", 2), "gl_GlobalInvocationID.xy"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
 }
 
 FORMS = Forms(
     deliver_position="gl_Position = {value};",
     position="gl_Position",
+    store_texel="imageStore({name}, {place}, {value});",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
 )
@@ -273,6 +282,7 @@ LANGUAGE = Language(
     extension="glsl",
     types=TYPES,
     textures=TEXTURES,
+    images=dict.fromkeys(STORABLE, "image2D"),
     forms=FORMS,
     natives=NATIVES,
     primitives=PRIMITIVES,

@@ -8,11 +8,11 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
-from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile, StreamOutput
+from ..description.profile import STORABLE, Limits, Profile, StreamOutput
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -55,6 +55,7 @@ FORMS = Forms(
     position="output.clip_position",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
+    store_texel="{name}[{place}] = {value};",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
@@ -68,6 +69,11 @@ TEXTURES = TextureNames(
     },
     samplers={"filtering": "SamplerState", "comparison": "SamplerComparisonState"},
 )
+
+IMAGES: Mapping[str, str] = {
+    **dict.fromkeys(STORABLE, "RWTexture2D<float4>"),
+    "rgba8": "RWTexture2D<unorm float4>",
+}
 
 NATIVES: Spellings = {
     "mul": Spelling(matrix="mul"),
@@ -157,6 +163,7 @@ INPUTS = {
     "vertex_index": PipelineInput(UINT, "input.{name}", "SV_VertexID"),
     "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
     "index": PipelineInput(UINT, "input.{name}", "SV_DispatchThreadID"),
+    "texel": PipelineInput(Vector("uint", 2), "input.{name}", "SV_DispatchThreadID"),
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
@@ -235,6 +242,7 @@ LANGUAGE = Language(
     name="hlsl",
     registers={
         "block": "b{binding}", "buffer": "t{binding}", "written": "u{binding}",
+        "image": "u{binding}",
         "texture": "t{binding}", "sampler": "s{binding}",
     },
     line_directive='#line {line} "{name}"',
@@ -243,6 +251,7 @@ LANGUAGE = Language(
     extension="hlsl",
     types=TYPES,
     textures=TEXTURES,
+    images=IMAGES,
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,
