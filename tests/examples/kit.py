@@ -12,29 +12,19 @@ from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
-from burnish.targets import registry
-from burnish.targets.availability import standings
 from burnish.targets.toolchain import Job
+
+from ..targets.standings import PROFILES, profiles
 
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
-PROFILES = tuple(
-    f"{target.name}:{profile.name}"
-    for target in map(registry.load, registry.names())
-    for profile in target.profiles
-)
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
     "swarm": "kernels over buffers",
 }
 """By example, the capability that it shows, if there are profiles without it."""
 LACKING: Mapping[str, frozenset[str]] = {
-    name: frozenset(
-        profile
-        for profile in PROFILES
-        if standings(registry.select(profile)[1])[capability].kind == "absent"
-    )
-    for name, capability in NEEDING.items()
+    name: profiles("absent", capability) for name, capability in NEEDING.items()
 }
 """By example, the profiles that lack what it shows."""
 STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}
