@@ -17,7 +17,7 @@ from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.semantics.checking.loops import DEEPEST, folded
 from burnish.targets.toolchain import Job, Toolchain
 
-from ..examples.kit import PROFILES
+from ..targets.standings import PROFILES
 from .kit import ops, shader, shaders
 
 LONG = 4_000
