@@ -14,7 +14,8 @@ from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference.evaluate import evaluate
-from burnish.compiler.semantics.checking.loops import DEEPEST, folded
+from burnish.compiler.semantics.checking.loop_contents import DEEPEST
+from burnish.compiler.semantics.checking.loops import folded
 from burnish.targets.toolchain import Job, Toolchain
 
 from ..targets.standings import PROFILES
