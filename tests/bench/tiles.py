@@ -24,6 +24,7 @@ from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
 from burnish.targets.runner.drivers.draw import Code, Dispatch, KernelJob
 from burnish.targets.runner.drivers.vulkan import compute
+from burnish.targets.runner.drivers.vulkan.device import recording
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
 from burnish.targets.runner.kernels import full_screen_state, job_of
 from burnish.targets.runner.routes import ROUTES
@@ -95,9 +96,6 @@ def _milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
         for _ in range(RUNS):
             driver.compute(job)
     return 1000 * min(taken)
-
-
-recording = compute.recording
 
 
 class _Timed(AbstractContextManager[Any]):
