@@ -232,6 +232,7 @@ AGREES: Mapping[str, Domain] = {
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, *COMPUTED),
+    image_formats=STORABLE,
     stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
