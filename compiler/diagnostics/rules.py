@@ -722,13 +722,13 @@ NOT_IN_KERNEL = _error(
 
 NO_SUCH_CORNER = _error(
     "B0520",
-    "there is no corner {index}: the last one is {last}",
+    "there is no {what} {index}: the last one is {last}",
     "Corners are numbered from 0: a point has one, a line two and a triangle three. With adjacency "
     "a line has four and a triangle six.",
 )
 WHICH_CORNER = _error(
     "B0521",
-    "`{name}` of which corner?",
+    "`{name}` of which {what}?",
     "`corner[0].position` is the position of the first corner of the primitive that is expanded.",
 )
 OF_WHICH_CORNER = _error(

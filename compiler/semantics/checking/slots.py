@@ -20,14 +20,15 @@ from ..declarations.written_types import declared_type
 from ..inheritance.records import Definition, Record, is_abstract
 from ..state.context import Context, Twin
 from ..state.evaluation import Demand, plain, settle
+from ..state.origins import OneCorner
 from ..state.scope import (
     FAILURE,
     OUTERMOST,
     Corner,
-    ExpandedSlots,
     Failure,
     Instance,
     LightVariable,
+    MadeSlots,
     Scope,
     Value,
 )
@@ -82,8 +83,8 @@ def slot(
     replacement = instance.replaced.get(name) if level == OUTERMOST else None
     if replacement is None:
         _settle_own(ctx, instance, name, span, level)
-    elif replacement.emitted:
-        _settle_emitted(ctx, instance, name, span)
+    elif replacement.made:
+        _settle_made(ctx, instance, name, span)
     elif replacement.definition is None:
         assert replacement.value is not None
         _keep(ctx, instance, name, level, replacement.value)
@@ -110,12 +111,13 @@ def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: 
         _settle_equation(ctx, instance, name, span, level, definition, instance)
 
 
-def _settle_emitted(ctx: Context, instance: Instance, name: str, span: Span) -> None:
-    """Compute what an expansion makes of a slot: each group of strips may say something else."""
-    assert instance.expanded is not None
+def _settle_made(ctx: Context, instance: Instance, name: str, span: Span) -> None:
+    """Compute what a slot is at the vertices that are made of a mesh's: each group of strips of an
+    expansion may say something else."""
+    assert instance.made is not None
     found = [
-        _in_group(ctx, instance, instance.expanded, number, name, span)
-        for number in range(len(instance.expanded.groups))
+        _in_group(ctx, instance, instance.made, number, name, span)
+        for number in range(len(instance.made.groups))
     ]
     values = [value for value in found if isinstance(value, Node)]
     chosen = _by_group(ctx, values, span) if len(values) == len(found) else FAILURE
@@ -124,32 +126,32 @@ def _settle_emitted(ctx: Context, instance: Instance, name: str, span: Span) -> 
 
 
 def _in_group(
-    ctx: Context, instance: Instance, slots: ExpandedSlots, number: int, name: str, span: Span
+    ctx: Context, instance: Instance, slots: MadeSlots, number: int, name: str, span: Span
 ) -> Node | Failure:
-    """What a slot is at the vertices that one group of strips emits."""
+    """What a slot is at the vertices of one group."""
     group = slots.groups[number]
     written = group.equations.get(name)
     if written is None or written.value is None:
-        assert slots.corner is not None
-        return corner_slot(ctx, Corner(slots, slots.corner), name, span)
+        assert isinstance(slots.origin, OneCorner)
+        return corner_slot(ctx, corner_like(slots, slots.origin), name, span)
     if (number, name) not in slots.values:
         key = instance, slots, number, name
         if is_cycle(ctx, key, name, span):
             return FAILURE
-        finish = partial(_finish_emitted, ctx, instance, slots, number, written)
+        finish = partial(_finish_made, ctx, instance, slots, number, written)
         settle(ctx, Demand(key, name, span, written.value, group.scope, finish))
     return slots.values[number, name]
 
 
-def _finish_emitted(
+def _finish_made(
     ctx: Context,
     instance: Instance,
-    slots: ExpandedSlots,
+    slots: MadeSlots,
     number: int,
     equation: ast.Slot,
     value: Value,
 ) -> None:
-    """Keep what a group of strips says of a slot, as a value of the slot's type."""
+    """Keep what a group says of a slot, as a value of the slot's type."""
     written, name, scope = equation.value, equation.name.text, slots.groups[number].scope
     assert written is not None
     node = plain(ctx, value, written)
@@ -174,16 +176,21 @@ def _by_group(ctx: Context, values: list[Node], span: Span) -> Node:
     return chosen
 
 
+def corner_like(slots: MadeSlots, origin: OneCorner) -> Corner:
+    """The corner that an emitted vertex is like where nothing is said of it."""
+    return Corner(slots.base, origin.number, origin.crossing)
+
+
 def corner_slot(ctx: Context, corner: Corner, name: str, span: Span) -> Node | Failure:
-    """``corner[k].name``: the slot as it is without the expansion, at one vertex of the mesh."""
-    value = slot_or_report(ctx, corner.slots.base, name, span)
+    """``corner[k].name``: the slot as it is at one vertex of the mesh."""
+    value = slot_or_report(ctx, corner.base, name, span)
     if isinstance(value, Node) and not isinstance(value.type, Texture):
         value = ctx.crossings.checked_at_vertex(value, span)
     if not isinstance(value, Node):
         return FAILURE
-    return (
-        value if isinstance(value.type, Texture) else ctx.crossings.at_corner(value, corner.number)
-    )
+    if isinstance(value.type, Texture):
+        return value
+    return ctx.crossings.at_corner(value, corner.number, corner.crossing)
 
 
 def _settle_given(
@@ -326,7 +333,7 @@ def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Fa
             return instance.resources.get(name, FAILURE)
         case _:
             read = instance.attributes.get(name)
-            return FAILURE if read is None else ctx.crossings.attribute(read, instance.corner)
+            return FAILURE if read is None else ctx.crossings.attribute(read, instance.origin)
 
 
 def _typing(instance: Instance, name: str) -> Record:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache, partial
 from typing import TypeVar
 
@@ -17,7 +18,7 @@ from ..declarations.parameters import Leaves, leaves_of
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
-from ..state.context import Context
+from ..state.context import Context, Twin
 from ..state.scope import Instance, Replacement
 from .expanding import expanded
 from .host_names import Entry, names_taken
@@ -101,17 +102,22 @@ def _put_together(
             stand_in(ctx, instance)
     if not reused:
         surface = expanded(ctx, surface, passing)
-        ctx.twins[surface] = lambda: (twin().ctx, twin().surface)
-        if surface.expanded is not None:
-            ctx.twins[surface.expanded.base] = lambda: (twin().ctx, _base(twin().surface))
+        for number, instance in enumerate(_surfaces(surface)):
+            ctx.twins[instance] = partial(_surface_of, twin, number)
     passing.surface = surface
     ctx.twins[passing] = lambda: (twin().ctx, twin().passing)
     return Setting(ctx, parts, entries, leaves, surface, passing)
 
 
-def _base(surface: Instance) -> Instance:
-    """The surface without its expansion."""
-    return surface if surface.expanded is None else surface.expanded.base
+def _surfaces(surface: Instance) -> tuple[Instance, ...]:
+    """The surface that is drawn, and those of whose vertices it is made."""
+    return (surface,) if surface.made is None else (surface, *surface.made.before)
+
+
+def _surface_of(twin: Callable[[], Setting], number: int) -> Twin:
+    """One of the surfaces of other parts that are the same."""
+    setting = twin()
+    return setting.ctx, _surfaces(setting.surface)[number]
 
 
 def _twin(ctx: Context, parts: Parts) -> Setting:

@@ -11,13 +11,10 @@ from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
 from ...ir.stages import (
     CLIP_POSITION,
     DISCARD,
-    EMITTING,
-    EXPANDED,
     FRAGMENT,
-    GEOMETRY,
-    RASTERISED,
     TARGET,
     VERTEX,
+    StageRow,
 )
 from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ...syntax import ast
@@ -57,7 +54,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     parts, externs = setting.parts, ctx.externs
     found = (
         *_clip_position(ctx, passing, surface),
-        *_emitting(surface),
+        *(() if surface.made is None else surface.made.results),
         *written_results(ctx, passing),
     )
     check_slots(ctx, surface, passing)
@@ -91,6 +88,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
+    made = setting.surface.made
     leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
     everything = (*leaves, *lights)
     values, graph, notes = lowered(ctx, [result.value for result in results])
@@ -106,8 +104,9 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
-        chain=RASTERISED if setting.surface.expanded is None else EXPANDED,
-        expansion=None if setting.surface.expanded is None else setting.surface.expanded.expansion,
+        chain=(VERTEX, *(() if made is None else made.stages), FRAGMENT),
+        expansion=None if made is None else made.expansion,
+        tessellation=None if made is None else made.tessellation,
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
     )
 
@@ -144,14 +143,12 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
     node = fit(ctx, slot(ctx, holder, CLIP_POSITION, declared), VEC4, "vec4", span)
     placed = node if isinstance(node, Failure) else ctx.crossings.checked_at_vertex(node, span)
     if isinstance(placed, Node):
-        yield Result(CLIP_POSITION, VERTEX if surface.expanded is None else GEOMETRY, placed)
+        yield Result(CLIP_POSITION, last_of(surface), placed)
 
 
-def _emitting(surface: Instance) -> Iterator[Result]:
-    """Which strips an expansion emits."""
-    if surface.expanded is not None:
-        for emitted in surface.expanded.emitting:
-            yield Result(EMITTING, GEOMETRY, emitted)
+def last_of(surface: Instance) -> StageRow:
+    """The stage that delivers the vertices of the triangles that are drawn."""
+    return VERTEX if surface.made is None else surface.made.stages[-1]
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:

@@ -10,34 +10,48 @@ from collections.abc import Iterator
 from ....frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import substitute
 from ...ir.domains import MixedDomainsError
 from ...ir.expansion import CORNERS, EmittedStrips, Expansion
 from ...ir.node import Node
-from ...ir.stages import EMITTED, GROUP, PRIMITIVE_INDEX, STRIP, STRIP_VERTEX, SystemInput
+from ...ir.shader import Result
+from ...ir.stages import (
+    CORNER,
+    EMITTED,
+    EMITTING,
+    GEOMETRY,
+    GROUP,
+    PRIMITIVE_INDEX,
+    STRIP,
+    STRIP_VERTEX,
+    SystemInput,
+)
 from ...ir.types import BOOL, INT, Type
 from ...syntax import ast
 from ..checking.corners import numbered
+from ..checking.slots import corner_like
 from ..checking.turns import bounds_of, turns_of
 from ..checking.unknown_names import unknown
 from ..declarations.fitting import fit, typed
 from ..names.modules import Symbol
 from ..state.context import Context
+from ..state.crossings import INPUTS
 from ..state.evaluation import node_of
+from ..state.origins import OneCorner
 from ..state.scope import (
     FAILURE,
     Corner,
     Corners,
-    ExpandedSlots,
     Failure,
     Instance,
+    MadeGroup,
+    MadeSlots,
     Replacement,
     Scope,
-    StripGroup,
     Value,
 )
+from .made import apart, slots_set
 
 MOST_VERTICES = 4096
 """So many vertices may come of one primitive."""
@@ -87,8 +101,14 @@ class _Expanding:
         self._member = member
         self._owner = owner
         self._level = level
-        self._base = _apart(surface, passing)
-        self._slots = ExpandedSlots(self._base, CORNERS[member.primitive.text])
+        self._surface = surface
+        self._base = apart(surface, passing)
+        self._slots = MadeSlots(
+            self._base,
+            CORNERS[member.primitive.text],
+            (GEOMETRY,),
+            {**INPUTS, PRIMITIVE_INDEX.name: PRIMITIVE_INDEX},
+        )
 
     def surface(self) -> Instance:
         """The surface at the emitted vertices."""
@@ -98,21 +118,22 @@ class _Expanding:
         emitting = [group.emitted for group in groups if isinstance(group.emitted, Node)]
         corners = [group.corner for group in groups if isinstance(group.corner, Node)]
         made = changed(
-            self._base,
+            self._surface,
             values={},
-            expanded=slots,
-            replaced={**self._base.replaced, **{n: Replacement(emitted=True) for n in self._set()}},
+            made=slots,
+            replaced={**self._surface.replaced, **{n: Replacement(made=True) for n in self._set()}},
         )
-        slots.corner = self._by_group(corners or [self._number(0)])
+        slots.origin = OneCorner(self._by_group(corners or [self._number(0)]))
+        inherited = corner_like(slots, slots.origin)
         slots.groups = tuple(
-            StripGroup(
+            MadeGroup(
                 {equation.name.text: equation for equation in strips.equations},
-                self._scope(made, {**group.names, "inherited": Corner(slots, slots.corner)}),
+                self._scope(made, {**group.names, "inherited": inherited}),
             )
             for strips, group in zip(self._member.strips, groups, strict=True)
         )
         if len(whole) == len(emitting) == len(corners) == len(groups) and self._fits(whole):
-            slots.emitting = tuple(emitting)
+            slots.results = tuple(Result(EMITTING, GEOMETRY, value) for value in emitting)
             slots.expansion = Expansion(
                 self._member.primitive.text, tuple(whole), self._member.primitive.span
             )
@@ -129,19 +150,8 @@ class _Expanding:
 
     def _set(self) -> Iterator[str]:
         """The slots that some group sets; reported where a surface has none of that name."""
-        record = self._base.record
         for strips in self._member.strips:
-            seen: dict[str, Span] = {}
-            for equation in strips.equations:
-                name, span = equation.name.text, equation.name.span
-                if name in seen:
-                    label = Label(seen[name], "first defined here")
-                    self._ctx.report.add(rules.DUPLICATE_NAME, span, name=name, labels=[label])
-                elif not self._base.has(name):
-                    unknown(self._ctx, f"slot of `{record.name}`", name, span, record.definitions)
-                else:
-                    yield name
-                seen.setdefault(name, span)
+            yield from slots_set(self._ctx, self._base, strips.equations)
 
     def _group(self, written: ast.Strips) -> _Group:
         ctx = self._ctx
@@ -204,7 +214,7 @@ class _Expanding:
         """The corner that a vertex is like where nothing else is said of it."""
         if written.like is not None:
             number = self._of_strips(written.like, names, INT, "int")
-            corner = numbered(self._ctx, Corners(self._slots), number, written.like.span)
+            corner = numbered(self._ctx, self._corners, number, written.like.span)
             return corner.number if isinstance(corner, Corner) else FAILURE
         if self._slots.corners == 1:
             return self._number(0)
@@ -239,8 +249,12 @@ class _Expanding:
         return fit(ctx, node, type_, text, written.span)
 
     def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
-        known = {"material": instance, "corner": Corners(self._slots), **names}
+        known = {"material": instance, "corner": self._corners, **names}
         return Scope(self._owner.module, instance, self._level, instance, known)
+
+    @property
+    def _corners(self) -> Corners:
+        return Corners("corner", self._base, tuple(range(self._slots.corners)), CORNER)
 
     def _input(self, row: SystemInput) -> Node:
         return self._ctx.tree.node("input", row.type, (), row)
@@ -256,14 +270,3 @@ class _Expanding:
                 is_this = tree.node("call", BOOL, (self._input(GROUP), self._number(number)), "eq")
                 chosen = tree.node("select", INT, (is_this, value, chosen))
         return chosen
-
-
-def _apart(surface: Instance, passing: Instance) -> Instance:
-    """The surface with a pass of its own, so that what the pass overrides reads this surface."""
-    replaced = dict(surface.replaced)
-    base = changed(surface, replaced=replaced)
-    own = changed(passing, surface=base, values=dict(passing.values))
-    for name, given in surface.replaced.items():
-        if given.within is passing:
-            replaced[name] = changed(given, within=own)
-    return base

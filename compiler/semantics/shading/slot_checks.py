@@ -15,9 +15,9 @@ from ..state.scope import Instance
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
-    if surface.expanded is not None:
-        read |= {name for name, _ in surface.expanded.base.values}
-        check_overridden(ctx, surface.expanded.base, surface)
+    if surface.made is not None:
+        read |= {name for before in surface.made.before for name, _ in before.values}
+        check_overridden(ctx, surface.made.base, surface)
     for instance in (surface, passing):
         check_instance(ctx, instance)
     known, root = surface.record.definitions, surface.record.root
@@ -28,10 +28,10 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
 
 
 def check_overridden(ctx: Context, base: Instance, surface: Instance) -> None:
-    """Check what slots are without an expansion that sets them."""
+    """Check what slots are without an expansion or a tessellation that sets them."""
     for name, replacement in surface.replaced.items():
         definition = base.record.definitions[name][0]
-        if replacement.emitted and not is_abstract(definition.member):
+        if replacement.made and not is_abstract(definition.member):
             slot(ctx, base, name, definition.member.name.span)
 
 
