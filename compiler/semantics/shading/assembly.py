@@ -25,6 +25,7 @@ from .host_names import Entry, names_taken
 from .instances import instance_of
 from .placeholders import stand_in
 from .rigs import entries_of
+from .tessellating import tessellated
 
 
 @frozen
@@ -101,7 +102,7 @@ def _put_together(
         if is_declared_abstract(instance.record):
             stand_in(ctx, instance)
     if not reused:
-        surface = expanded(ctx, surface, passing)
+        surface = expanded(ctx, tessellated(ctx, surface, passing), passing)
         for number, instance in enumerate(_surfaces(surface)):
             ctx.twins[instance] = partial(_surface_of, twin, number)
     passing.surface = surface

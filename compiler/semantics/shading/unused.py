@@ -33,6 +33,7 @@ from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
 from .slot_checks import check_instance, check_rig
+from .tessellating import tessellated
 
 MOST_EXAMPLES = 256
 """So many ways to fill in type parameters are tried."""
@@ -283,7 +284,8 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
         instance.surface = surface if mixin.kind == "pass" else None
     stand_in(ctx, instance)
     check_instance(ctx, instance)
-    check_instance(ctx, expanded(ctx, instance, instance))
+    for made in (expanded, tessellated):
+        check_instance(ctx, made(ctx, instance, instance))
     written_results(ctx, instance)
     return True
 

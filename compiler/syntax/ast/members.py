@@ -135,6 +135,28 @@ class Expand:
 
 
 @frozen(eq=False)
+class Tessellate:
+    """``tessellate triangle by e as at { … }``: what each patch of a mesh is divided into."""
+
+    span: Span
+    doc: str
+    patch: Name
+    points: Expression | None
+    """How many control points a patch has."""
+    ends: tuple[Expression, ...] | None
+    """The numbers of those that are its corners."""
+    spacing: Name | None
+    level: Expression
+    """Into how many steps an edge is divided."""
+    inside: Expression | None
+    lines: Expression | None
+    """How many lines a patch of isolines has."""
+    coordinate: Name | None
+    """What the place of a vertex in its patch is called."""
+    equations: tuple[Slot, ...]
+
+
+@frozen(eq=False)
 class Result:
     """``result after : T[n] = e``: what a kernel writes to each of ``n`` elements."""
 
@@ -145,7 +167,7 @@ class Result:
     value: Expression
 
 
-Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Result
+Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Tessellate | Result
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 
@@ -247,6 +269,17 @@ def _expand(span: Span, doc: str, primitive: Name, *strips: Strips) -> Expand:
     return Expand(span, doc, primitive, strips)
 
 
+def _tessellate(
+    span: Span, doc: str, patch: Name, points: Expression | None,
+    ends: tuple[Expression, ...] | None, spacing: Name | None, level: Expression,
+    inside: Expression | None, lines: Expression | None, coordinate: Name | None,
+    *equations: Slot,
+) -> Tessellate:  # fmt: skip
+    return Tessellate(
+        span, doc, patch, points, ends, spacing, level, inside, lines, coordinate, equations
+    )
+
+
 KINDS: tuple[MemberKind, ...] = (
     MemberKind(
         word="param",
@@ -346,6 +379,19 @@ KINDS: tuple[MemberKind, ...] = (
         "like corner[i] { slot = expression } }`, where everything between the number of vertices "
         "and the brace is optional",
         doc="what each primitive of the mesh turns into",
+    ),
+    MemberKind(
+        word="tessellate",
+        node=Tessellate,
+        productions={"tessellate": _tessellate},
+        opening=("NAME",),
+        records=("material",),
+        inheritance="gathered",
+        contribution="result",
+        form="a tessellation is `tessellate quad of 16 ends [0, 3, 15, 12] spacing "
+        "fractional_odd by level inside level as at { slot = expression }`, where only the kind of "
+        "patch, `by` and the braces are needed",
+        doc="what each patch of the mesh is divided into",
     ),
     MemberKind(
         word="result",
