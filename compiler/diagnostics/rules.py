@@ -717,6 +717,18 @@ NOT_IN_KERNEL = _error(
     "{what} is not available in a kernel",
     "Derivatives, and reads of textures without a level, compare neighbouring pixels.",
 )
+WORK_GROUP_SIDES = _error(
+    "B0516",
+    "this work group has {sides} sides, and the results have {dimensions} dimension",
+    "A kernel over buffers counts its elements by one number, so its work groups have one side: "
+    "`work_group of 128`.",
+)
+WORK_GROUP_SIZE = _error(
+    "B0517",
+    "a work group has 1 to {most} invocations, and not {size}",
+    "Each side is at least 1. Profiles may take fewer: those for Vulkan 128, and those for WebGPU "
+    "256.",
+)
 
 # Expansions
 

@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from .expansion import EmittedStrips, Expansion
+from .kernel import WorkGroup
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
@@ -395,6 +396,8 @@ class Program:
     """What each primitive of the mesh turns into."""
     tessellation: Tessellation | None = None
     """What each patch of it is divided into."""
+    work_group: WorkGroup | None = None
+    """Which invocations of a kernel run together."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""

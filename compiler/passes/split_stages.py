@@ -78,7 +78,7 @@ def split_stages(
     )
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers,
-        shader.expansion, shader.tessellation,
+        shader.expansion, shader.tessellation, shader.work_group,
     )  # fmt: skip
 
 

@@ -61,6 +61,7 @@ def reflect(
         "buffers": list(buffer_rows(shader.buffers, program)),
         "results": list(result_rows(shader)),
         "extent": extent_steps(shader),
+        "work_group": None if shader.work_group is None else list(shader.work_group),
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),

@@ -29,9 +29,6 @@ from .statements import INDENT, Statements
 from .strips import Strips
 from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
 
-WORKGROUP = 64
-"""Invocations that run together: a multiple of what all devices execute at once."""
-
 
 class StagePrinter:
     """Makes the view of one stage's entry point."""
@@ -73,6 +70,7 @@ class StagePrinter:
         index_line = self._index_line(namer, expressions)
         functions = [self._function(function) for function in stage.functions]
         guard = self._guard(expressions, stage.value_of(EXTENT))
+        group = self._context.program.work_group
         lines = statements.lines(stage.region)
         if stage.emitted:
             strips = Strips(self._context, expressions, namer, self._marks)
@@ -100,7 +98,7 @@ class StagePrinter:
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
             index=index_line,
             guard=guard,
-            workgroup=WORKGROUP if guard else 0,
+            work_group=() if group is None else group,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
             expansion=self._expansion(),
         )

@@ -6,8 +6,10 @@ import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.ir.kernel import USUAL, invocations
 from burnish.compiler.ir.node import reachable
 from burnish.compiler.ir.stages import COMPUTED, EXTENT, STORE
+from burnish.targets.description.profile import Limits
 
 from .kit import shader
 
@@ -167,3 +169,24 @@ def test_a_material_has_no_results() -> None:
     with pytest.raises(CompileError) as error:
         shader("material M { result r : float[4] = 1  color = vec3(1) }")
     assert str(error.value.diagnostics[0].hint) == "`result` belongs in a kernel"
+
+
+@pytest.mark.parametrize(
+    ("said", "size"),
+    [("", (64, 1, 1)), ("work_group of 32", (32, 1, 1)), ("work_group of 2 * 8", (16, 1, 1))],
+)
+def test_work_groups_have_the_size_that_is_said(said: str, size: tuple[int, int, int]) -> None:
+    assert shader(f"kernel K {{ {said}  result r : float[4] = 1 }}").work_group == size
+
+
+def test_the_nearest_size_of_work_groups_counts() -> None:
+    text = """
+    abstract kernel Base { work_group of 32  result r : float[4] = 1 }
+    mixin Large for kernel { work_group of 128 }
+    kernel K : Base + Large { }
+    """
+    assert shader(text).work_group == (128, 1, 1)
+
+
+def test_every_profile_takes_work_groups_of_the_usual_size() -> None:
+    assert all(count <= Limits().work_group for count in map(invocations, USUAL.values()))

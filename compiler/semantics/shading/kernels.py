@@ -47,12 +47,16 @@ from ..state.scope import Failure, Instance, Scope
 from ..types.typenames import Declared
 from .instances import instance_of
 from .slot_checks import check_instance
+from .work_groups import work_group_of
 
 _KNOWN_TO_HOST = frozenset(
     {"constant", "parameter", "call", "native", "select", "vector", "splat", "matrix", "as"}
     | {"swizzle", "index", "member", "called", "struct", "array"}
 )
 """Operations by which a host computes how many elements a result has."""
+
+DIMENSIONS = 1
+"""The elements of buffers are counted by one number."""
 
 WRITTEN_GROUP = "draw"
 """The group of the buffers that a kernel writes."""
@@ -82,6 +86,7 @@ def kernel_shader(
     found = [_result(ctx, member, _scope(owner, instance, level))
              for member, owner, level in statements]  # fmt: skip
     check_instance(ctx, instance)
+    group = work_group_of(ctx, record, DIMENSIONS)
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:
@@ -112,6 +117,7 @@ def kernel_shader(
         buffers=leaves.buffers,
         written=tuple(written[0] for written in found if written is not None),
         chain=COMPUTED,
+        work_group=group,
     )  # fmt: skip
 
 
