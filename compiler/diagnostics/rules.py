@@ -792,13 +792,13 @@ TESSELLATED_AND_EXPANDED = _error(
 )
 WRONG_POINTS = _error(
     "B0532",
-    "a {patch} cannot have {count} control points: it has from {least} to {most}",
+    "`{patch}` patches have from {least} to {most} control points, and not {count}",
     "Each end of a patch is a control point, and 32 is the most that all targets have: "
     "`tessellate quad of 16 …`.",
 )
 WRONG_ENDS = _error(
     "B0533",
-    "a {patch} has {wanted} ends, and here are {count}",
+    "`{patch}` patches have {wanted} ends, and here are {count}",
     "The ends are the numbers of the control points at the corners of a patch, in order. Those of "
     "a quad go round it: `tessellate quad of 16 ends [0, 3, 15, 12] …`.",
 )
@@ -826,13 +826,13 @@ INNER_LEVEL_DIFFERS = _error(
 )
 LEVEL_OUT_OF_RANGE = _error(
     "B0538",
-    "a level between {low} and {high}, and patches are divided by levels above 0 up to {most}",
+    "this is {level}, and patches are divided by levels above 0 and up to {most}",
     "The level of an edge is the number of steps into which it is divided. Beyond the largest one "
     "it is that, and a patch with an edge of level 0 is not drawn.",
 )
 NOT_OF_THIS_PATCH = _error(
     "B0539",
-    "a {patch} has no `{word}`",
+    "`{patch}` patches have no `{word}`",
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
 )
