@@ -693,18 +693,21 @@ NO_RESULT = _error(
 )
 NO_EXTENT = _error(
     "B0511",
-    "`{name}` does not say how many elements it has",
-    "The number stands in the type of a result: `float[before.count]`, `uint[256]`.",
+    "`{name}` does not tell its {what}",
+    "It stands in brackets in the type of a result: `float[before.count]`, `uint[256]`, "
+    "`image2d<rgba8>[source.size()]`.",
 )
 EXTENT_VARIES = _error(
     "B0512",
-    "the number of elements of `{name}` is not known to the host",
-    "It is computed of constants, parameters and the counts of buffers, without loops.",
+    "the {what} of `{name}` is not known to the host",
+    "It is computed of constants, parameters, the counts of buffers and the sizes of textures, "
+    "without loops.",
 )
 EXTENTS_DIFFER = _error(
     "B0513",
-    "`{name}` has another number of elements than the first result",
-    "Every invocation of a kernel computes one element of each result. Write a second kernel.",
+    "`{name}` has another {what} than the first result",
+    "Every invocation of a kernel computes one element, or one texel, of each result. Write a "
+    "second kernel.",
 )
 NOT_WRITABLE = _error(
     "B0514",
@@ -774,7 +777,7 @@ EXPANDS_TOO_FAR = _error(
 TWO_EXPANSIONS = _error(
     "B0527",
     "`{name}` expands its primitives twice",
-    "A material has one expansion, with as many groups of strips as it needs. Two mixins that each "
+    "A record has one expansion, with as many groups of strips as it needs. Two mixins that each "
     "have one cannot be combined.",
 )
 
@@ -835,6 +838,20 @@ NOT_OF_THIS_PATCH = _error(
     "`{patch}` patches have no `{word}`",
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
+)
+
+# Kernels over images
+
+MIXED_RESULTS = _error(
+    "B0550",
+    "`{name}` is {kind}, and the first result is {first}",
+    "An invocation computes an element by its number, or a texel by its place. Write a second "
+    "kernel.",
+)
+NO_FORMAT = _error(
+    "B0551",
+    "`{name}` does not say of which format its texels are",
+    "An image has one format, as a render target has: `image2d<rgba16f>[size]`.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

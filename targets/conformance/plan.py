@@ -18,6 +18,7 @@ from ...stdlib.builtins.accuracy import Platform
 from ..runner.binding import FORMATS
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
+from ..runner.kernels import drawable
 from ..runner.reference import Draw, Program, remembered
 from ..runner.reference import expected as drawn_here
 from ..runner.routes import Route
@@ -120,7 +121,7 @@ class Plan:
 
         def made() -> Program:
             emitted = self.subject.shader if profile is None else self.subject.emitted(profile)
-            return Program.of(to_targets(emitted, exact=exact))
+            return Program.of(to_targets(drawable(emitted), exact=exact))
 
         return self._programs.value((profile, exact), made)
 

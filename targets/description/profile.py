@@ -125,6 +125,9 @@ class Profile:
     """By native, the line that opens a file in which it is used."""
     stages: Chain = RASTERISED
     """Those that it has, in any order."""
+    image_formats: frozenset[str] = frozenset()
+    """The formats of images that kernels can write. Those of other formats are drawn: a kernel over
+    them is a full-screen pass."""
     single_file: bool = False
     """All stages can stand in one text."""
     samplers: Samplers = Samplers()

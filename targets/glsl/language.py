@@ -210,6 +210,7 @@ OPENGL_4 = Profile(
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
     preamble=("#version 450 core",),
+    stages=EXPANDED,
     numbering="kind",
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),

@@ -13,7 +13,7 @@ from ..state.scope import FAILURE, Corner, Corners, Failure, Value
 
 
 def numbered(ctx: Context, corners: Corners, number: Node | Failure, span: Span) -> Value:
-    """One of a primitive corners; a number that is not known yet counts as the nearest one."""
+    """One of a primitive's corners; a number that is not known yet counts as the nearest one."""
     position = fit(ctx, number, INT, "int", span)
     if isinstance(position, Failure):
         return FAILURE
@@ -25,12 +25,12 @@ def numbered(ctx: Context, corners: Corners, number: Node | Failure, span: Span)
             return FAILURE
         ends = (build.constant(ctx.tree, INT, end) for end in (0, last))
         nearest = ctx.tree.node("call", INT, (inner, *ends), "clamp")
-        return Corner(corners.base, _vertex(ctx, corners, nearest), corners.crossing)
+        return Corner(corners.instance, _vertex(ctx, corners, nearest), corners.crossing)
     if not 0 <= known <= last:
         ctx.report.add(rules.NO_SUCH_CORNER, span, what=corners.word, index=known, last=last)
         return FAILURE
     vertex = build.constant(ctx.tree, INT, corners.numbers[known])
-    return Corner(corners.base, vertex, corners.crossing)
+    return Corner(corners.instance, vertex, corners.crossing)
 
 
 def _vertex(ctx: Context, corners: Corners, number: Node) -> Node:

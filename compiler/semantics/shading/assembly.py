@@ -20,7 +20,7 @@ from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
 from ..state.context import Context, Twin
 from ..state.scope import Instance, Replacement
-from .expanding import expanded
+from .expanding import expanded, expands
 from .host_names import Entry, names_taken
 from .instances import instance_of
 from .placeholders import stand_in
@@ -67,7 +67,8 @@ def set_up_beside(setting: Setting, parts: Parts) -> Setting:
     if parts == setting.parts:
         return setting
     same = parts.material == setting.parts.material and not setting.surface.replaced
-    leaves, known = _leaves(setting.ctx, parts), setting.surface if same else None
+    is_known = same and setting.surface.made is None
+    leaves, known = _leaves(setting.ctx, parts), setting.surface if is_known else None
     return _put_together(setting.ctx, parts, leaves, setting.entries, known)
 
 
@@ -91,7 +92,7 @@ def _put_together(
     pass_leaves, material_leaves = leaves
     passing = instance_of(ctx, drawn, pass_leaves)
     overrides = _overrides(material, drawn, passing)
-    reused = known is not None and not overrides
+    reused = known is not None and not overrides and not expands(passing)
     surface = known if known is not None and reused else instance_of(ctx, material, material_leaves)
     surface.replaced.update(overrides)
     check_replacements(ctx, passing, surface)
@@ -102,23 +103,35 @@ def _put_together(
         if is_declared_abstract(instance.record):
             stand_in(ctx, instance)
     if not reused:
-        surface = expanded(ctx, tessellated(ctx, surface, passing), passing)
-        for number, instance in enumerate(_surfaces(surface)):
-            ctx.twins[instance] = partial(_surface_of, twin, number)
+        surface = with_made_vertices(ctx, surface, passing)
+        ctx.twins[surface] = lambda: (twin().ctx, twin().surface)
+        for number, part in enumerate(_parts(surface)):
+            ctx.twins[part] = partial(_part_in, twin, number)
     passing.surface = surface
     ctx.twins[passing] = lambda: (twin().ctx, twin().passing)
     return Setting(ctx, parts, entries, leaves, surface, passing)
 
 
-def _surfaces(surface: Instance) -> tuple[Instance, ...]:
-    """The surface that is drawn, and those of whose vertices it is made."""
-    return (surface,) if surface.made is None else (surface, *surface.made.before)
+def with_made_vertices(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
+    """The surface with the vertices that an expansion or a tessellation makes; there is no pass
+    where a mixin is checked alone."""
+    divided = tessellated(ctx, surface, passing)
+    return expanded(ctx, surface, passing) if divided is surface else divided
 
 
-def _surface_of(twin: Callable[[], Setting], number: int) -> Twin:
-    """One of the surfaces of other parts that are the same."""
+def at_mesh(instance: Instance) -> Instance:
+    """A surface or a pass as it is at the mesh's own vertices."""
+    return instance if instance.made is None else instance.made.base_of(instance)
+
+
+def _parts(surface: Instance) -> tuple[Instance, ...]:
+    return () if surface.made is None else surface.made.parts
+
+
+def _part_in(twin: Callable[[], Setting], number: int) -> Twin:
+    """Where the types are asked for of what a part of a surface with other vertices overrides."""
     setting = twin()
-    return setting.ctx, _surfaces(setting.surface)[number]
+    return setting.ctx, _parts(setting.surface)[number]
 
 
 def _twin(ctx: Context, parts: Parts) -> Setting:

@@ -1,11 +1,12 @@
 """Surfaces whose primitives turn into others: what an ``expand`` member makes of a material.
 
-``assembly.py`` calls ``expanded`` when the parts of a shader have been put together.
+It stands in the material, or in the pass that draws it. ``assembly.py`` calls ``expanded`` when the
+parts of a shader have been put together.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ....frozen import changed, frozen
 from ...diagnostics import rules
@@ -41,37 +42,47 @@ from ..state.evaluation import node_of
 from ..state.origins import OneCorner
 from ..state.scope import (
     FAILURE,
+    OUTERMOST,
     Corner,
     Corners,
     Failure,
     Instance,
     MadeGroup,
     MadeSlots,
-    Replacement,
     Scope,
     Value,
 )
-from .made import apart, slots_set
+from .made import apart, by_vertices, slots_set
 
 MOST_VERTICES = 4096
 """So many vertices may come of one primitive."""
 
 
-def expanded(ctx: Context, surface: Instance, passing: Instance) -> Instance:
-    """The surface as it is at the emitted vertices; itself where nothing is expanded."""
-    written = list(surface.record.every(ast.Expand))
+def expands(instance: Instance) -> bool:
+    """Whether a material or a pass says what primitives turn into."""
+    return any(True for _ in instance.record.every(ast.Expand))
+
+
+def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
+    """The surface as it is at the emitted vertices; itself where nothing is expanded.
+
+    What ``passing`` says of primitives counts instead of what the surface says. The pass itself
+    becomes what it is at the emitted vertices. There is none where a mixin is checked alone.
+    """
+    holder = surface if passing is None or not expands(passing) else passing
+    written = list(holder.record.every(ast.Expand))
     if not written:
         return surface
     (member, owner, level), *others = written
     if others:
         ctx.report.add(
-            rules.TWO_EXPANSIONS, others[0][0].primitive.span, name=surface.record.name,
+            rules.TWO_EXPANSIONS, others[0][0].primitive.span, name=holder.record.name,
             labels=[Label(member.primitive.span, "expanded here already")],
         )  # fmt: skip
     if member.primitive.text not in CORNERS:
         unknown(ctx, "primitive", member.primitive.text, member.primitive.span, CORNERS)
         return surface
-    return _Expanding(ctx, surface, passing, member, owner, level).surface()
+    return _Expanding(ctx, surface, passing, holder, member, owner, level).surface()
 
 
 @frozen
@@ -92,23 +103,31 @@ class _Expanding:
         self,
         ctx: Context,
         surface: Instance,
-        passing: Instance,
+        passing: Instance | None,
+        holder: Instance,
         member: ast.Expand,
         owner: Symbol,
         level: int,
     ) -> None:
+        """``holder`` is the one of the two that has the ``member``."""
         self._ctx = ctx
         self._member = member
         self._owner = owner
         self._level = level
         self._surface = surface
-        self._base = apart(surface, passing)
+        self._passing = passing
+        self._is_of_pass = holder is passing
+        base, own = apart(surface, passing)
+        self._base = base
         self._slots = MadeSlots(
-            self._base,
+            base,
+            own,
             CORNERS[member.primitive.text],
             (GEOMETRY,),
             {**INPUTS, PRIMITIVE_INDEX.name: PRIMITIVE_INDEX},
         )
+        self._below = own if self._is_of_pass and own is not None else base
+        """The one that has the member as it is at the mesh's own vertices."""
 
     def surface(self) -> Instance:
         """The surface at the emitted vertices."""
@@ -117,18 +136,13 @@ class _Expanding:
         whole = [group.strips for group in groups if group.strips is not None]
         emitting = [group.emitted for group in groups if isinstance(group.emitted, Node)]
         corners = [group.corner for group in groups if isinstance(group.corner, Node)]
-        made = changed(
-            self._surface,
-            values={},
-            made=slots,
-            replaced={**self._surface.replaced, **{n: Replacement(made=True) for n in self._set()}},
-        )
+        made = self._made(list(self._set()))
         slots.origin = OneCorner(self._by_group(corners or [self._number(0)]))
-        inherited = corner_like(slots, slots.origin)
+        inherited = {"inherited": corner_like(self._below, slots.origin)}
         slots.groups = tuple(
             MadeGroup(
                 {equation.name.text: equation for equation in strips.equations},
-                self._scope(made, {**group.names, "inherited": inherited}),
+                self._scope(self._holder(made), {**group.names, **inherited}),
             )
             for strips, group in zip(self._member.strips, groups, strict=True)
         )
@@ -138,6 +152,34 @@ class _Expanding:
                 self._member.primitive.text, tuple(whole), self._member.primitive.span
             )
         return made
+
+    def _made(self, names: Iterable[str]) -> Instance:
+        """The surface with slots that some group sets, each in the pass or in the surface; the pass
+        likewise, in its place."""
+        base, passing = self._base, self._passing
+        of_surface, of_pass = [], []
+        for name in names:
+            is_own = self._is_of_pass and self._below.has(name)
+            if is_own:
+                of_pass.append(name)
+            # What the pass overrides is one slot of both.
+            if not is_own or name in base.replaced:
+                of_surface.append(name)
+        made = changed(self._surface, made=self._slots).with_replaced(by_vertices(of_surface))
+        if passing is not None:
+            passing.made = self._slots
+            passing.surface = made
+            passing.replaced.update(by_vertices(of_pass))
+            for name in of_pass:
+                passing.values.pop((name, OUTERMOST), None)
+        return made
+
+    def _holder(self, made: Instance) -> Instance:
+        """The one that has the member as it is at the emitted vertices."""
+        if not self._is_of_pass:
+            return made
+        assert self._passing is not None
+        return self._passing
 
     def _fits(self, groups: list[EmittedStrips]) -> bool:
         """Whether a primitive turns into something, and not into more than anything could draw."""
@@ -149,9 +191,9 @@ class _Expanding:
         return 0 < count <= MOST_VERTICES
 
     def _set(self) -> Iterator[str]:
-        """The slots that some group sets; reported where a surface has none of that name."""
+        """The slots that some group sets; reported where there is none of that name."""
         for strips in self._member.strips:
-            yield from slots_set(self._ctx, self._base, strips.equations)
+            yield from slots_set(self._ctx, self._below, strips.equations)
 
     def _group(self, written: ast.Strips) -> _Group:
         ctx = self._ctx
@@ -233,7 +275,7 @@ class _Expanding:
         their numbers: it knows the surface at the corners only."""
         ctx = self._ctx
         scope = self._scope(
-            self._base, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)}
+            self._below, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)}
         )
         node = node_of(ctx, written, scope)
         if isinstance(node, Failure):
@@ -249,12 +291,13 @@ class _Expanding:
         return fit(ctx, node, type_, text, written.span)
 
     def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
-        known = {"material": instance, "corner": self._corners, **names}
-        return Scope(self._owner.module, instance, self._level, instance, known)
+        surface = instance.surface or instance
+        known = {"material": surface, "corner": self._corners, **names}
+        return Scope(self._owner.module, instance, self._level, surface, known)
 
     @property
     def _corners(self) -> Corners:
-        return Corners("corner", self._base, tuple(range(self._slots.corners)), CORNER)
+        return Corners("corner", self._below, tuple(range(self._slots.corners)), CORNER)
 
     def _input(self, row: SystemInput) -> Node:
         return self._ctx.tree.node("input", row.type, (), row)

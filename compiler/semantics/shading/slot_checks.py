@@ -15,10 +15,10 @@ from ..state.scope import Instance
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
-    if surface.made is not None:
-        read |= {name for before in surface.made.before for name, _ in before.values}
-        check_overridden(ctx, surface.made.base, surface)
     for instance in (surface, passing):
+        if instance.made is not None:
+            read |= {name for part in instance.made.parts for name, _ in part.values}
+            check_overridden(ctx, instance.made.base_of(instance), instance)
         check_instance(ctx, instance)
     known, root = surface.record.definitions, surface.record.root
     inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]

@@ -29,15 +29,18 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.crossings import INPUTS
 from ..state.origins import MixedEnds
-from ..state.scope import Corners, Instance, MadeGroup, MadeSlots, Replacement, Scope, Value
+from ..state.scope import Corners, Instance, MadeGroup, MadeSlots, Scope, Value
 from .levels import Levels
-from .made import apart, slots_set
+from .made import apart, by_vertices, slots_set
 
 SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 
 
-def tessellated(ctx: Context, surface: Instance, passing: Instance) -> Instance:
-    """The surface as it is at the vertices that patches are divided into; itself where none are."""
+def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
+    """The surface as it is at the vertices that patches are divided into; itself where none are.
+
+    The pass becomes what it is there. There is none where a mixin is checked alone.
+    """
     written = list(surface.record.every(ast.Tessellate))
     if not written:
         return surface
@@ -47,10 +50,11 @@ def tessellated(ctx: Context, surface: Instance, passing: Instance) -> Instance:
     if others:
         span = others[0][0].patch.span
         ctx.report.add(rules.TWO_TESSELLATIONS, span, name=name, labels=[label])
-    for expansion, _owner, _level in surface.record.every(ast.Expand):
-        span = expansion.primitive.span
-        ctx.report.add(rules.TESSELLATED_AND_EXPANDED, span, name=name, labels=[label])
-        return surface
+    for holder in filter(None, (surface, passing)):
+        for expansion, _owner, _level in holder.record.every(ast.Expand):
+            span = expansion.primitive.span
+            ctx.report.add(rules.TESSELLATED_AND_EXPANDED, span, name=name, labels=[label])
+            return surface
     patch = _patch(ctx, member)
     if patch is None:
         return surface
@@ -64,12 +68,21 @@ def _patch(ctx: Context, member: ast.Tessellate) -> Patch | None:
     return None
 
 
+def _moved(passing: Instance | None, slots: MadeSlots, surface: Instance) -> Instance | None:
+    """A pass as it is where a surface is that has other vertices than the mesh."""
+    if passing is not None:
+        passing.made = slots
+        passing.surface = surface
+        passing.values.clear()
+    return passing
+
+
 class _Tessellating:
     def __init__(
         self,
         ctx: Context,
         surface: Instance,
-        passing: Instance,
+        passing: Instance | None,
         member: ast.Tessellate,
         patch: Patch,
         owner: Symbol,
@@ -83,7 +96,7 @@ class _Tessellating:
         self._level = level
         self._surface = surface
         self._passing = passing
-        self._base = apart(surface, passing)
+        self._base, self._own = apart(surface, passing)
 
     def surface(self) -> Instance:
         """The surface at the vertices that patches are divided into."""
@@ -93,19 +106,18 @@ class _Tessellating:
         spacing = self._spacing()
         slots = MadeSlots(
             self._base,
+            self._own,
             points or self._kind.ends,
             (CONTROL, EVALUATION),
             {**INPUTS, PATCH_INDEX.name: PATCH_INDEX},
             MixedEnds(self._patch, ends or self._default_ends(), coordinate),
         )
+        unset, passing = apart(self._surface, self._passing)
+        slots.unset = changed(unset, made=slots, values={})
+        slots.passing_unset = _moved(passing, slots, slots.unset)
         set_anew = slots_set(ctx, self._base, member.equations)
-        slots.unset = changed(apart(self._surface, self._passing), values={}, made=slots)
-        made = changed(
-            self._surface,
-            values={},
-            made=slots,
-            replaced={**self._surface.replaced, **{n: Replacement(made=True) for n in set_anew}},
-        )
+        made = changed(self._surface, made=slots).with_replaced(by_vertices(set_anew))
+        _moved(self._passing, slots, made)
         corners = Corners("corner", self._base, tuple(range(slots.corners)), CONTROL_POINT)
         names: dict[str, Value] = {"corner": corners, "inherited": slots.unset}
         if member.coordinate is not None:

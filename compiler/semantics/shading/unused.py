@@ -26,14 +26,21 @@ from ..names.modules import Module, Symbol
 from ..state.scope import Scope
 from ..types.generics import examples, of_unknown_family, uninferable
 from ..types.typenames import Variables
-from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
+from .assembly import (
+    Parts,
+    Setting,
+    at_mesh,
+    is_declared_abstract,
+    set_up,
+    set_up_beside,
+    with_made_vertices,
+)
 from .elaborate import places_vertices, results_of, written_results
-from .expanding import expanded
+from .expanding import expanded, expands
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
 from .slot_checks import check_instance, check_rig
-from .tessellating import tessellated
 
 MOST_EXAMPLES = 256
 """So many ways to fill in type parameters are tried."""
@@ -283,9 +290,12 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
         instance = instance_of(ctx, record, leaves_of(ctx, record))
         instance.surface = surface if mixin.kind == "pass" else None
     stand_in(ctx, instance)
+    if instance.surface is None:
+        check_instance(ctx, with_made_vertices(ctx, instance, None))
+    elif expands(instance):
+        expanded(ctx, at_mesh(surface), instance)
+        check_instance(ctx, at_mesh(instance))
     check_instance(ctx, instance)
-    for made in (expanded, tessellated):
-        check_instance(ctx, made(ctx, instance, instance))
     written_results(ctx, instance)
     return True
 

@@ -52,12 +52,12 @@ class Instance:
     attributes: Mapping[str, Node] = fresh(factory=dict)
     replaced: dict[str, Replacement] = fresh(factory=dict)
     made: MadeSlots | None = None
-    """Where its vertices are made of those of a mesh, what the surface is made of."""
+    """Where vertices are made of those of a mesh, what the surface and the pass are made of."""
     values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
 
     @property
     def origin(self) -> Origin | None:
-        """Where its vertices are made of those of a mesh, how its vertex inputs are."""
+        """Where vertices are made of those of a mesh, how their inputs are."""
         return None if self.made is None else self.made.origin
 
     def has(self, name: str) -> bool:
@@ -101,21 +101,25 @@ class MadeGroup:
 
 @record
 class MadeSlots:
-    """A surface whose vertices are made of those of a mesh: what it is made of."""
+    """A surface whose vertices are made of those of a mesh: what it and its pass are made of."""
 
     base: Instance
     """The surface as it is at the mesh's own vertices."""
+    passing: Instance | None
+    """The pass as it is there; ``None`` where a material's mixin is checked alone."""
     corners: int
     """How many vertices each primitive, or patch, of the mesh has."""
     stages: tuple[StageRow, ...]
-    """The stages that make its vertices; the last one delivers them."""
+    """The stages that make the vertices; the last one delivers them."""
     inputs: Mapping[str, SystemInput]
     """The names by which expressions read what the pipeline supplies."""
     origin: Origin | None = None
     """How the vertex inputs are at the vertices that are made."""
     groups: tuple[MadeGroup, ...] = ()
     unset: Instance | None = None
-    """In a tessellation, the surface at these vertices where nothing is set anew."""
+    """In a tessellation, the surface at these vertices as it is where nothing is set anew."""
+    passing_unset: Instance | None = None
+    """The pass as it is there."""
     expansion: Expansion | None = None
     """Of an expansion, what is the same for all primitives; ``None`` if it is wrong."""
     tessellation: Tessellation | None = None
@@ -127,9 +131,17 @@ class MadeSlots:
     Checked on demand and once."""
 
     @property
-    def before(self) -> tuple[Instance, ...]:
-        """The surfaces that its equations read."""
-        return (self.base,) if self.unset is None else (self.base, self.unset)
+    def parts(self) -> tuple[Instance, ...]:
+        """All surfaces and passes that its equations read."""
+        parts = (self.base, self.passing, self.unset, self.passing_unset)
+        return tuple(part for part in parts if part is not None)
+
+    def base_of(self, instance: Instance) -> Instance:
+        """The surface or the pass, whichever ``instance`` is, at the mesh's own vertices."""
+        if instance.surface is None:
+            return self.base
+        assert self.passing is not None
+        return self.passing
 
 
 @frozen
@@ -137,8 +149,9 @@ class Corners:
     """``corner`` or ``end``: vertices of the primitive that others are made of."""
 
     word: str
-    base: Instance
-    """The surface as it is there."""
+    instance: Instance
+    """Whose slots they have: the surface, or the pass if the expansion stands there, and behind its
+    slots those of the surface."""
     numbers: tuple[int, ...]
     """Which vertices of the primitive they are."""
     crossing: Crossing
@@ -147,9 +160,10 @@ class Corners:
 
 @frozen
 class Corner:
-    """``corner[k]``: the surface as it is at one of them."""
+    """``corner[k]``: a surface or a pass as it is at one of them."""
 
-    base: Instance
+    instance: Instance
+    """As it is at the mesh's own vertices."""
     number: Node
     crossing: Crossing
 

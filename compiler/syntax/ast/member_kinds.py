@@ -198,7 +198,7 @@ KINDS: tuple[MemberKind, ...] = (
         node=members.Expand,
         productions={"expand": _expand},
         opening=("NAME", "{"),
-        records=("material",),
+        records=("material", "pass"),
         inheritance="gathered",
         contribution="result",
         form="an expansion is `expand triangle { strip of 3 as i for s in 0..4 where condition "
@@ -228,7 +228,7 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="replaced",
         contribution="result",
         form="a result is `result name : type[count] = expression`",
-        doc="what a kernel writes to each element of a storage buffer",
+        doc="what a kernel writes to each element of a buffer, or to each texel of an image",
         has_default=True,
     ),
     MemberKind(
