@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import COMPUTED, EXPANDED
-from ...compiler.ir.types import BOOL, INT, UINT, VEC4
+from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, TESSELLATED_CHAIN
+from ...compiler.ir.tessellation import Patch, Spacing
+from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -108,6 +109,9 @@ INPUTS = {
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
     "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
+    "patch_weights": PipelineInput(VEC3, "gl_TessCoord"),
+    "patch_coordinate": PipelineInput(VEC2, "gl_TessCoord.xy"),
+    "patch_index": PipelineInput(INT, "gl_PrimitiveID"),
 }
 
 FORMS = Forms(
@@ -115,6 +119,8 @@ FORMS = Forms(
     position="gl_Position",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
+    edge_level="gl_TessLevelOuter[{number}]",
+    inner_level="gl_TessLevelInner[{number}]",
 )
 
 PRIMITIVES = {
@@ -123,6 +129,13 @@ PRIMITIVES = {
     "triangle": "triangles",
     "line_adjacency": "lines_adjacency",
     "triangle_adjacency": "triangles_adjacency",
+}
+
+PATCHES: Mapping[Patch, str] = {"triangle": "triangles", "quad": "quads", "isoline": "isolines"}
+SPACINGS: Mapping[Spacing, str] = {
+    "equal": "equal_spacing",
+    "fractional_even": "fractional_even_spacing",
+    "fractional_odd": "fractional_odd_spacing",
 }
 
 FRAG_COORD_FROM_TOP = PipelineInput(
@@ -154,9 +167,10 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 
 VULKAN = Profile(
     name="vulkan",
-    stages=(*EXPANDED, *COMPUTED),
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
+    patch_winding="cw",
     preamble=("#version 450",),
     limits=Limits(groups=4, buffers=4),
     agrees=AGREES,
@@ -219,6 +233,7 @@ OPENGL_4 = Profile(
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
     preamble=("#version 450 core",),
+    stages=TESSELLATED_CHAIN,
     numbering="kind",
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
@@ -275,6 +290,8 @@ LANGUAGE = Language(
     forms=FORMS,
     natives=NATIVES,
     primitives=PRIMITIVES,
+    patches=PATCHES,
+    spacings=SPACINGS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),
@@ -282,6 +299,7 @@ LANGUAGE = Language(
     buffer_blocks=True,
     global_fields=True,
     varying_prefix="v_",
+    point_prefix="p_",
     output_prefix="out_",
     fixed_names=("main", "viewport_height"),
     line_directive="#line {line} {number}",
