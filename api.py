@@ -26,6 +26,7 @@ from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
 from .garbage import seldom_collected
+from .targets.availability import way_out, with_as_many
 from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.directives import Directed, directed
@@ -216,16 +217,16 @@ def _lacking(
         name, report = full_name(target, profile), Report()
         for excess in excesses(staged.program, profile):
             report.add(
-                rules.TOO_MANY, expanded if excess.instead else places.get(excess.block),
+                rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),
                 count=excess.count,
                 what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
-                hint=excess.instead,
+                hint=excess.instead or with_as_many(excess.limit_name, excess.count),
             )  # fmt: skip
-        for lack, node in lacks(staged.program, profile):
+        for lack in lacks(staged.program, profile):
             report.add(
                 rules.UNSUPPORTED,
-                expanded if lack.of_expansion else shader.notes.spans.get(node),
-                target=name, feature=lack.feature, hint=lack.instead,
+                expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
+                target=name, feature=lack.feature, hint=way_out(lack.feature, profile),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics

@@ -50,6 +50,7 @@ def _lines(target: Language) -> Iterator[str]:
         yield f"  {target.name}:{profile.name}{default}"
         yield f"      {profile.doc}"
         yield f"      {'; '.join(_abilities(profile))}"
+        yield from (f"      {line}" for line in _capabilities(profile))
 
 
 def _abilities(profile: Profile) -> Iterator[str]:
@@ -60,9 +61,22 @@ def _abilities(profile: Profile) -> Iterator[str]:
     if profile.framebuffer.clip_control:
         yield f"glClipControl({', '.join(profile.framebuffer.clip_control)})"
     yield f"rows count {'upwards' if profile.framebuffer.rows_up else 'downwards'}"
-    if profile.single_file:
-        yield "--single-file"
     yield f"checked by {', '.join(profile.checkers) or 'nothing'}"
+
+
+def _capabilities(profile: Profile) -> Iterator[str]:
+    """What the profile can do by itself, what the compiler does instead, and what is not there."""
+    from ..targets.availability import standings
+    from ..targets.description.capability import KINDS
+
+    cells = standings(profile)
+    for kind in KINDS:
+        found: dict[str, list[str]] = {}
+        for name, cell in cells.items():
+            if cell.kind == kind:
+                found.setdefault(cell.how, []).append(name)
+        for how, names in found.items():
+            yield f"{kind}: {', '.join(names)}{f' ({how})' if how else ''}"
 
 
 def _data(target: Language) -> dict[str, Any]:
@@ -76,6 +90,9 @@ def _data(target: Language) -> dict[str, Any]:
 
 
 def _profile_data(profile: Profile) -> dict[str, Any]:
+    from ..targets.availability import standings
+    from ..targets.description.profile import LIMITED
+
     return {
         "name": profile.name,
         "doc": profile.doc,
@@ -88,4 +105,9 @@ def _profile_data(profile: Profile) -> dict[str, Any]:
         "rows_up": profile.framebuffer.rows_up,
         "single_file": profile.single_file,
         "checkers": list(profile.checkers),
+        "capabilities": {
+            name: {"standing": cell.kind, "how": cell.how, "missing": list(cell.missing)}
+            for name, cell in standings(profile).items()
+        },
+        "limits": {name: getattr(profile.limits, name) for name in LIMITED},
     }

@@ -13,6 +13,8 @@ from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import Report
 from ..compiler.diagnostics.nearest import suggestion
 from . import registry
+from .availability import way_out
+from .description.capabilities import SINGLE_FILE
 from .description.profile import Profile
 from .description.shading_language import Language
 
@@ -44,8 +46,9 @@ def select_targets(
             report.add(rules.UNKNOWN_PROFILE, None, target=name, name=profile_name, hint=hint)
             continue
         if single_file and not profile.single_file:
-            feature = "text that holds all stages"
-            report.add(rules.UNSUPPORTED, None, target=full_name(target, profile), feature=feature)
+            feature, name = SINGLE_FILE.feature, full_name(target, profile)
+            hint = way_out(feature, profile)
+            report.add(rules.UNSUPPORTED, None, target=name, feature=feature, hint=hint)
         chosen[name, profile.name] = target, profile
     return list(chosen.values())
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...compiler.ir.stages import RASTERISED, Chain
+from ...compiler.ir.stages import GEOMETRY, RASTERISED, Chain, StageRow
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain
 from .spellings import PipelineInput, Spellings
@@ -19,18 +19,6 @@ Numbering = Literal["set", "kind"]
 
 GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
 """Bind group of each parameter group: WebGPU guarantees four."""
-
-
-@frozen
-class Lack:
-    """Something that a profile has not got."""
-
-    feature: str
-    """Behind "… has no"."""
-    instead: str
-    """What a user can do."""
-    of_expansion: bool = False
-    """Whether it is what the material turns its primitives into that needs it."""
 
 
 @frozen(kw_only=True)
@@ -67,7 +55,10 @@ class Framebuffer:
 
 @frozen
 class Limits:
-    """What every device and every compiler of a profile has, or takes, at least."""
+    """What every device and every compiler of a profile has, or takes, at least.
+
+    ``LIMITED`` says what messages and the manual call each of them.
+    """
 
     varyings: int = 16
     """Vectors that cross between the stages."""
@@ -91,6 +82,32 @@ class Limits:
     """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
     bindings: int | None = None
     """Numbers of bindings in a group; likewise."""
+
+
+@frozen
+class Limited:
+    """What messages and the manual say of one limit."""
+
+    what: str
+    """What there is a limited number of: behind a number."""
+    stage: StageRow | None = None
+    """The stage that it is about, if it means nothing without."""
+
+
+LIMITED: Mapping[str, Limited] = {
+    "varyings": Limited("varyings"),
+    "attributes": Limited("vertex inputs"),
+    "buffers": Limited("storage buffers"),
+    "textures": Limited("textures"),
+    "block_bytes": Limited("bytes in a uniform block"),
+    "render_targets": Limited("render targets"),
+    "nested_blocks": Limited("nested blocks"),
+    "emitted_vertices": Limited("vertices of one primitive", GEOMETRY),
+    "emitted_components": Limited("numbers at the vertices of one primitive", GEOMETRY),
+    "groups": Limited("bind groups"),
+    "bindings": Limited("bindings in a group"),
+}
+"""The fields of ``Limits``."""
 
 
 @frozen(eq=False, kw_only=True)
@@ -134,7 +151,8 @@ class Profile:
     these are others than the builtin's ``domain``. They are more if the language defines what
     others leave open; then it needs fewer guards. They are fewer if it has the operation for some
     types only, or a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
-    cannot: Mapping[str, Lack] = EMPTY
-    """Natives that the profile has not got, nor an exact replacement for."""
+    cannot: frozenset[str] = frozenset()
+    """Builtins that the profile has not got, nor an exact replacement for. What is said where a
+    program uses one stands in ``capabilities.py``."""
     checkers: tuple[str, ...] = ()
     """Checkers of ``targets.toolchain`` that have to accept the text."""

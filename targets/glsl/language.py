@@ -12,7 +12,7 @@ from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Framebuffer, Lack, Limits, Profile, Samplers
+from ..description.profile import Framebuffer, Limits, Profile, Samplers
 from ..description.reserved import read_reserved
 from ..description.shading_language import Language
 from ..description.spellings import (
@@ -186,19 +186,10 @@ VULKAN = Profile(
     checkers=("glslang-vulkan",),
 )
 
-NO_LEVELS = {
-    "texture_levels": Lack(
-        "way to tell how many levels a texture has",
-        "read level 0, which all have, or filter with `.level(…)`",
-    ),
-}
-"""``textureQueryLevels`` came with GLSL 4.30; no version of ES has it."""
+NO_LEVELS = frozenset({"texture_levels"})
+"""It came with GLSL 4.30; no version of ES has it."""
 
-CANNOT = {
-    "gather": Lack("gathering of texels", "`load` each of the four"),
-    "gather_compare": Lack("gathering of comparisons", "compare at each of the four texels"),
-    **NO_LEVELS,
-}
+CANNOT = NO_LEVELS | {"gather", "gather_compare"}
 """``textureGather`` came with GLSL 4.00 and ES 3.10."""
 
 BOTTOM_FIRST = Framebuffer(

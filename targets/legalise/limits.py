@@ -1,6 +1,7 @@
-"""Finds what a program needs and a profile lacks, or does not have enough of.
+"""Finds what a program uses and a profile lacks, or does not have enough of.
 
-``api.py`` asks before anything is printed, and makes errors of the answers.
+``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
+by ``availability.py`` where it follows from the table of capabilities or from other profiles.
 """
 
 from __future__ import annotations
@@ -12,7 +13,14 @@ from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
-from ..description.profile import Lack, Limits, Profile
+from ..description.capabilities import (
+    BUFFERS,
+    SEPARATE_SAMPLERS,
+    feature_of_builtin,
+    without_native_stages,
+)
+from ..description.capability import feature_of_stage
+from ..description.profile import LIMITED, Limits, Profile
 from .samplers import sampler_use
 
 
@@ -20,39 +28,64 @@ from .samplers import sampler_use
 class Excess:
     """More of something than every device of the profile is guaranteed to have."""
 
-    what: str
+    limit_name: str
+    """A field of ``Limits``."""
     count: int
     limit: int
     block: str = ""
     """The host's own block that is the reason."""
+    of_expansion: bool = False
+    """Whether the reason is what the material turns its primitives into."""
     instead: str = ""
-    """What a user can do, if it is what the material turns its primitives into."""
+    """What a user can do, if it is no matter of other profiles alone."""
+
+    @property
+    def what(self) -> str:
+        """What there is too much of, behind its number."""
+        return LIMITED[self.limit_name].what
+
+
+@frozen
+class Lack:
+    """Something that a profile has not got, and a program uses."""
+
+    feature: str
+    """That of a ``Need`` in the table of capabilities, behind "… has no"."""
+    node: int
+    """The id of a node that needs it."""
+    of_expansion: bool = False
+    """Whether it is what the material turns its primitives into that needs it."""
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits of a profile that a program exceeds."""
-    textures = max(len(stage.resources) for stage in program.stages)
-    buffers = max(len(stage.buffers) for stage in program.stages)
-    # A location counts also where nothing is read at those before it.
-    inputs = max((field.location + 1 for field in program.vertex_inputs), default=0)
-    varyings = max((len(face.varyings) for face in program.interfaces), default=0)
-    block = max((block.size for block in program.blocks), default=0)
-    depth = max(_nested_blocks(region) for stage in program.stages for region in stage.regions)
-    by_corner = BY_CORNER if program.expansion and not _emitting(program) else ""
-    for what, count, limit in (
-        ("varyings", varyings, profile.limits.varyings),
-        (INPUTS, inputs, profile.limits.attributes),
-        ("storage buffers", buffers, profile.limits.buffers or buffers),
-        ("textures", textures, profile.limits.textures),
-        ("bytes in a uniform block", block, profile.limits.block_bytes),
-        ("nested blocks", depth, profile.limits.nested_blocks),
-        ("render targets", len(program.results_of(TARGET)), profile.limits.render_targets),
-    ):
+    by_corner = program.expansion is not None and not _emitting(program)
+    for name, count in _counts(program, profile).items():
+        limit = getattr(profile.limits, name)
         if count > limit:
-            yield Excess(what, count, limit, instead=by_corner if what == INPUTS else "")
+            of_corners = by_corner and name == "attributes"
+            yield Excess(
+                name, count, limit, of_expansion=of_corners, instead=BY_CORNER if of_corners else ""
+            )
     if not {stage.row for stage in _emitting(program)} - {*profile.stages}:
-        yield from _too_much_emitted(program, profile.limits)
+        yield from _too_much_emitted(program, profile)
     yield from _excessive_places(program, profile.limits)
+
+
+def _counts(program: Program, profile: Profile) -> dict[str, int]:
+    """How much a program has of what is limited, by the field of the limit."""
+    depths = (_nested_blocks(region) for stage in program.stages for region in stage.regions)
+    return {
+        "varyings": max((len(face.varyings) for face in program.interfaces), default=0),
+        # A location counts also where nothing is read at those before it.
+        "attributes": max((field.location + 1 for field in program.vertex_inputs), default=0),
+        # Where there are none at all, that is what ``lacks`` tells.
+        "buffers": max(len(s.buffers) for s in program.stages) if profile.limits.buffers else 0,
+        "textures": max(len(stage.resources) for stage in program.stages),
+        "block_bytes": max((block.size for block in program.blocks), default=0),
+        "nested_blocks": max(depths),
+        "render_targets": len(program.results_of(TARGET)),
+    }
 
 
 def _emitting(program: Program) -> list[Stage]:
@@ -60,18 +93,19 @@ def _emitting(program: Program) -> list[Stage]:
     return [stage for stage in program.stages if stage.emitted]
 
 
-def _too_much_emitted(program: Program, limits: Limits) -> Iterator[Excess]:
+def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
     """More vertices, or numbers, than a stage can emit for one primitive."""
     for stage in _emitting(program) if program.expansion else ():
         assert program.expansion is not None
         vertices = program.expansion.vertices
         components = vertices * sum(width(root.type) for root in stage.roots)
-        for what, count, limit in (
-            ("vertices of one primitive", vertices, limits.emitted_vertices),
-            ("numbers at the vertices of one primitive", components, limits.emitted_components),
+        for name, count, limit in (
+            ("emitted_vertices", vertices, profile.limits.emitted_vertices),
+            ("emitted_components", components, profile.limits.emitted_components),
         ):
             if count > limit:
-                yield Excess(what, count, limit, instead=WITHOUT_STAGE)
+                instead = without_native_stages(feature_of_stage(stage.row), profile)
+                yield Excess(name, count, limit, of_expansion=True, instead=instead)
 
 
 def _nested_blocks(region: Region) -> int:
@@ -89,52 +123,38 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
     """Places of the host's own blocks that the profile does not have. They count from 0."""
     for block in program.blocks:
         if block.host is not None:
-            for what, number, limit in (
-                ("bind groups", block.host.group, limits.groups),
-                ("bindings in a group", block.host.binding, limits.bindings),
+            for name, number, limit in (
+                ("groups", block.host.group, limits.groups),
+                ("bindings", block.host.binding, limits.bindings),
             ):
                 if limit is not None and number >= limit:
-                    yield Excess(what, number + 1, limit, block.name)
+                    yield Excess(name, number + 1, limit, block.name)
 
 
-INPUTS = "vertex inputs"
 BY_CORNER = (
     "each corner that is read has inputs of its own: read fewer slots by corner, or compile with "
     "`--native-stages` for a profile that has it"
 )
-WITHOUT_STAGE = "without `--native-stages`, each primitive is drawn as an instance"
-OTHER_PROFILE = "compile for a profile that has this stage"
-
-NO_BUFFERS = Lack(
-    "storage buffers",
-    "keep the elements in an array of a known length, `param name : T[16]`, or load them from a "
-    "texture",
-)
-
-COMPARED_AND_LOADED = Lack(
-    "texture that is both compared and loaded", "declare a second `map` for one of the two"
-)
 
 
-def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
-    """What the profile cannot do, each with the id of a node that needs it."""
+def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
+    """What a program uses and the profile has not got."""
     for stage in program.stages:
         if stage.row not in profile.stages:
-            emits = bool(stage.emitted)
-            instead = WITHOUT_STAGE if emits else OTHER_PROFILE
-            yield Lack(f"{stage.name} stage", instead, emits), stage.roots[0].id
+            node = stage.roots[0].id
+            yield Lack(feature_of_stage(stage.row), node, of_expansion=bool(stage.emitted))
     reading = [s for s in program.stages if s.buffers and s.row in profile.stages]
-    if reading and not profile.limits.buffers:
-        yield NO_BUFFERS, _first_read(reading[0])
+    if reading and not BUFFERS.is_met(profile):
+        yield Lack(BUFFERS.feature, _first_read(reading[0]))
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
-            yield profile.cannot[native.builtin], native.node
+            yield Lack(feature_of_builtin(native.builtin), native.node)
     for read in program.reads:
         if read.builtin in profile.cannot:
-            yield profile.cannot[read.builtin], read.node
+            yield Lack(feature_of_builtin(read.builtin), read.node)
         compared = _is_depth(read) and read.resource in program.sampled
-        if profile.samplers.combined and compared and read.builtin == "load":
-            yield COMPARED_AND_LOADED, read.node
+        if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
+            yield Lack(SEPARATE_SAMPLERS.feature, read.node)
 
 
 def _first_read(stage: Stage) -> int:

@@ -1,7 +1,7 @@
 """``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
 
-Run it after changing the grammar, a builtin, a diagnostic, a route or a driver's row. A test fails
-if a page is not up to date.
+Run it after changing the grammar, a builtin, a diagnostic, a profile, a capability, a route or a
+driver's row. A test fails if a page is not up to date.
 """
 
 from __future__ import annotations
@@ -35,8 +35,12 @@ from burnish.stdlib.builtins import (
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
+from burnish.targets import registry
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.conformance.measured import ENVELOPES
+from burnish.targets.description.capabilities import CAPABILITIES
+from burnish.targets.description.capability import Capability, Standing, standing
+from burnish.targets.description.profile import LIMITED, Profile
 from burnish.targets.runner.routes import EVERY_ROUTE
 
 ROOT = Path(__file__).parents[2]
@@ -392,6 +396,66 @@ def graph_page() -> str:
     return _spliced(page, "rules", _table(("rule", "what it says"), rows))
 
 
+def targets_page() -> str:
+    """The page on targets with its tables of capabilities and of limits brought up to date."""
+    page = (DOCS / "targets.md").read_text(encoding="utf-8")
+    profiles = _profiles()
+    heading = ("", *(f"`{name}`" for name in profiles))
+    page = _spliced(page, "capabilities", _table(heading, _standings(profiles)))
+    page = _spliced(page, "rows", _paragraphs(profiles))
+    return _spliced(page, "limits", _table(heading, _limits(profiles)))
+
+
+def _profiles() -> dict[str, Profile]:
+    """All profiles by their full names."""
+    return {
+        f"{language.name}:{profile.name}": profile
+        for language in map(registry.load, registry.names())
+        for profile in language.profiles
+    }
+
+
+def _standings(profiles: Mapping[str, Profile]) -> Iterator[tuple[str, ...]]:
+    for row in CAPABILITIES:
+        yield row.name, *(standing(row, profile).kind for profile in profiles.values())
+
+
+def _paragraphs(profiles: Mapping[str, Profile]) -> str:
+    """An entry for each capability: what it is, and where it is not native, why and what then."""
+    return "".join(
+        f"**{row.name}.** {row.doc}\n\n{''.join(_elsewhere_of(row, profiles))}"
+        for row in CAPABILITIES
+    )
+
+
+def _elsewhere_of(row: Capability, profiles: Mapping[str, Profile]) -> Iterator[str]:
+    found: dict[Standing, list[str]] = {}
+    for name, profile in profiles.items():
+        cell = standing(row, profile)
+        if cell.kind != "native":
+            found.setdefault(cell, []).append(name)
+    for cell, names in found.items():
+        then = cell.how or row.instead
+        ending = f": {then}" if then else ""
+        missing = " and no ".join(cell.missing)
+        where = f"{_codes(names)}, where there is no {missing}"
+        yield f"- *{cell.kind.capitalize()}* in {where}{ending}.\n"
+    if found:
+        yield "\n"
+
+
+def _limits(profiles: Mapping[str, Profile]) -> Iterator[tuple[str, ...]]:
+    for field, limited in LIMITED.items():
+        yield limited.what, *(_limit(field, profile) for profile in profiles.values())
+
+
+def _limit(field: str, profile: Profile) -> str:
+    """A limit as people see it; a dash where there is none, or nothing that could have one."""
+    number, stage = getattr(profile.limits, field), LIMITED[field].stage
+    is_there = number is not None and (stage is None or stage in profile.stages)
+    return str(number) if is_there else "–"
+
+
 def _spliced(page: str, name: str, text: str) -> str:
     """The page with ``text`` between its marks ``<!-- name -->`` and ``<!-- end -->``."""
     marked = re.compile(f"(?<=<!-- {name} -->\n).*?(?=<!-- end -->)", re.DOTALL)
@@ -409,6 +473,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "builtins.md": builtins_page,
     "diagnostics.md": diagnostics_page,
     "conformance.md": conformance_page,
+    "targets.md": targets_page,
 }
 
 

@@ -13,6 +13,7 @@ from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 from burnish.targets import registry
+from burnish.targets.availability import standings
 from burnish.targets.toolchain import Job
 
 FOLDER = Path(__file__).parents[2] / "examples"
@@ -22,8 +23,16 @@ PROFILES = tuple(
     for target in map(registry.load, registry.names())
     for profile in target.profiles
 )
-WITHOUT_BUFFERS = frozenset({"glsl:gl330", "glsl:gl450", "glsl:es300", "glsl:es310"})
-LACKING: Mapping[str, frozenset[str]] = {"lanterns": WITHOUT_BUFFERS, "swarm": WITHOUT_BUFFERS}
+NEEDING: Mapping[str, str] = {"lanterns": "storage buffers", "swarm": "kernels over buffers"}
+"""By example, the capability that it shows, if there are profiles without it."""
+LACKING: Mapping[str, frozenset[str]] = {
+    name: frozenset(
+        profile
+        for profile in PROFILES
+        if standings(registry.select(profile)[1])[capability].kind == "absent"
+    )
+    for name, capability in NEEDING.items()
+}
 """By example, the profiles that lack what it shows."""
 STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}
 

@@ -206,7 +206,7 @@ def test_it_is_emitted(between: tuple[Shader, Staged]) -> None:
 def test_a_profile_without_the_stage_lacks_it(between: tuple[Shader, Staged]) -> None:
     program = between[1].program
     _, profile = registry.select("glsl:vulkan")
-    ((lack, _),) = lacks(program, profile)
+    (lack,) = lacks(program, profile)
     assert lack.feature == "geometry stage"
     assert not list(lacks(program, changed(profile, stages=(VERTEX, GEOMETRY, FRAGMENT))))
 

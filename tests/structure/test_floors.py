@@ -70,7 +70,8 @@ FLOORS: dict[str, str] = {
     "targets.emit": "frozen stdlib precomputed diagnostics ir reflection description legalise",
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
-    "targets.selection": "diagnostics description registry",
+    "targets.availability": "description registry",
+    "targets.selection": "diagnostics description registry availability",
     "targets.runner": (
         "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
     ),
@@ -82,11 +83,11 @@ FLOORS: dict[str, str] = {
     ),
     "api": (
         "arguments garbage diagnostics ir passes source_map names frontend description emit "
-        "legalise selection runner compiled"
+        "legalise availability selection runner compiled"
     ),
     "commands": (
         "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
-        "selection runner conformance toolchain compiled api"
+        "availability selection runner conformance toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",

@@ -1,0 +1,54 @@
+"""What each profile can do, and what to do where one cannot.
+
+``api.py`` and ``selection.py`` ask for the way out that is shown below an error, and ``burnish
+targets`` for the cells of the table of capabilities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from . import registry
+from .description.capabilities import CAPABILITIES, lacking, without_native_stages
+from .description.capability import Standing, standing
+from .description.profile import Profile
+
+
+def standings(profile: Profile) -> Mapping[str, Standing]:
+    """The cells of one profile, by the name of the capability, in the order of the table."""
+    return {row.name: standing(row, profile) for row in CAPABILITIES}
+
+
+def way_out(feature: str, profile: Profile) -> str:
+    """What a user can do where a profile lacks a feature that a program uses; may be empty."""
+    capability = lacking(feature)
+    if capability is None:
+        return ""
+    if here := without_native_stages(feature, profile):
+        return here
+    elsewhere = _compile_for(lambda other: standing(capability, other).kind != "absent")
+    return ", or ".join(filter(None, (capability.instead, elsewhere)))
+
+
+def with_as_many(limit_name: str, count: int) -> str:
+    """Which profiles have as much of something as a program needs; empty if none has."""
+
+    def has_enough(profile: Profile) -> bool:
+        limit = getattr(profile.limits, limit_name)
+        return limit is None or limit >= count
+
+    return _compile_for(has_enough)
+
+
+def _compile_for(fits: Callable[[Profile], bool]) -> str:
+    """The advice to choose one of the proven profiles that fit; empty if there is none."""
+    names = [
+        f"{language.name}:{profile.name}"
+        for language in map(registry.load, registry.defaults())
+        for profile in language.profiles
+        if fits(profile)
+    ]
+    if not names:
+        return ""
+    *others, last = names
+    return f"compile for {', '.join(others)} or {last}" if others else f"compile for {last}"

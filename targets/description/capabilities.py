@@ -1,0 +1,126 @@
+"""The table of capabilities: what of the language a profile can carry out, and by which means.
+
+A *capability* is something that programs may use and that not every profile has, such as a geometry
+stage. Each is a row of ``CAPABILITIES``; which profiles have it follows from their own rows. So a
+new profile fills its cells of the table by itself, and so does a new row.
+
+Who reads it: ``legalise/limits.py``, to name what a program uses and its profile has not got;
+``availability.py``, for the way out that a message shows, and for ``burnish targets``; the page
+``docs/targets.md``, which is made from it; and the tests, which hold each cell to what it claims.
+
+To add a capability, add its row here, and to ``tests/targets/capability_probes.py`` a program that
+needs it, with which all of its cells are tried.
+"""
+
+from __future__ import annotations
+
+from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, VERTEX
+from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
+from .profile import Profile
+
+BUFFERS = Need("storage buffers", lambda profile: profile.limits.buffers > 0)
+SEPARATE_SAMPLERS = Need(
+    "texture that is both compared and loaded", lambda profile: not profile.samplers.combined
+)
+SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
+
+BIT_COUNTS = ("count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit")
+
+AS_INSTANCES = "each primitive is drawn as an instance"
+
+CAPABILITIES: tuple[Capability, ...] = (
+    Capability(
+        "drawing",
+        "Materials: the vertices of a mesh are computed, and the fragments of its triangles.",
+        (Way((a_stage(VERTEX), a_stage(FRAGMENT))),),
+    ),
+    Capability(
+        "derivatives",
+        "Differences to the next pixel: `ddx`, `ddy`, and reads of textures that choose their "
+        "level by them.",
+        (Way((some_builtins("derivatives", "ddx", "ddy"),)),),
+        "compute the difference yourself, and read textures with `.level(…)`",
+    ),
+    Capability(
+        "expansions",
+        "A primitive of the mesh becomes others: `expand triangle { … }`.",
+        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+    ),
+    Capability(
+        "expansions with adjacency",
+        "A primitive of the mesh becomes others that depend on its neighbours: "
+        "`expand triangle_adjacency { … }`.",
+        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+    ),
+    Capability(
+        "kernels over buffers",
+        "The elements of storage buffers are computed: `kernel` with `result name : T[count] = …`.",
+        (Way((a_stage(COMPUTE),)),),
+    ),
+    Capability(
+        "storage buffers",
+        "A parameter has as many elements as the host binds: `buffer name : T[]`.",
+        (Way((BUFFERS,)),),
+        "keep the elements in an array of a known length, `param name : T[16]`, or load them from "
+        "a texture",
+    ),
+    Capability(
+        "gathering texels",
+        "One channel of the four texels around a place: `t.gather(uv, 0)`.",
+        (Way((some_builtins("gathering of texels", "gather"),)),),
+        "`load` each of the four",
+    ),
+    Capability(
+        "gathering comparisons",
+        "The comparisons with the four texels around a place: `d.gather(uv, depth)`.",
+        (Way((some_builtins("gathering of comparisons", "gather_compare"),)),),
+        "compare at each of the four texels",
+    ),
+    Capability(
+        "number of levels",
+        "How many levels a texture has: `t.levels()`, and `t.load(texel, level)`, which asks for "
+        "it unless the level is 0.",
+        (Way((some_builtins("way to tell how many levels a texture has", "texture_levels"),)),),
+        "read level 0, which all have, or filter with `.level(…)`",
+    ),
+    Capability(
+        "comparing and loading",
+        "A texture of depths is both compared with and read by `load`.",
+        (Way((SEPARATE_SAMPLERS,)),),
+        "declare a second `map` for one of the two",
+    ),
+    Capability(
+        "counting bits",
+        f"What there is in a number's bits: {', '.join(f'`{name}`' for name in BIT_COUNTS)}.",
+        (
+            Way((words_for("word for each of these", *BIT_COUNTS),)),
+            Way((), "a function in the text computes what the language has no word for"),
+        ),
+    ),
+    Capability(
+        "single file",
+        "All stages stand in one text: the option `--single-file`.",
+        (Way((SINGLE_FILE,)),),
+        "leave `--single-file` out, so that each stage has a text of its own",
+    ),
+)
+"""The rows, in the order in which people see them."""
+
+
+def lacking(feature: str) -> Capability | None:
+    """The capability that a profile has not got by its own means if it lacks a feature."""
+    found = (row for row in CAPABILITIES for need in row.ways[0].needs if need.feature == feature)
+    return next(found, None)
+
+
+def feature_of_builtin(name: str) -> str:
+    """What is missing where a profile lacks a builtin and there is no replacement for it."""
+    needs = (need for row in CAPABILITIES for way in row.ways for need in way.needs)
+    return next((need.feature for need in needs if name in need.builtins), f"`{name}`")
+
+
+def without_native_stages(feature: str, profile: Profile) -> str:
+    """The advice not to ask for a profile's own stages; empty if nothing else could be done."""
+    capability = lacking(feature)
+    instead = capability and lowering(capability, profile)
+    return f"without `--native-stages`, {instead.how}" if instead else ""

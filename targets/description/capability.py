@@ -1,0 +1,103 @@
+"""The records of the table of capabilities, and how one of its cells is found.
+
+``capabilities.py`` has the rows and says who reads them. A row does not say which profiles have the
+capability: that follows from what a ``Profile`` says of itself, by the *needs* of the row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal, get_args
+
+from ...compiler.ir.stages import StageRow
+from ...frozen import frozen
+from .profile import Profile
+
+
+@frozen(eq=False)
+class Need:
+    """Something that a profile has or has not got."""
+
+    feature: str
+    """Behind "… has no"."""
+    is_met: Callable[[Profile], bool]
+    builtins: frozenset[str] = frozenset()
+    """The builtins that cannot be had without it."""
+
+
+def feature_of_stage(row: StageRow) -> str:
+    """What is missing where a profile lacks a stage."""
+    return f"{row.name} stage"
+
+
+def a_stage(row: StageRow) -> Need:
+    """The need of a stage."""
+    return Need(feature_of_stage(row), lambda profile: row in profile.stages)
+
+
+def some_builtins(feature: str, *names: str) -> Need:
+    """The need of builtins that nothing can replace."""
+    needed = frozenset(names)
+    return Need(feature, lambda profile: not needed & profile.cannot, needed)
+
+
+def words_for(feature: str, *names: str) -> Need:
+    """The need of a word of the language for each of some builtins."""
+    return Need(feature, lambda profile: not profile.lacks.intersection(names))
+
+
+@frozen
+class Way:
+    """By which means a capability is carried out where all that is needed is there."""
+
+    needs: tuple[Need, ...]
+    how: str = ""
+    """What the compiler does if these are not the profile's own means: a sentence without its
+    capital letter and its full stop."""
+
+
+@frozen(eq=False)
+class Capability:
+    """One row of the table."""
+
+    name: str
+    """In tables, and as a key of JSON."""
+    doc: str
+    """What it is, and how a program says that it wants it."""
+    ways: tuple[Way, ...]
+    """The first is by the profile's own means. The compiler takes the first whose needs are met."""
+    instead: str = ""
+    """What a user can write where there is no way: an imperative, behind "help:"."""
+
+
+Kind = Literal["native", "lowered", "absent"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+
+
+@frozen
+class Standing:
+    """One cell of the table: what a profile can do of a capability."""
+
+    kind: Kind
+    how: str = ""
+    """What the compiler does instead, if it is lowered."""
+    missing: tuple[str, ...] = ()
+    """What the profile has not got, unless it is native."""
+
+
+def standing(capability: Capability, profile: Profile) -> Standing:
+    """The cell of a capability and a profile."""
+    missing = _missing(capability.ways[0], profile)
+    if not missing:
+        return Standing("native")
+    instead = lowering(capability, profile)
+    return Standing("lowered", instead.how, missing) if instead else Standing("absent", "", missing)
+
+
+def lowering(capability: Capability, profile: Profile) -> Way | None:
+    """What the compiler does in a profile if it does not use the profile's own means."""
+    return next((way for way in capability.ways[1:] if not _missing(way, profile)), None)
+
+
+def _missing(way: Way, profile: Profile) -> tuple[str, ...]:
+    return tuple(need.feature for need in way.needs if not need.is_met(profile))

@@ -1,0 +1,95 @@
+"""For each capability, a program that needs it: what the tests of the table's cells compile.
+
+Give a new row of ``CAPABILITIES`` its probe here. A probe needs nothing else that a profile may
+lack, so that what is refused is refused for this reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import burnish
+from burnish.compiled import CompiledMaterial
+from burnish.compiler.ir.stages import GEOMETRY
+
+
+@dataclass(frozen=True)
+class Probe:
+    """A program that needs one capability, and how to see which way it was carried out."""
+
+    text: str
+    options: Mapping[str, Any] = field(default_factory=dict)
+    """For ``compile``, always."""
+    native: Mapping[str, Any] = field(default_factory=dict)
+    """For ``compile``, so that it does not lower what the profile has by itself."""
+    is_native: Callable[[CompiledMaterial], bool] = lambda _: True
+    """Whether a material uses the profile's own means."""
+
+    def compile(self, profile: str, *, native: bool = False) -> CompiledMaterial:
+        """The program, compiled for a profile; raises ``CompileError`` where it is refused."""
+        options = {**self.options, **(self.native if native else {})}
+        (material,) = burnish.compile(self.text, profile, **options).materials
+        return material
+
+
+def has_geometry_stage(material: CompiledMaterial) -> bool:
+    """Whether primitives are emitted by a stage of their own."""
+    return GEOMETRY in {stage.row for stage in material.staged.program.stages}
+
+
+def calls_no_definition(material: CompiledMaterial) -> bool:
+    """Whether the text has no function in place of a builtin."""
+    ((legal, _),) = material._emissions
+    return not legal.definitions
+
+
+EXPANSION = """material M {{
+    expand {} {{
+        strip of 3 as i like corner[{step} * i] {{
+            position = corner[{step} * i].position + 0.25 * corner[0].normal
+        }}
+    }}
+    color = vec3(uv, 0)
+}}"""
+
+PROBES: Mapping[str, Probe] = {
+    "drawing": Probe("material M { color = vec3(uv, 0) }"),
+    "derivatives": Probe("""material M {
+        map paint : texture2d
+        color = paint(uv).rgb + vec3(ddx(uv.x), ddy(uv.y), 0)
+    }"""),
+    "expansions": Probe(
+        EXPANSION.format("triangle", step=1),
+        native={"native_stages": True},
+        is_native=has_geometry_stage,
+    ),
+    "expansions with adjacency": Probe(
+        EXPANSION.format("triangle_adjacency", step=2),
+        native={"native_stages": True},
+        is_native=has_geometry_stage,
+    ),
+    "kernels over buffers": Probe(
+        "kernel K { param n : int in 0..300 = 200  result r : float[n] = float(index) * 0.5 }"
+    ),
+    "storage buffers": Probe("material M { buffer tints : rgb[]  color = tints[int(uv.x * 4)] }"),
+    "gathering texels": Probe("material M { map t : texture2d  color = t.gather(uv, 0).rgb }"),
+    "gathering comparisons": Probe("material M { map d : depth2d  color = d.gather(uv, 0.5).rgb }"),
+    "number of levels": Probe(
+        "material M { map t : texture2d  color = vec3(uv * float(t.levels()), 0) }"
+    ),
+    "comparing and loading": Probe(
+        "material M { map d : depth2d  color = vec3(d(uv, 0.5), d.load(ivec2(0)), uv.x) }"
+    ),
+    "counting bits": Probe(
+        """material M {
+            n     = uint(uv.x * 1000)
+            high  = vec2(float(count_bits(n)), float(first_leading_bit(n)))
+            low   = vec2(float(first_trailing_bit(n)), float(reverse_bits(n) mod 64u))
+            color = vec3(high + low, 0) / 64
+        }""",
+        is_native=calls_no_definition,
+    ),
+    "single file": Probe("material M { color = vec3(uv, 0) }", options={"single_file": True}),
+}

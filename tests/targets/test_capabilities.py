@@ -1,0 +1,133 @@
+"""Each cell of the table of capabilities is what it says, and so is what messages take from it."""
+
+from __future__ import annotations
+
+import pytest
+from _pytest.mark import ParameterSet
+
+import burnish
+from burnish.compiler.diagnostics.diagnostic import Diagnostic
+from burnish.targets.availability import way_out, with_as_many
+from burnish.targets.description.capabilities import (
+    CAPABILITIES,
+    feature_of_builtin,
+    lacking,
+)
+from burnish.targets.description.capability import Capability, feature_of_stage, standing
+from burnish.targets.description.profile import LIMITED, Limits, Profile
+from burnish.targets.toolchain import Toolchain
+
+from ..examples.kit import jobs_of
+from .capability_probes import PROBES, Probe
+from .kit import BY_NAME
+
+CELLS = [(row, name) for row in CAPABILITIES for name in BY_NAME]
+
+
+def cells(*kinds: str) -> list[ParameterSet]:
+    """The cells that say one of these."""
+    return [
+        pytest.param(row, name, id=f"{row.name}-{name}")
+        for row, name in CELLS
+        if standing(row, profile_of(name)).kind in kinds
+    ]
+
+
+def profile_of(name: str) -> Profile:
+    return BY_NAME[name].profile
+
+
+def refused(probe: Probe, profile: str, *, native: bool = False) -> tuple[Diagnostic, ...]:
+    """What is said of a probe that cannot be compiled for a profile."""
+    with pytest.raises(burnish.CompileError) as caught:
+        probe.compile(profile, native=native)
+    return tuple(caught.value.diagnostics)
+
+
+def test_every_row_has_a_probe_and_a_name_of_its_own() -> None:
+    assert list(PROBES) == [row.name for row in CAPABILITIES]
+
+
+@pytest.mark.parametrize(("row", "name"), cells("native"))
+def test_what_is_native_uses_the_profiles_own_means(row: Capability, name: str) -> None:
+    probe = PROBES[row.name]
+    assert probe.is_native(probe.compile(name, native=True))
+
+
+@pytest.mark.parametrize(("row", "name"), cells("lowered"))
+def test_what_is_lowered_does_without_them(row: Capability, name: str) -> None:
+    probe = PROBES[row.name]
+    assert not probe.is_native(probe.compile(name))
+    if probe.native:
+        (found,) = refused(probe, name, native=True)
+        assert (found.rule.code, found.hint) == (
+            "B0701", f"without `--native-stages`, {standing(row, profile_of(name)).how}",
+        )  # fmt: skip
+
+
+@pytest.mark.parametrize(("row", "name"), cells("absent"))
+def test_what_is_absent_is_refused_with_a_way_out(row: Capability, name: str) -> None:
+    missing, *_ = standing(row, profile_of(name)).missing
+    (found,) = refused(PROBES[row.name], name)
+    assert found.message == f"{name} has no {missing}"
+    assert found.rule.code == "B0701"
+    advice, _, others = found.hint.rpartition("compile for ")
+    assert advice.removesuffix(", or ") == row.instead
+    others_found = {word.strip(",") for word in others.split()} & BY_NAME.keys()
+    assert others_found
+    for other in others_found:
+        assert PROBES[row.name].compile(other)
+
+
+@pytest.fixture(scope="module")
+def refusals() -> dict[tuple[str, str], list[str]]:
+    """By probe and profile, what compilers say against the texts."""
+    jobs = [
+        (row.name, name, job)
+        for row, name in CELLS
+        if standing(row, profile_of(name)).kind != "absent"
+        for job in jobs_of(PROBES[row.name].compile(name))
+    ]
+    with Toolchain() as toolchain:
+        verdicts = toolchain.check([job for *_, job in jobs])
+    found: dict[tuple[str, str], list[str]] = {}
+    for (row_name, name, _), verdict in zip(jobs, verdicts, strict=True):
+        found.setdefault((row_name, name), [])
+        if verdict.status != "accepted":
+            found[row_name, name].append(verdict.report())
+    return found
+
+
+@pytest.mark.parametrize(("row", "name"), cells("native", "lowered"))
+def test_compilers_take_the_texts(
+    refusals: dict[tuple[str, str], list[str]], row: Capability, name: str
+) -> None:
+    assert refusals[row.name, name] == []
+
+
+def test_all_stages_of_profiles_and_all_missing_builtins_are_in_the_table() -> None:
+    for stage in {row for each in BY_NAME.values() for row in each.profile.stages}:
+        assert lacking(feature_of_stage(stage)), stage.name
+    for builtin in set().union(*(each.profile.cannot for each in BY_NAME.values())):
+        assert lacking(feature_of_builtin(builtin)), builtin
+
+
+def test_what_is_in_no_row_has_no_way_out() -> None:
+    assert feature_of_builtin("sin") == "`sin`"
+    assert way_out("`sin`", profile_of("wgsl:webgpu")) == ""
+
+
+def test_unproven_languages_are_no_way_out() -> None:
+    assert way_out("compute stage", profile_of("glsl:es300")) == (
+        "compile for glsl:vulkan, hlsl:sm6 or wgsl:webgpu"
+    )
+
+
+def test_every_limit_has_its_words() -> None:
+    assert LIMITED.keys() == Limits.__annotations__.keys()
+
+
+def test_profiles_with_higher_limits_are_a_way_out() -> None:
+    assert with_as_many("varyings", 31) == "compile for hlsl:sm6"
+    assert with_as_many("bindings", 1001).startswith("compile for glsl:vulkan, ")
+    assert with_as_many("textures", 1000) == ""
