@@ -187,10 +187,13 @@ def _compiled(
     chosen: list[tuple[Language, Profile]],
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
-    legals = (
-        legalise(staged.program, target, profile, staged.undecided)
+    forms = (
+        (staged.form(profile.image_formats), target, profile)
         for target, profile in chosen
         if full_name(target, profile) not in lacking
+    )
+    legals = (
+        legalise(form.program, target, profile, form.undecided) for form, target, profile in forms
     )
     emissions = tuple((legal, emit(legal, emit_options)) for legal in legals)
     files = tuple(
@@ -215,14 +218,15 @@ def _lacking(
     places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
         name, report = full_name(target, profile), Report()
-        for excess in excesses(staged.program, profile):
+        program = staged.form(profile.image_formats).program
+        for excess in excesses(program, profile):
             report.add(
                 rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),
                 count=excess.count,
                 what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
                 hint=excess.instead or with_as_many(excess.limit_name, excess.count),
             )  # fmt: skip
-        for lack in lacks(staged.program, profile):
+        for lack in lacks(program, profile):
             report.add(
                 rules.UNSUPPORTED,
                 expanded if lack.of_expansion else shader.notes.spans.get(lack.node),

@@ -69,7 +69,8 @@ class CompiledMaterial:
     safe."""
     shader: Shader
     """The shader before any pass, which the reference draws; one with a geometry stage it does not
-    draw, but the same material compiled without."""
+    draw, but the same material compiled without. A kernel over images it draws as a full-screen
+    pass."""
     _staged: Staged
     _emissions: tuple[tuple[Legal, Emission], ...]
     """Of each profile that has texts: the program in its form, and the texts."""
@@ -97,7 +98,7 @@ class CompiledMaterial:
 
         tables = {
             full_name(legal.language, legal.profile): backend_table(
-                self._staged.program, legal.language, legal.profile, emission,
+                legal.program, legal.language, legal.profile, emission,
                 self._files(legal.language, legal.profile), flip_y=self._flip_y,
                 source_maps=self._source_maps(legal.language, legal.profile),
             )
@@ -128,7 +129,8 @@ class CompiledMaterial:
 
         for legal, _emission in self._emissions:
             if full_name(legal.language, legal.profile) == profile:
-                return emitted(self.shader, legal)
+                form = self._staged.form(legal.profile.image_formats)
+                return emitted(form.shader, legal)
         raise KeyError(f"{self.name} has no texts for {profile}")
 
     def instance(self) -> Instance:

@@ -22,7 +22,7 @@ from .options import (
     rig_option,
     search_option,
 )
-from .subjects import EVERYTHING, Color, Request, Subject
+from .subjects import EVERYTHING, LARGEST, Color, Request, Subject
 from .terminal import FAILED
 
 if TYPE_CHECKING:
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
     from ..targets.runner.sheet import Panel
 
 REFERENCE = "reference"
-LARGEST = 4096
-"""The most pixels of a side. The reference needs 4 GB of memory for a square of this size."""
 LARGEST_SHEET = 2**27
 """The most pixels of all pictures on a sheet together."""
 MESHES = ("sphere", "plane", "cube", "torus")
@@ -159,9 +157,9 @@ def _render(request: Request) -> None:
         found = subjects(request, drivers)
         _refuse_kernels(found)
         _tell_lacking_features(found, drivers)
-        _check_total(len(found) * len(routes), request.size)
+        _check_total(len(found) * len(routes), _largest(request, found))
         drawn = list(panels(found, routes, request.target, runner, progress))
-    _save(drawn, len(routes), request)
+    _save(drawn, len(routes), request.output, _largest(request, found))
     click.echo(f"{'; '.join(subject.label for subject in found)}: {request.output}")
     _tell_failures(drawn)
 
@@ -210,10 +208,17 @@ def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route])
 
 
 def _refuse_kernels(subjects: Sequence[Subject]) -> None:
-    """End the command if something is no material."""
+    """End the command if something has no picture."""
     for subject in subjects:
         if not subject.material.reflection["targets"]:
-            fail(f"{subject.label} is a kernel, which draws nothing: `burnish conform` runs it")
+            fail(f"{subject.label} is a kernel over buffers, which draws nothing: "
+                 "`burnish conform` runs it")  # fmt: skip
+
+
+def _largest(request: Request, subjects: Sequence[Subject]) -> tuple[int, int]:
+    """The size of a place on a sheet. The images of kernels have sizes of their own."""
+    sizes = [request.size, *((each.state.width, each.state.height) for each in subjects)]
+    return max(width for width, _ in sizes), max(height for _, height in sizes)
 
 
 def _check_total(count: int, size: tuple[int, int]) -> None:
@@ -225,7 +230,7 @@ def _check_total(count: int, size: tuple[int, int]) -> None:
         )
 
 
-def _save(drawn: Sequence[Panel], routes: int, request: Request) -> None:
+def _save(drawn: Sequence[Panel], routes: int, path: Path, size: tuple[int, int]) -> None:
     """Write a single picture, or a sheet.
 
     If there are several subjects and several routes, the sheet is a table with a row for each
@@ -235,13 +240,12 @@ def _save(drawn: Sequence[Panel], routes: int, request: Request) -> None:
     from ..targets.runner.sheet import sheet
     from .output import write_file
 
-    path = request.output
     if len(drawn) == 1 and drawn[0].image is not None:
         image = drawn[0].image
     else:
         is_table = 1 < routes < len(drawn)
         columns = routes if is_table else math.ceil(math.sqrt(len(drawn)))
-        image = sheet(drawn, columns, request.size)
+        image = sheet(drawn, columns, size)
     try:
         write_file(path, encoded(image, path))
     except OSError as error:

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 EVERYTHING = "all"
 """Stands for every route."""
 
+LARGEST = 4096
+"""The most pixels of a side. The reference needs 4 GB of memory for a square of this size."""
+
 Color = tuple[float, float, float, float]
 
 
@@ -70,13 +73,14 @@ def subjects(request: Request, routes: Iterable[Route]) -> list[Subject]:
     command.
     """
     found = [
-        Subject(titles, material, _scene_state(material, request))
+        (titles, material, _scene_state(material, request))
         for titles, material in _compiled(request, routes)
     ]
-    instances = [subject.state.instance for subject in found]
+    instances = [state.instance for _titles, _material, state in found]
     _set_values(instances, request.values)
+    _set_pictures(instances, request.size)
     _insist_on_values(instances)
-    return found
+    return [Subject(titles, material, _sized(state)) for titles, material, state in found]
 
 
 def target_number(reflection: Mapping[str, Any], wanted: str | None) -> int:
@@ -115,6 +119,8 @@ def _compiled(
 
 
 def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
+    """A mesh in a scene; of a kernel over images, the size of these is known from its values only,
+    and counts instead."""
     from ..targets.runner.scene import Scene
     from ..targets.runner.scene_state import set_up
 
@@ -158,6 +164,41 @@ def _set_values(instances: Sequence[Instance], values: Iterable[tuple[str, str]]
         if len(unknown) == len(instances):
             # The shortest message suggests a similar name; the others list all names.
             raise min(unknown, key=lambda error: len(str(error)))
+
+
+def _set_pictures(instances: Sequence[Instance], size: tuple[int, int]) -> None:
+    """Give kernels over images a picture to work on for each texture that has none."""
+    from ..targets.runner.kernels import has_images
+    from ..targets.runner.textures.chart import chart
+
+    for instance in instances:
+        reflection = instance.reflection
+        for row in reflection["textures"] if has_images(reflection) else ():
+            is_picture = (row["dimension"], row["sample"]) == ("2d", "float")
+            if is_picture and instance.get(row["name"]) is None:
+                instance.set(row["name"], chart(size))
+                remark("note", (
+                    f"`{row['name']}` of {reflection['material']} is a test chart: "
+                    f"--set {row['name']}=PICTURE sets another"
+                ))  # fmt: skip
+
+
+def _sized(state: SceneState) -> SceneState:
+    """The state with the size that a kernel's images have; ends the command if it is too large."""
+    from ..targets.runner.kernels import EmptyImageError, full_screen_state, has_images
+
+    reflection = state.instance.reflection
+    if not has_images(reflection):
+        return state
+    try:
+        sized = full_screen_state(state.instance, state.clear[0])
+    except EmptyImageError as error:
+        fail(str(error))
+    if max(sized.width, sized.height) > LARGEST:
+        size = f"{sized.width} x {sized.height}"
+        fail(f"the images of {reflection['material']} have {size} texels: a side has {LARGEST} at "
+             "most")  # fmt: skip
+    return sized
 
 
 def _insist_on_values(instances: Sequence[Instance]) -> None:

@@ -693,18 +693,21 @@ NO_RESULT = _error(
 )
 NO_EXTENT = _error(
     "B0511",
-    "`{name}` does not say how many elements it has",
-    "The number stands in the type of a result: `float[before.count]`, `uint[256]`.",
+    "`{name}` does not tell its {what}",
+    "It stands in brackets in the type of a result: `float[before.count]`, `uint[256]`, "
+    "`image2d<rgba8>[source.size()]`.",
 )
 EXTENT_VARIES = _error(
     "B0512",
-    "the number of elements of `{name}` is not known to the host",
-    "It is computed of constants, parameters and the counts of buffers, without loops.",
+    "the {what} of `{name}` is not known to the host",
+    "It is computed of constants, parameters, the counts of buffers and the sizes of textures, "
+    "without loops.",
 )
 EXTENTS_DIFFER = _error(
     "B0513",
-    "`{name}` has another number of elements than the first result",
-    "Every invocation of a kernel computes one element of each result. Write a second kernel.",
+    "`{name}` has another {what} than the first result",
+    "Every invocation of a kernel computes one element, or one texel, of each result. Write a "
+    "second kernel.",
 )
 NOT_WRITABLE = _error(
     "B0514",
@@ -716,6 +719,18 @@ NOT_IN_KERNEL = _error(
     "B0515",
     "{what} is not available in a kernel",
     "Derivatives, and reads of textures without a level, compare neighbouring pixels.",
+)
+WORK_GROUP_SIDES = _error(
+    "B0516",
+    "this work group has {sides} sides, and the results have {dimensions} dimension",
+    "A kernel over buffers counts its elements by one number, so its work groups have one side: "
+    "`work_group of 128`.",
+)
+WORK_GROUP_SIZE = _error(
+    "B0517",
+    "a work group has 1 to {most} invocations, and not {size}",
+    "Each side is at least 1. Profiles may take fewer: those for Vulkan 128, and those for WebGPU "
+    "256.",
 )
 
 # Expansions
@@ -764,6 +779,20 @@ TWO_EXPANSIONS = _error(
     "`{name}` expands its primitives twice",
     "A material has one expansion, with as many groups of strips as it needs. Two mixins that each "
     "have one cannot be combined.",
+)
+
+# Kernels over images
+
+MIXED_RESULTS = _error(
+    "B0550",
+    "`{name}` is {kind}, and the first result is {first}",
+    "An invocation computes an element by its number, or a texel by its place. Write a second "
+    "kernel.",
+)
+NO_FORMAT = _error(
+    "B0551",
+    "`{name}` does not say of which format its texels are",
+    "An image has one format, as a render target has: `image2d<rgba16f>[size]`.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

@@ -13,11 +13,12 @@ from collections.abc import Iterable
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from .expansion import EmittedStrips, Expansion
+from .kernel import WorkGroup
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
 from .shader import Store
-from .stages import VERTICES, Domain, InterpolationMode, StageRow
+from .stages import IMAGE, VERTICES, Domain, InterpolationMode, StageRow
 from .storage import stored_type, structs_in
 from .tessellation import Tessellation
 from .types import Struct, Type
@@ -113,6 +114,8 @@ class Output:
     """Where it goes, for what has a location: a varying, or a render target."""
     store: Store | None = None
     """Where it goes, for what is written to a storage buffer."""
+    format: str = ""
+    """That of the texels, for what is written to an image."""
 
     @property
     def shown(self) -> str:
@@ -400,6 +403,8 @@ class Program:
     """What each primitive of the mesh turns into."""
     tessellation: Tessellation | None = None
     """What each patch of it is divided into."""
+    work_group: WorkGroup | None = None
+    """Which invocations of a kernel run together."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""
@@ -444,6 +449,11 @@ class Program:
     def written(self) -> frozenset[Buffer]:
         """The storage buffers that some stage writes."""
         return frozenset[Buffer]().union(*(stage.written for stage in self.stages))
+
+    @property
+    def images(self) -> tuple[Output, ...]:
+        """The images that a kernel writes, each as what is written to one of its texels."""
+        return self.results_of(IMAGE)
 
     @property
     def structs(self) -> tuple[Struct, ...]:

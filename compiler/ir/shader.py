@@ -12,6 +12,7 @@ from typing import Any
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .expansion import Expansion
+from .kernel import WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
@@ -152,7 +153,7 @@ class Result:
     """What a host knows it by. Results with a name get locations, in order."""
     doc: str = ""
     state: RenderTarget | None = None
-    """For a result of the kind ``TARGET``."""
+    """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
     """For a result of the kind ``STORE``."""
 
@@ -249,6 +250,8 @@ class Shader:
     """What each primitive of the mesh turns into, whichever stage does it."""
     tessellation: Tessellation | None = None
     """What each patch of the mesh is divided into, whichever stage does it."""
+    work_group: WorkGroup | None = None
+    """Which invocations of a kernel run together."""
 
     @property
     def roots(self) -> Roots:

@@ -16,7 +16,7 @@ from itertools import pairwise
 from typing import Literal
 
 from ...frozen import frozen
-from .types import BOOL, INT, UINT, VEC2, VEC3, VEC4, Type
+from .types import BOOL, INT, IVEC2, UINT, VEC2, VEC3, VEC4, Type
 
 Domain = str
 """What a value varies over: one of these names, or that of another stage's row."""
@@ -47,8 +47,11 @@ EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
 STORE = "store"
 """The kind of a result that is written to an element of a storage buffer."""
+IMAGE = "image"
+"""The kind of a result that is written to a texel of an image."""
 EXTENT = "extent"
-"""The kind of the result that says for how many elements a kernel is run."""
+"""The kind of the result that says for how many elements, or for how many texels in a row and in a
+column, a kernel is run."""
 VARYING = "varying"
 """The kind of what a stage delivers to the next one; packing makes these results."""
 
@@ -190,8 +193,10 @@ COMPUTE = StageRow(
     inputs=(
         # The number of the element that is computed.
         SystemInput("index", INT, INVOCATIONS),
+        # The place of the texel that is computed: from the left, and from the top.
+        SystemInput("texel", IVEC2, INVOCATIONS),
     ),
-    delivers=(STORE, EXTENT),
+    delivers=(STORE, IMAGE, EXTENT),
 )  # fmt: skip
 
 STAGES: Mapping[str, StageRow] = {
@@ -215,7 +220,8 @@ TESSELLATED_CHAIN: Chain = (VERTEX, CONTROL, EVALUATION, FRAGMENT)
 """What divides each patch of a mesh into triangles or lines before these are drawn."""
 
 COMPUTED: Chain = (COMPUTE,)
-"""What computes the elements of buffers, each by an invocation of its own."""
+"""What computes the elements of buffers or the texels of images, each by an invocation of its
+own."""
 
 
 def inputs_of(chain: Iterable[StageRow]) -> dict[str, SystemInput]:

@@ -138,6 +138,7 @@ INT = Scalar("int")
 UINT = Scalar("uint")
 BOOL = Scalar("bool")
 VEC2 = Vector("float", 2)
+IVEC2 = Vector("int", 2)
 VEC3 = Vector("float", 3)
 VEC4 = Vector("float", 4)
 

@@ -5,7 +5,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+from functools import partial
+
 from ...frozen import changed, frozen
+from ..ir.full_screen import full_screen, without_extent, writes_images
 from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
@@ -62,19 +66,43 @@ class Undecided:
 
 
 @frozen
+class Form:
+    """The program of a shader in the form in which some profiles have it."""
+
+    shader: Shader
+    """With the results that this form delivers, and the stages that do."""
+    program: Program
+    undecided: Undecided | None = None
+    """Where the program has calls that each profile decides about."""
+
+
+@frozen
 class Staged:
     """A program with what else is to be told about it."""
 
+    shader: Shader
+    """The shader that it was made of."""
     program: Program
     derived: tuple[Derived, ...]
     guards: tuple[Guard, ...]
     evidence: Evidence
     undecided: Undecided | None = None
     """Where the program has such calls."""
+    full_screen: Form | None = None
+    """Of a kernel over images, the pass that draws these."""
+
+    def form(self, formats: Container[str]) -> Form:
+        """The form for a profile whose kernels can write images of some ``formats``."""
+        own = Form(self.shader, self.program, self.undecided)
+        if self.full_screen is None:
+            return own
+        writable = all(image.format in formats for image in self.program.images)
+        return own if writable else self.full_screen
 
 
 def stage(shader: Shader, options: Options) -> Staged:
     """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
+    shader = without_extent(shader) if writes_images(shader) else shader
     graph, notes = shader.graph, shader.notes
     results = verified_results(shader)
     roots = verified("semantics", "semantics", Roots([result.value for result in results]))
@@ -98,9 +126,19 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = verified("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     roots = verified("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
     results = tuple(changed(r, value=v) for r, v in zip(results, roots, strict=True))
-    program = split_stages(shader, results, derived)
-    undecided = Undecided(shader, results, derived, ranges) if guarding.undecided else None
-    return Staged(program, derived, tuple(guarding.kept.values()), evidence, undecided)
+    made = partial(_form, derived=derived, ranges=ranges if guarding.undecided else None)
+    form = made(changed(shader, results=results))
+    drawn = made(full_screen(form.shader)) if writes_images(shader) else None
+    guards = tuple(guarding.kept.values())
+    return Staged(shader, form.program, derived, guards, evidence, form.undecided, drawn)
+
+
+def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -> Form:
+    """A shader whose results have been through all other passes; ``ranges`` where it has calls that
+    each profile decides about."""
+    program = split_stages(shader, shader.results, derived)
+    undecided = None if ranges is None else Undecided(shader, shader.results, derived, ranges)
+    return Form(shader, program, undecided)
 
 
 def _simplified(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:

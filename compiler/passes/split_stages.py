@@ -28,7 +28,7 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import EMITTING, EXTENT, VARYING, StageRow
+from ..ir.stages import EMITTING, EXTENT, IMAGE, VARYING, StageRow
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
@@ -74,7 +74,7 @@ def split_stages(
     )
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
-        shader.expansion, shader.tessellation,
+        shader.expansion, shader.tessellation, shader.work_group,
     )  # fmt: skip
 
 
@@ -110,7 +110,8 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
         field = None
         if result.name and result.store is None:
             field = Field(result.name, result.value.type, next(locations), doc=result.doc)
-        yield Output(result.kind, result.value, field, result.store)
+        format_ = result.state.format if result.kind == IMAGE and result.state else ""
+        yield Output(result.kind, result.value, field, result.store, format_)
 
 
 def _crossing_outputs(graph: Graph, varyings: Iterable[Varying]) -> Iterator[Output]:

@@ -13,19 +13,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..ir.leaves import Buffer, Parameter, Resource
+from ..ir.leaves import Resource
 from ..ir.node import Node
 from ..ir.shader import Shader, Store
 from ..ir.stages import COMPUTED, STORE
 from .bounds import Bounded, Bounds, Errors, exact
 from .evaluate import Evaluator
+from .held_values import HeldValues, as_rounded
 from .namespace import Lanes
 from .picture.sampler import TextureReader
 from .picture.scene import RasterRules, Texels
-from .picture.stage_evaluation import as_rounded
 from .picture.texels import Image
-from .storage_buffers import reader
-from .stored import stored
 
 Array = NDArray[Any]
 
@@ -59,18 +57,18 @@ def computed(
     if shader.chain != COMPUTED:
         raise ValueError(f"{shader.name} is no kernel.")
     index = exact(np.arange(count, dtype=np.int64))
-    read: dict[tuple[Any, Any], Lanes] = {}
+    held = HeldValues(values, as_rounded)
+    readers: dict[Resource, TextureReader] = {}
 
     def leaves(node: Node) -> Lanes | None:
         if node.op == "input":
             return (index,)
-        key = node.data, node.type
-        if key not in read:
-            found = _leaf(node, values, textures, rules)
-            if found is None:
-                return None
-            read[key] = found
-        return read[key]
+        if isinstance(node.data, Resource):
+            if node.data not in readers:
+                image = Image(textures[node.data.name], node.data, rules)
+                readers[node.data] = TextureReader(image)
+            return (readers[node.data],)
+        return held.value(node)
 
     def rounded_constants(node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
         made: Lanes = as_rounded(value) if node.op == "constant" else value
@@ -86,20 +84,3 @@ def computed(
                 arrays = (np.asarray(whole.value), np.asarray(whole.low), np.asarray(whole.high))
                 found.append(Lane(result.store, number, whole.kind, *arrays))
     return found
-
-
-def _leaf(
-    node: Node, values: Mapping[str, Any], textures: Mapping[str, Texels], rules: RasterRules
-) -> Lanes | None:
-    match node.data:
-        case Buffer():
-            return reader(values, node)
-        case Resource() as resource:
-            return (TextureReader(Image(textures[resource.name], resource, rules)),)
-        case Parameter() as parameter:
-            value = values[parameter.name]
-            value = value if node.type == parameter.type else stored(parameter.type, value)
-            rounded: Lanes = as_rounded(value)
-            return rounded
-        case _:
-            return None

@@ -1,7 +1,7 @@
 """Reads elements of storage buffers: what ``index`` of a buffer means, for all pixels at once.
 
-``picture`` and ``attribution`` make a ``BufferReader`` for each buffer and each type in which a
-graph reads it. It is the value of the ``buffer`` leaf.
+``HeldValues`` makes a ``BufferReader`` for each buffer and each type in which a graph reads it. It
+is the value of the ``buffer`` leaf.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..ir.leaves import Buffer
-from ..ir.node import Node
 from ..ir.storage import (
     ROW,
     byte_size,
@@ -135,19 +134,6 @@ class BufferReader:
             return np.asarray(lane, np.bool_)
         number: NDArray[Any] = np.asarray(lane, np.float64 if kind == "float" else np.int64)
         return number
-
-
-def reader(values: Mapping[str, Any], node: Node) -> Lanes | None:
-    """The value of a ``buffer`` leaf; ``None`` for any other node.
-
-    Raises ``ValueError`` for a buffer without contents.
-    """
-    leaf = node.data
-    if not isinstance(leaf, Buffer):
-        return None
-    if not isinstance(values.get(leaf.name), Contents):
-        raise ValueError(f"The buffer `{leaf.name}` has no contents.")
-    return (BufferReader(values[leaf.name], leaf, node.type),)
 
 
 def _members(struct: Struct, *, is_stored: bool) -> Iterator[tuple[Type, int]]:

@@ -11,7 +11,7 @@ from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
-from ..ir.stages import EVALUATION, GEOMETRY, TARGET
+from ..ir.stages import EVALUATION, GEOMETRY, IMAGE, TARGET
 from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
@@ -62,6 +62,7 @@ def reflect(
         "buffers": list(buffer_rows(shader.buffers, program)),
         "results": list(result_rows(shader)),
         "extent": extent_steps(shader),
+        "work_group": None if shader.work_group is None else list(shader.work_group),
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
@@ -152,8 +153,9 @@ def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:
 
 
 def _target_rows(shader: Shader, program: Program) -> Iterable[dict[str, Any]]:
-    outputs = program.results_of(TARGET)
-    for result, output in zip(shader.results_of(TARGET), outputs, strict=True):
+    """The render targets of a pass; of a kernel over images, these, which it draws or writes."""
+    kind = IMAGE if program.images else TARGET
+    for result, output in zip(shader.results_of(kind), program.results_of(kind), strict=True):
         state, field = result.state, output.field
         assert state is not None and field is not None
         yield {

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..ir.leaves import Parameter
+from ..ir.leaves import Parameter, Resource
 from ..ir.node import Folding, Node, reachable
 
 _PLAIN = frozenset(("vector", "splat", "matrix", "index", "select", "apply"))
@@ -22,6 +22,7 @@ _KEYS = {
     "swizzle": "lanes",
     "member": "member",
     "bound": "binder",
+    "resource": "texture",
 }
 """What the data of the other operations is called in a step."""
 
@@ -49,8 +50,9 @@ def _data(node: Node) -> dict[str, Any]:
         return {"operator": node.data.operator, "bound": node.data.bound}
     if node.op not in _KEYS:
         raise ValueError(f"a host cannot compute {node.op}")
-    data = node.data.name if isinstance(node.data, Parameter) else listed(node.data)
-    return {_KEYS[node.op]: data}
+    if isinstance(node.data, Parameter | Resource):
+        return {_KEYS[node.op]: node.data.name}
+    return {_KEYS[node.op]: listed(node.data)}
 
 
 def listed(value: object) -> Any:

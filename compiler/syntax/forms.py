@@ -1,6 +1,6 @@
 """What declarations, folds and foreign files begin with, and how declarations are written.
 
-For members, ``ast/members.py`` says it.
+For members, ``ast/member_kinds.py`` says it.
 """
 
 from __future__ import annotations

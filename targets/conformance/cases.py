@@ -8,6 +8,7 @@ every texture.
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -15,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..runner.instances.instance import Instance
+from ..runner.kernels import full_screen_state, has_images
 from ..runner.meshes import Mesh, cube, plane, sphere, torus
 from ..runner.scene import Scene, with_inputs
 from ..runner.scene_state import Color, SceneState, set_up
@@ -28,6 +30,9 @@ SIZE: Size = (72, 56)
 
 UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
 """A clear colour that no shader is likely to write, so that it shows which pixels are covered."""
+
+IMAGE_CASES = ("first", "second")
+"""The names of the pictures of a kernel over images."""
 
 BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 """The clear colour for blending."""
@@ -55,7 +60,14 @@ def series_of(reflection: Mapping[str, Any], seed: int = 0, size: Size = SIZE) -
     """All cases of one material; ``seed`` is the seed of its random values.
 
     Pictures of a smaller ``size`` have meshes of fewer triangles: random programs are drawn so.
+    The images of a kernel have sizes of their own.
     """
+    if has_images(reflection):
+        yield Series(exact=False, cases=tuple(
+            Case(name, full_screen_state(_kernel(reflection, seed + turn, size), UNCOVERED))
+            for turn, name in enumerate(IMAGE_CASES)
+        ))  # fmt: skip
+        return
     yield Series(exact=True, cases=(
         _defaults(reflection, size),
         _stretched("stretched", reflection, seed, UNCOVERED, size),
@@ -64,6 +76,19 @@ def series_of(reflection: Mapping[str, Any], seed: int = 0, size: Size = SIZE) -
     ))  # fmt: skip
     if any(row["blend"] != "none" for row in reflection["targets"]):
         yield Series(exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size),))
+
+
+def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:
+    """A kernel with random values, whose images are about as large as other pictures."""
+    instance = _sampled(reflection, seed)
+    counts = {row["count"] for row in reflection["buffers"]}
+    read = {step["parameter"] for step in reflection["extent"] if step["op"] == "parameter"}
+    for row in reflection["parameters"]:
+        if row["name"] in read - counts and row["representation"] in ("int", "uint"):
+            lo, hi = row["range"] or (1, max(size))
+            number = random.Random(f"{seed} {row['name']}").randint(min(size) // 2, max(size))
+            instance.set(row["name"], int(min(max(number, lo), hi)))
+    return instance
 
 
 def _cells(usual: int, size: Size) -> int:

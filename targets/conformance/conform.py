@@ -15,6 +15,7 @@ from ...compiler.ir.stages import COMPUTED
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError, Job
+from ..runner.kernels import has_images
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -77,7 +78,7 @@ def _plan(
 ) -> Plan | KernelPlan | tuple[str, str]:
     """The plan of a material or a kernel; or its label, and the reason why nothing can draw it."""
     try:
-        if subject.shader.chain == COMPUTED:
+        if subject.shader.chain == COMPUTED and not has_images(subject.reflection):
             return KernelPlan(label, subject, seed)
         return Plan(label, subject, seed, store, size, draw)
     except ValueError as error:

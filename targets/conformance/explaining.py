@@ -18,6 +18,7 @@ from ...compiler.reference.attribution import Explanation, UncoveredError
 from ...compiler.reference.picture import Expected
 from ..runner.drivers.draw import Device
 from ..runner.explanation import explained
+from ..runner.kernels import drawable
 from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
@@ -119,9 +120,11 @@ def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> 
     """
     every = chain.from_iterable(series.cases for series in series_of(subject.reflection))
     case = _named({one.name: one for one in every}, name)
+    if not (pixel[0] < case.state.width and pixel[1] < case.state.height):
+        raise PixelError(f"`{name}` has {case.state.width} x {case.state.height} pixels")
     bounds = bounds_of(case.state, route, _ANY_DEVICE)[-1]
     try:
-        return explained(subject.shader, case.state, bounds.rules, bounds.errors, *pixel)
+        return explained(drawable(subject.shader), case.state, bounds.rules, bounds.errors, *pixel)
     except UncoveredError:
         x, y = pixel
         raise PixelError(f"nothing is drawn at {x},{y} of `{name}`") from None
@@ -182,6 +185,10 @@ def _chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None) -> Seen:
     """The case with this name; or the one in which the pixel's bounds are widest."""
     if not seen:
         raise PixelError("no route has drawn it, so there is no device whose rounding to explain")
+    x, y = pixel
+    seen = [one for one in seen if x < one.case.state.width and y < one.case.state.height]
+    if not seen:
+        raise PixelError(f"no image of this kernel has a pixel {x},{y}")
     if name is None:
         return max(seen, key=lambda one: _width(one.result.expected)[pixel[1], pixel[0]])
     return _named({one.case.name: one for one in seen}, name)
@@ -201,7 +208,7 @@ def _explained(subject: Subject, seen: Seen, pixel: Pixel) -> Explanation:
     level = seen.result.comparison.level
     allowed = bounds_of(seen.case.state, row.route, row.device)
     bounds = next(one for one in allowed if one.level == level)
-    return explained(subject.shader, seen.case.state, bounds.rules, bounds.errors, *pixel)
+    return explained(drawable(subject.shader), seen.case.state, bounds.rules, bounds.errors, *pixel)
 
 
 def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:

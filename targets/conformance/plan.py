@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from threading import Lock
-from typing import Generic, Protocol, TypeVar
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,7 @@ from ...stdlib.builtins.accuracy import Platform
 from ..runner.binding import FORMATS
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
+from ..runner.kernels import drawable
 from ..runner.reference import Draw, Program, remembered
 from ..runner.reference import expected as drawn_here
 from ..runner.routes import Route
@@ -29,10 +29,10 @@ from .cases import Series, Size, series_of
 from .compare import Comparison, Level, compare
 from .drivers import DRIVERS, Driver, Hardware
 from .measured import ENVELOPES
+from .once import Known
 from .rows import CaseResult
 
 Floats = NDArray[np.float64]
-T = TypeVar("T")
 
 _ANY: tuple[Platform, ...] = ("vulkan",)
 """The errors of functions that were not measured follow from those that were, on any platform. So
@@ -74,9 +74,8 @@ class Plan:
             for series in series_of(subject.reflection, seed, size)
         ]
         """Each series with its draws."""
-        self._expected: dict[object, _Once[Expected]] = {}
-        self._programs: dict[object, _Once[Program]] = {}
-        self._lock = Lock()
+        self._expected: Known[Expected] = Known()
+        self._programs: Known[Program] = Known()
         self._store = store
         self._draw = draw
 
@@ -122,9 +121,9 @@ class Plan:
 
         def made() -> Program:
             emitted = self.subject.shader if profile is None else self.subject.emitted(profile)
-            return Program.of(to_targets(emitted, exact=exact))
+            return Program.of(to_targets(drawable(emitted), exact=exact))
 
-        return self._once(self._programs, (profile, exact)).value(made)
+        return self._programs.value((profile, exact), made)
 
     def _wanted(
         self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
@@ -133,13 +132,9 @@ class Plan:
             # Which rows make a quad is all that the rules for some drivers differ in.
             rules = replace(rules, bottom_up=False)
         key = program.text, id(state), rules, errors
-        return self._once(self._expected, key).value(
-            lambda: remembered(program, state, rules, self._store, errors, self._draw)
+        return self._expected.value(
+            key, lambda: remembered(program, state, rules, self._store, errors, self._draw)
         )
-
-    def _once(self, known: dict[object, _Once[T]], key: object) -> _Once[T]:
-        with self._lock:
-            return known.setdefault(key, _Once())
 
 
 def _compared(
@@ -161,21 +156,6 @@ def _compared(
         bounds.level,
         possible,
     )
-
-
-class _Once(Generic[T]):
-    """A value that the first thread makes which asks for it; others wait until it is there."""
-
-    def __init__(self) -> None:
-        self._lock = Lock()
-        self._values: list[T] = []
-
-    def value(self, make: Callable[[], T]) -> T:
-        """The value; if ``make`` raises an error, the next thread tries again."""
-        with self._lock:
-            if not self._values:
-                self._values.append(make())
-            return self._values[0]
 
 
 def summed_up(found: Sequence[Comparison]) -> Comparison:

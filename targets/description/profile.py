@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...compiler.ir.stages import GEOMETRY, RASTERISED, Chain, StageRow
+from ...compiler.ir.stages import COMPUTE, GEOMETRY, RASTERISED, Chain, StageRow
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain
 from .spellings import PipelineInput, Spellings
@@ -78,6 +78,8 @@ class Limits:
     """Vertices that a geometry stage emits for one primitive."""
     emitted_components: int = 1024
     """Numbers that all of these have together, those of their positions included."""
+    work_group: int = 128
+    """Invocations in a work group."""
     groups: int | None = None
     """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
     bindings: int | None = None
@@ -102,6 +104,7 @@ LIMITED: Mapping[str, Limited] = {
     "block_bytes": Limited("bytes in a uniform block"),
     "render_targets": Limited("render targets"),
     "nested_blocks": Limited("nested blocks"),
+    "work_group": Limited("invocations in a work group", COMPUTE),
     "emitted_vertices": Limited("vertices of one primitive", GEOMETRY),
     "emitted_components": Limited("numbers at the vertices of one primitive", GEOMETRY),
     "groups": Limited("bind groups"),
@@ -122,6 +125,9 @@ class Profile:
     """By native, the line that opens a file in which it is used."""
     stages: Chain = RASTERISED
     """Those that it has, in any order."""
+    image_formats: frozenset[str] = frozenset()
+    """The formats of images that kernels can write. Those of other formats are drawn: a kernel over
+    them is a full-screen pass."""
     single_file: bool = False
     """All stages can stand in one text."""
     samplers: Samplers = Samplers()

@@ -48,9 +48,6 @@ from .views import (
     TessellationView,
 )
 
-WORKGROUP = 64
-"""Invocations that run together: a multiple of what all devices execute at once."""
-
 
 LEVELS = (EDGE_LEVEL, INNER_LEVEL)
 DIVIDING = (CONTROL, EVALUATION)
@@ -96,6 +93,7 @@ class StagePrinter:
         index_line = self._index_line(namer, expressions)
         functions = [self._function(function) for function in stage.functions]
         guard = self._guard(expressions, stage.value_of(EXTENT))
+        group = self._context.program.work_group
         lines = statements.lines(stage.region)
         if stage.emitted:
             strips = Strips(self._context, expressions, namer, self._marks)
@@ -123,7 +121,7 @@ class StagePrinter:
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
             index=index_line,
             guard=guard,
-            workgroup=WORKGROUP if guard else 0,
+            work_group=() if group is None else group,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
             expansion=self._expansion(),
             tessellation=self._tessellation([field for field, _ in stored]),

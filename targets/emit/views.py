@@ -171,8 +171,8 @@ class EntryView:
     """The statement that names the number of a kernel's element; empty in other stages."""
     guard: str
     """Where a kernel's invocation has nothing to do; empty in other stages."""
-    workgroup: int
-    """How many invocations a kernel runs together; 0 in other stages."""
+    work_group: tuple[int, ...]
+    """How many invocations a kernel runs together along x, y and z; empty in other stages."""
     discard: list[str]
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
     expansion: ExpansionView | None = None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...compiler.ir.kernel import invocations
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture, width
@@ -85,6 +86,7 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "block_bytes": max((block.size for block in program.blocks), default=0),
         "nested_blocks": max(depths),
         "render_targets": len(program.results_of(TARGET)),
+        "work_group": 0 if program.work_group is None else invocations(program.work_group),
     }
 
 

@@ -218,7 +218,7 @@ METAL2 = Profile(
     numbering="kind",
     lacks=frozenset({"first_leading_bit", "first_trailing_bit"}),
     agrees={"dot": is_float},
-    limits=Limits(varyings=15, attributes=31, block_bytes=65536),
+    limits=Limits(varyings=15, attributes=31, block_bytes=65536, work_group=512),
     checkers=("clang-msl",),
 )
 

@@ -1,26 +1,90 @@
 """Runs kernels: the values of an instance as a dispatch, and its answer as elements.
 
 ``conform`` and tests call it; ``compiler/reference/kernel.py`` computes the same by the reference.
+A kernel over images is drawn by ``render`` as well: as the scene that ``full_screen_state`` makes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .drivers.draw import Dispatch
+import numpy as np
+
+from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
+from ...compiler.ir.shader import Shader
+from ...frozen import changed
+from .drivers.draw import Dispatch, KernelJob, Pipeline, Written
 from .instances.instance import Instance
+from .scene_state import CLEAR, Color, SceneState
+
+
+class EmptyImageError(ValueError):
+    """The images of a kernel have no texels."""
+
+    def __init__(self, kernel: str, width: int, height: int) -> None:
+        super().__init__(f"the images of {kernel} have {width} x {height} texels: set what tells "
+                         "their size")  # fmt: skip
+
+
+def has_images(reflection: Mapping[str, Any]) -> bool:
+    """Whether something compiled is a kernel over images."""
+    return reflection["extent"] is not None and bool(reflection["targets"])
+
+
+def job_of(
+    reflection: Mapping[str, Any], pipeline: Pipeline, dispatches: Sequence[Dispatch]
+) -> KernelJob:
+    """What a driver is asked to compute with the pipeline of a kernel."""
+    x, y, z = reflection["work_group"]
+    return KernelJob(pipeline, (x, y, z), tuple(dispatches))
 
 
 def dispatch_of(instance: Instance) -> Dispatch:
     """The bytes that a driver computes with, in the order of the reflection."""
     reflection: Mapping[str, Any] = instance.reflection
     blocks, textures, buffers = instance.blocks(), instance.textures(), instance.buffers()
+    count = instance.extent()
+    read = [buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]]
+    # No API binds a buffer of no bytes.
+    written = [bytes(max(count, 1) * row["stride"]) for row in reflection["results"]]
     return Dispatch(
-        count=instance.extent(),
+        extent=(count, 1, 1),
         blocks=tuple(blocks[row["name"]] for row in reflection["blocks"]),
         textures=tuple(
             textures[row["name"]].image() for row in reflection["textures"] if row["stages"]
         ),
-        buffers=tuple(buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]),
+        buffers=(*read, *written),
     )
+
+
+def elements_of(
+    reflection: Mapping[str, Any], dispatch: Dispatch, written: Written
+) -> dict[str, bytes]:
+    """The bytes of the elements of each result, by name."""
+    count, _, _ = dispatch.extent
+    return {
+        row["name"]: data[: count * row["stride"]]
+        for row, data in zip(reflection["results"], written.buffers, strict=True)
+    }
+
+
+def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
+    """What is drawn to make the images of a kernel: one triangle over the whole picture.
+
+    Raises ``MissingValuesError``, and ``EmptyImageError``.
+    """
+    reflection, (width, height) = instance.reflection, instance.size()
+    if not width * height:
+        raise EmptyImageError(reflection["material"], width, height)
+    corners = np.arange(CORNERS)[None]
+    cleared = (clear,) * len(reflection["targets"])
+    return SceneState(width, height, {}, corners, instance, cleared)
+
+
+def drawable(shader: Shader) -> Shader:
+    """The shader as the reference draws it: a kernel over images as a full-screen pass."""
+    if not writes_images(shader):
+        return shader
+    # It adds nodes, and others may walk over the graph that was given.
+    return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))

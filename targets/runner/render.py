@@ -12,6 +12,7 @@ from .binding import pipeline
 from .codes import compile_one
 from .drivers.draw import Job
 from .drivers.readback import arrays
+from .kernels import drawable
 from .reference import Progress, expected
 from .routes import Route
 from .runner import Runner
@@ -27,7 +28,7 @@ def by_reference(
     """The targets, each of shape (height, width, 4), not rounded to their formats; and the values
     that are zero somewhere although they were promised not to be."""
     rules = RasterRules(state.width, state.height)
-    drawn = expected(subject.shader, state, rules, progress=progress)
+    drawn = expected(drawable(subject.shader), state, rules, progress=progress)
     kept = promises(subject.shader)
     return drawn.targets, tuple(one.value for one in kept if one.node.id in drawn.broken)
 

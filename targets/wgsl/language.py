@@ -139,7 +139,7 @@ WEBGPU = Profile(
     agrees=AGREES,
     single_file=True,
     # Tint takes 127 nested statements, of which each loop and each branch is two.
-    limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536),
+    limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),
     checkers=("naga", "tint"),
 )
 

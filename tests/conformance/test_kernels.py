@@ -56,7 +56,7 @@ def test_all_kernels_are_run() -> None:
 def _one_less(instance: Instance) -> Dispatch:
     made = running.dispatch_of(instance)
     blocks = tuple(bytes(len(block)) for block in made.blocks)
-    return Dispatch(made.count, blocks, made.textures, made.buffers)
+    return Dispatch(made.extent, blocks, made.textures, made.buffers)
 
 
 def test_missing_values_are_noticed(studio: Studio, monkeypatch: pytest.MonkeyPatch) -> None:

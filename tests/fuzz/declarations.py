@@ -182,20 +182,6 @@ def buffer(writer: Writer, name: str) -> tuple[Node, list[Node]]:
     return declared, [replace(reference, name=name) for reference in references]
 
 
-def kernel(writer: Writer, outside: Scope) -> Node:
-    """A kernel that computes an element for each of a buffer's."""
-    element = writer.chance.choice(("float", "vec2", "int", "uvec4"))
-    leaves = (variable("given[index]", element), variable("given.count", "int"))
-    scope = replace(outside, leaves=(*outside.leaves, *leaves, variable("index", "int")))
-    result = writer.chance.choice(("float", "vec3", "int", "uvec2"))
-    value = writer.expression(result, scope, FUEL // 2)
-    form = (
-        f"kernel Computed {{{{\n    buffer given : {element}[]\n"
-        f"    result made : {result}[given.count] = {result}({{}})\n}}}}"
-    )
-    return Node(form, (value,), role="kernel", optional=True)
-
-
 def light(writer: Writer, callables: Callables, *, mixed: bool) -> Node:
     """A light of the program's own, or one of the library's with other slots."""
     base = writer.chance.choice(("Light", "Point", "Spot", "Directional"))

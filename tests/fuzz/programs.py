@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from random import Random
 
-from . import declarations
+from . import declarations, kernels
 from .expansions import SPREAD, expansion
 from .expressions import FUEL, Writer
 from .rules import GEOMETRIC, TYPES
@@ -94,7 +94,7 @@ class _Program:
         terms = list(declarations.terms(writer, outside))
         self.file += [node for _, node in (*functions, *terms)]
         if writer.maybe(0.06):
-            self.file.append(declarations.kernel(writer, outside))
+            self.file.append(kernels.kernel(writer, outside))
         if own_light:
             mixed = writer.maybe(0.2)
             self.file += [declarations.light_mixin(writer)] * mixed

@@ -16,7 +16,8 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax.ast import declarations, expressions, members
-from burnish.compiler.syntax.ast.members import MemberKind, ReadMember
+from burnish.compiler.syntax.ast.member_kinds import MemberKind
+from burnish.compiler.syntax.ast.members import ReadMember
 from burnish.compiler.syntax.parser import parse
 from burnish.stdlib.builtins import BUILTINS
 from burnish.targets.runner.routes import ROUTES

@@ -20,6 +20,7 @@ from burnish.compiler.ir.node import reachable
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.picture import Expected, RasterRules
 from burnish.targets.conformance.cases import series_of
+from burnish.targets.runner.kernels import drawable
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.reference import expected, graph_text
 from burnish.targets.runner.scene import Scene
@@ -42,7 +43,7 @@ def programs(material: CompiledMaterial) -> Mapping[str, Shader]:
     found: dict[str, tuple[str, Shader]] = {}
     for profile in PROFILES:
         if profile not in material.lacking:
-            program = material.emitted(profile)
+            program = drawable(material.emitted(profile))
             found.setdefault(graph_text(program), (profile, program))
     return dict(found.values())
 
@@ -75,7 +76,7 @@ def test_every_profile_means_the_same(path: Path) -> None:
             drawn = programs(material)
             seen = 0
             for name, state in states(material):
-                meant = expected(material.shader, state, RULES)
+                meant = expected(drawable(material.shader), state, RULES)
                 seen += int((meant.covered & ~meant.undecided).sum())
                 for profile, program in drawn.items():
                     found = difference(meant, expected(program, state, RULES))

@@ -7,7 +7,7 @@ from typing import Any, get_args
 import pytest
 
 import burnish
-from burnish.compiler.semantics.shading.elaborate import FORMATS as TARGET_FORMATS
+from burnish.compiler.semantics.shading.formats import FORMATS as TARGET_FORMATS
 from burnish.targets.runner.binding import EXACT, FORMATS, VERTEX_FORMATS, pipeline
 from burnish.targets.runner.codes import Codes
 from burnish.targets.runner.drivers import draw

@@ -18,6 +18,7 @@ ROOT = Path(burnish.__file__).parent
 
 GRAMMAR = "compiler/syntax/burnish.lark"
 MEMBERS = "compiler/syntax/ast/members.py"
+KINDS = "compiler/syntax/ast/member_kinds.py"
 
 Change = tuple[str, str, str]
 """A file, a text in it, and what replaces this text."""

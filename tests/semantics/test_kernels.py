@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.ir.kernel import USUAL, invocations
 from burnish.compiler.ir.node import reachable
-from burnish.compiler.ir.stages import COMPUTED, EXTENT, STORE
+from burnish.compiler.ir.stages import COMPUTED, EXTENT, IMAGE, STORE
+from burnish.targets.description.profile import Limits
 
 from .kit import shader
 
@@ -106,8 +109,8 @@ def test_the_host_computes_the_extent() -> None:
 
 WRONG = [
     ("param x : float = 1", "B0510", "`K` computes nothing"),
-    ("result r : float = 1", "B0511", "`r` does not say how many elements it has"),
-    ("result r : float[] = 1", "B0511", "`r` does not say how many elements it has"),
+    ("result r : float = 1", "B0511", "`r` does not tell its number of elements"),
+    ("result r : float[] = 1", "B0511", "`r` does not tell its number of elements"),
     (
         "buffer b : int[]  result r : float[b[0]] = 1",
         "B0512",
@@ -139,6 +142,52 @@ WRONG = [
         "B0515",
         "`sample` is not available in a kernel",
     ),
+    (
+        "result i : image2d<rgba8>[ivec2(4)] = vec4(1)  result r : float[4] = 1",
+        "B0550",
+        "`r` is a buffer, and the first result is an image",
+    ),
+    (
+        "result r : float[4] = 1  result i : image2d<rgba8>[ivec2(4)] = vec4(1)",
+        "B0550",
+        "`i` is an image, and the first result is a buffer",
+    ),
+    (
+        "result i : image2d[ivec2(4)] = vec4(1)",
+        "B0551",
+        "`i` does not say of which format its texels are",
+    ),
+    ("result i : image2d<rgba9>[ivec2(4)] = vec4(1)", "B0201", "unknown format `rgba9`"),
+    ("result i : image2d<rgba8> = vec4(1)", "B0511", "`i` does not tell its size"),
+    ("result i : image2d<rgba8>[4.0] = vec4(1)", "B0301", "expected ivec2, found float"),
+    (
+        "result i : image2d<rgba8>[texel] = vec4(1)",
+        "B0201",
+        "unknown name `texel`",
+    ),
+    (
+        "map t : texture2d  result i : image2d<rgba8>[ivec2(t.load(ivec2(0)).xy)] = vec4(1)",
+        "B0512",
+        "the size of `i` is not known to the host",
+    ),
+    (
+        "result i : image2d<r8>[ivec2(4)] = 1  result j : image2d<r8>[ivec2(5)] = 1",
+        "B0513",
+        "`j` has another size than the first result",
+    ),
+    (
+        "result i : image2d<rgba8>[ivec2(4)] = vec2(1)",
+        "B0301",
+        "expected vec4 for rgba8, found vec2",
+    ),
+    (
+        "result i : image2d<r8>[ivec2(4)] = ddx(float(texel.x))",
+        "B0515",
+        "`ddx` is not available in a kernel",
+    ),
+    ("result i : image2d<r8>[ivec2(4)] = uv.x", "B0201", "unknown name `uv`"),
+    ("result i : image2d<r8>[ivec2(4)] = float(index)", "B0201", "unknown name `index`"),
+    ("param p : image2d<r8>  result r : float[4] = 1", "B0201", "unknown type `image2d`"),
     ("result r : float[4] = vec2(1)", "B0301", "expected float, found vec2"),
     ("result r : float[4] = frag_coord.x", "B0201", "unknown name `frag_coord`"),
     ("result r : float[4] = 1  result r : float[4] = 2", "B0202", "`r` is declared twice"),
@@ -163,7 +212,58 @@ def test_wrong_kernels_are_reported(members: str, code: str, message: str) -> No
     assert (found.rule.code, found.message) == (code, message)
 
 
+def test_an_image_has_a_texel_for_each_invocation_and_a_size() -> None:
+    made = shader(
+        "kernel K { map t : texture2d  result i : image2d<rg16f>[t.size()] = vec2(texel.yx) }"
+    )
+    (image,) = made.results_of(IMAGE)
+    assert made.chain == COMPUTED and image.stage in COMPUTED
+    assert (image.name, str(image.value.type)) == ("i", "vec2")
+    assert image.state is not None and image.state.format == "rg16f"
+    assert [str(each.value.type) for each in made.results_of(EXTENT)] == ["ivec2"]
+
+
+def test_the_host_computes_the_size() -> None:
+    members = "map t : texture2d  param n : int in 0..9 = 4"
+    text = f"kernel K {{ {members}  result i : image2d<r8>[t.size() * n - ivec2(0, 3)] = 1 }}"
+    instance = burnish.compile(text, ("wgsl",))["K"].instance()
+    assert instance.size() == (4, 1)
+    instance.set("t", burnish.Texture.of_array(np.zeros((5, 7, 4), np.uint8)))
+    instance.set("n", 1)
+    assert instance.size() == (7, 2)
+    instance.set("n", 0)
+    assert instance.size() == (0, 0)
+
+
+def test_a_kernel_of_the_other_kind_has_another_place() -> None:
+    with pytest.raises(CompileError) as error:
+        shader("kernel K { result i : image2d<r8>[ivec2(4)] = float(index) }")
+    (found,) = error.value.diagnostics
+    assert str(found.hint) == "this kernel has `texel`, of type ivec2"
+
+
 def test_a_material_has_no_results() -> None:
     with pytest.raises(CompileError) as error:
         shader("material M { result r : float[4] = 1  color = vec3(1) }")
     assert str(error.value.diagnostics[0].hint) == "`result` belongs in a kernel"
+
+
+@pytest.mark.parametrize(
+    ("said", "size"),
+    [("", (64, 1, 1)), ("work_group of 32", (32, 1, 1)), ("work_group of 2 * 8", (16, 1, 1))],
+)
+def test_work_groups_have_the_size_that_is_said(said: str, size: tuple[int, int, int]) -> None:
+    assert shader(f"kernel K {{ {said}  result r : float[4] = 1 }}").work_group == size
+
+
+def test_the_nearest_size_of_work_groups_counts() -> None:
+    text = """
+    abstract kernel Base { work_group of 32  result r : float[4] = 1 }
+    mixin Large for kernel { work_group of 128 }
+    kernel K : Base + Large { }
+    """
+    assert shader(text).work_group == (128, 1, 1)
+
+
+def test_every_profile_takes_work_groups_of_the_usual_size() -> None:
+    assert all(count <= Limits().work_group for count in map(invocations, USUAL.values()))

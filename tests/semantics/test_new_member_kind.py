@@ -1,4 +1,4 @@
-"""A kind of member can be added in three files, and everything else derives what it knows of it.
+"""A kind of member can be added in four files, and everything else derives what it knows of it.
 
 The test changes a copy of the package as ``docs/architecture.md`` says it, and compiles with that.
 Two kinds are added: one with a name that expressions read, and one without a name, of which the
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from .changed_package import CHECK, GRAMMAR, MEMBERS, changed_package, run
+from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, run
 
 CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
 DELIVERS = "compiler/semantics/shading/elaborate.py"
@@ -35,20 +35,20 @@ class Knob:
     value: Expression
 
 
-def _knob(span: Span, doc: str, name: Name, value: Expression) -> Knob:
-    return Knob(span, doc, name, None, value)
-
-
 Member =''',
     ),
     (
-        MEMBERS,
+        KINDS,
         "\nKINDS: tuple[MemberKind, ...] = (",
         """
+def _knob(span: Span, doc: str, name: Name, value: Expression) -> members.Knob:
+    return members.Knob(span, doc, name, None, value)
+
+
 KINDS: tuple[MemberKind, ...] = (
     MemberKind(
         word="knob",
-        node=Knob,
+        node=members.Knob,
         productions={"knob": _knob},
         opening=("NAME", "="),
         records=("material",),
@@ -99,14 +99,14 @@ class Mixing:
 Member =''',
     ),
     (
-        MEMBERS,
+        KINDS,
         "\nKINDS: tuple[MemberKind, ...] = (",
         """
 KINDS: tuple[MemberKind, ...] = (
     MemberKind(
         word="mixing",
-        node=Mixing,
-        productions={"mixing": Mixing},
+        node=members.Mixing,
+        productions={"mixing": members.Mixing},
         opening=("NAME",),
         records=("pass",),
         inheritance="replaced",
@@ -157,8 +157,8 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_three_files_are_changed() -> None:
-    assert {name for name, _, _ in KNOB} == {GRAMMAR, MEMBERS, CONTRIBUTES}
-    assert {name for name, _, _ in MIXING} == {GRAMMAR, MEMBERS, DELIVERS}
+    assert {name for name, _, _ in KNOB} == {GRAMMAR, MEMBERS, KINDS, CONTRIBUTES}
+    assert {name for name, _, _ in MIXING} == {GRAMMAR, MEMBERS, KINDS, DELIVERS}
 
 
 def test_it_is_a_parameter_that_can_be_overridden(package: Path) -> None:

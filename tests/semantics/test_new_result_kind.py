@@ -1,4 +1,4 @@
-"""A kind of member that a shader delivers can be added in three files, like any other kind.
+"""A kind of member that a shader delivers can be added in four files, like any other kind.
 
 ``test_new_member_kind.py`` adds one that contributes a parameter; this one contributes a result.
 """
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from .changed_package import CHECK, GRAMMAR, MEMBERS, changed_package, run
+from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, run
 
 DELIVERS = "compiler/semantics/shading/elaborate.py"
 
@@ -34,14 +34,14 @@ class Picture:
 Member =''',
     ),
     (
-        MEMBERS,
+        KINDS,
         "\nKINDS: tuple[MemberKind, ...] = (",
         """
 KINDS: tuple[MemberKind, ...] = (
     MemberKind(
         word="picture",
-        node=Picture,
-        productions={"picture": Picture},
+        node=members.Picture,
+        productions={"picture": members.Picture},
         opening=("NAME", "="),
         records=("pass",),
         inheritance="replaced",
@@ -105,7 +105,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_three_files_are_changed() -> None:
-    assert {name for name, _, _ in CHANGES} == {GRAMMAR, MEMBERS, DELIVERS}
+    assert {name for name, _, _ in CHANGES} == {GRAMMAR, MEMBERS, KINDS, DELIVERS}
 
 
 def test_it_is_delivered_and_can_be_replaced(package: Path) -> None:

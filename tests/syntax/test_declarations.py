@@ -252,6 +252,6 @@ def test_docs_stand_above_or_behind() -> None:
     assert isinstance(rig, ast.Rig)
     assert file.doc == "The file,\nin two lines."
     assert record.doc == "Above,\ntwice."
-    docs = [m.doc for m in record.members if not isinstance(m, ast.Discard)]
+    docs = [m.doc for m in record.members if not isinstance(m, ast.Discard | ast.WorkGroup)]
     assert docs == ["Above a.\nBehind a.", "Behind b.", "", ""]
     assert (rig.doc, rig.entries[0].doc) == ("Behind R.", "Behind e.")

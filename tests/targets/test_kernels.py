@@ -37,3 +37,35 @@ def test_every_statement_has_its_place_in_the_source() -> None:
     lines = file.text.splitlines()
     writing = [n for n, line in enumerate(lines, 1) if line.startswith("    after[index].")]
     assert writing and set(writing) <= file.spans.keys()
+
+
+def _declared(profile: str, size: str) -> str:
+    """The line in which the text of a kernel declares the size of its work groups."""
+    text = f"kernel K {{ {size}  result r : float[9] = float(index) }}"
+    (kernel,) = burnish.compile(text, profile)
+    (file,) = kernel.files
+    words = ("local_size", "numthreads", "workgroup_size")
+    (line,) = [line for line in file.text.splitlines() if any(word in line for word in words)]
+    return line
+
+
+@pytest.mark.parametrize(
+    ("profile", "line"),
+    [
+        ("glsl:vulkan", "layout(local_size_x = {}) in;"),
+        ("hlsl:sm6", "[numthreads({}, 1, 1)]"),
+        ("wgsl:webgpu", "@compute @workgroup_size({})"),
+    ],
+)
+def test_a_kernel_may_say_how_large_its_work_groups_are(profile: str, line: str) -> None:
+    assert _declared(profile, "") == line.format(64)
+    assert _declared(profile, "work_group of 96 + 32") == line.format(128)
+
+
+def test_work_groups_may_be_too_large_for_a_profile() -> None:
+    text = "kernel K { work_group of 256  result r : float[9] = 1 }"
+    burnish.compile(text, "wgsl:webgpu")
+    with pytest.raises(burnish.CompileError) as error:
+        burnish.compile(text, "glsl:vulkan")
+    (found,) = error.value.diagnostics
+    assert found.message == ("256 invocations in a work group of K, but glsl:vulkan has only 128")

@@ -13,13 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from ...ir.leaves import Attribute, Parameter, Resource
+from ...ir.leaves import Attribute, Resource
 from ...ir.node import Node, reachable
 from ...ir.operations import CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import DISCARD, FRAGMENTS, TARGET, VERTICES, Domain
 from ..bounds import Bounded, Errors, exact
 from ..evaluate import Evaluator
+from ..held_values import HeldValues
 from ..namespace import Lane, Lanes
 from ..picture.coverage import Fragments, fragments_of
 from ..picture.faces import Faces, assemble
@@ -28,7 +29,6 @@ from ..picture.sampler import TextureReader
 from ..picture.scene import Floats, Geometry, RasterRules, Texels
 from ..picture.stage_evaluation import DERIVATIVE_AXES, StageEvaluator, difference_taken
 from ..picture.texels import Image
-from ..storage_buffers import reader
 
 SIDE = 2
 """A pixel is evaluated with its neighbours in the quad, because derivatives compare them."""
@@ -80,7 +80,7 @@ class PixelShader:
         y: int,
     ) -> None:
         """Raises ``UncoveredError`` if nothing is drawn at (x, y)."""
-        self._values = values
+        self._held = HeldValues(values)
         self._geometry = geometry
         self._rules = rules
         self._row, self._column = (y + rows_above(rules, SIDE)) % SIDE, x % SIDE
@@ -114,7 +114,7 @@ class PixelShader:
             if isinstance(node.data, Resource):
                 return (self._readers[node.data],)
             if node.op != "input":
-                return self._parameter(node)
+                return self._held.value(node)
             value = self._inputs[INPUT.data(node).name]
             return changed(FRAGMENTS, node, [], value)
 
@@ -189,7 +189,7 @@ class PixelShader:
                 return (self._readers[node.data],)
             if node.op == "input":
                 return (inputs[INPUT.data(node).name][self._corners],)
-            return self._parameter(node)
+            return self._held.value(node)
 
         return Evaluator(leaves, np, lambda *seen: changed(VERTICES, *seen))
 
@@ -204,11 +204,6 @@ class PixelShader:
             else np.tensordot(lane.astype(np.float64), self._weights, 1)
             for lane in corners
         )
-
-    def _parameter(self, node: Node) -> Lanes | None:
-        if node.op == "buffer":
-            return reader(self._values, node)
-        return self._values[node.data.name] if isinstance(node.data, Parameter) else None
 
 
 class Reader:

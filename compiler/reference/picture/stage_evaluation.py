@@ -13,18 +13,17 @@ from typing import Any, Protocol
 import numpy as np
 
 from ....stdlib.builtins import BUILTINS
-from ...ir.leaves import Attribute, Buffer, Parameter, Resource
+from ...ir.leaves import Attribute, Resource
 from ...ir.node import Node, reachable
-from ...ir.operations import BUFFER, BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
+from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
-from ...ir.types import Type, scalar_kind, width
+from ...ir.types import scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
-from ..bounds.bounded import constant, hull
+from ..bounds.bounded import hull
 from ..evaluate import Evaluator
+from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
-from ..storage_buffers import reader
-from ..stored import stored
 from ..vectors import inner
 from .quads import Barycentric
 from .sampler import TextureReader
@@ -87,9 +86,9 @@ class StageEvaluator:
     ) -> None:
         if shader.chain != RASTERISED:
             raise ValueError(f"{shader.name} has other stages than the reference can draw.")
-        self._values = values
         self.has_bounds = errors is not None
         """Whether lanes are ``Bounded``."""
+        self._held = HeldValues(values, as_rounded if self.has_bounds else None)
         self.rules = rules
         self._bounds = Bounds(errors or _no_error)
         self._xp: Namespace = self._bounds if self.has_bounds else np
@@ -105,8 +104,6 @@ class StageEvaluator:
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
         self._promised = _promised((*self._targets, self._position))
-        self._parameters: dict[tuple[Parameter, Type], Lanes] = {}
-        self._buffers: dict[tuple[Buffer, Type], Lanes | None] = {}
         self.broken: set[int] = set()
         """The ids of promises that were broken at some vertex or pixel so far."""
         self.left_a_domain = False
@@ -123,7 +120,9 @@ class StageEvaluator:
                 return self._given(_attribute(geometry, node.data))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
-            return (inputs[INPUT.data(node).name],) if node.op == "input" else self._parameter(node)
+            return (
+                (inputs[INPUT.data(node).name],) if node.op == "input" else self._held.value(node)
+            )
 
         watch = _Watch(self, (count,))
         evaluator = Evaluator(leaves, self._xp, watch)
@@ -155,7 +154,7 @@ class StageEvaluator:
                 return _remembered(self._given(place.perspective(values)))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
-            return inputs[INPUT.data(node).name] if node.op == "input" else self._parameter(node)
+            return inputs[INPUT.data(node).name] if node.op == "input" else self._held.value(node)
 
         watch = _Watch(self, (len(front), self.side, self.side))
         evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
@@ -182,23 +181,6 @@ class StageEvaluator:
         if not self.has_bounds:
             return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
         return tuple(lane if isinstance(lane, Bounded) else given(lane) for lane in lanes)
-
-    def _parameter(self, node: Node) -> Lanes | None:
-        if node.op == "buffer":
-            held = BUFFER.data(node), node.type
-            if held not in self._buffers:
-                self._buffers[held] = reader(self._values, node)
-            return self._buffers[held]
-        if not isinstance(node.data, Parameter):
-            return None
-        if node.data.name not in self._values:
-            raise ValueError(f"The parameter `{node.data.name}` has no value.")
-        key = node.data, node.type
-        if key not in self._parameters:
-            value = self._values[node.data.name]
-            value = value if node.type == node.data.type else stored(node.data.type, value)
-            self._parameters[key] = as_rounded(value) if self.has_bounds else value
-        return self._parameters[key]
 
 
 class _Watch:
@@ -270,17 +252,6 @@ class _Plain:
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
         lanes = self._reader.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
         return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
-
-
-def as_rounded(value: Any) -> Any:
-    """A value, floats of which a device has as the nearest float32.
-
-    So it has the constants of a text, and what a host computes in float64 and rounds. What is a
-    float32 stays exact.
-    """
-    if isinstance(value, tuple):
-        return tuple(map(as_rounded, value))
-    return constant(value) if isinstance(value, float) else value
 
 
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:

@@ -47,8 +47,8 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
         return slot(ctx, instance, name, span)
     if scope.surface is not None and scope.surface.has(name):
         return slot(ctx, scope.surface, name, span)
-    if name in KERNEL_INPUTS and ctx.extent is not None:
-        row = KERNEL_INPUTS[name]
+    row = KERNEL_INPUTS.get(name)
+    if row is not None and ctx.extent is not None and row.type == ctx.extent.type:
         return ctx.tree.node("input", row.type, (), row)
     corner = None if scope.surface is None else scope.surface.corner
     inputs = INPUTS if corner is None else EXPANDED_INPUTS

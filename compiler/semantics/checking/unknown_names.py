@@ -13,7 +13,7 @@ from ...syntax.rewriting import called_here
 from ..hints import advice
 from ..names.modules import Module
 from ..state.context import Context
-from ..state.crossings import INPUTS
+from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.scope import Scope
 
 
@@ -35,6 +35,7 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
     here = called_here(name, span, VALUES[name]) if name in VALUES else ""
     lit = advice.of_a_light(name, ctx.rig)
     elsewhere = here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, "")
+    elsewhere = elsewhere or _other_kernels(ctx, name)
     if elsewhere:
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
         return
@@ -42,6 +43,14 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
         ctx.report.add(rules.NOT_A_VALUE, span, hint=hint)
         return
     unknown_here(ctx, "name", name, span, known, scope.module)
+
+
+def _other_kernels(ctx: Context, name: str) -> str:
+    """What a kernel has in place of an input that kernels over something else have."""
+    if ctx.extent is None or name not in KERNEL_INPUTS:
+        return ""
+    own = next(row.name for row in KERNEL_INPUTS.values() if row.type == ctx.extent.type)
+    return f"this kernel has `{own}`, of type {ctx.extent.type}"
 
 
 def is_known(scope: Scope, name: str) -> bool:

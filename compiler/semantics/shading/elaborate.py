@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ....frozen import changed
 from ...diagnostics import rules
@@ -19,7 +19,7 @@ from ...ir.stages import (
     TARGET,
     VERTEX,
 )
-from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
+from ...ir.types import BOOL, VEC4
 from ...syntax import ast
 from ..checking.slots import slot
 from ..checking.unknown_names import unknown
@@ -32,16 +32,9 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
+from .formats import FORMATS, texel_value
 from .host_names import check_host_names
 from .slot_checks import check_rig, check_slots
-
-FORMATS: Mapping[str, Type] = {
-    "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
-    "rg8": VEC2, "rg16f": VEC2, "rg32f": VEC2,
-    "rgba8": VEC4, "rgba8_srgb": VEC4, "bgra8": VEC4, "bgra8_srgb": VEC4, "rgb10a2": VEC4,
-    "rgba16f": VEC4, "rgba32f": VEC4,
-}  # fmt: skip
-"""Render target formats and what a pass writes to one of them."""
 
 BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
 BLENDS_BY_ALPHA = ("alpha", "premultiplied")
@@ -166,19 +159,13 @@ def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]
 def _target(
     ctx: Context, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
 ) -> Result | None:
-    format_ = target.format.text
-    if format_ not in FORMATS:
-        unknown(ctx, "format", format_, target.format.span, FORMATS)
-        return None
     blend = _blend(ctx, drawn, target)
-    scope = _scope(owner, passing, level)
-    type_ = FORMATS[format_]
-    value = typed(ctx, target.value, scope, type_, f"{type_} for {format_}")
+    value = texel_value(ctx, target.format, target.value, _scope(owner, passing, level))
     if isinstance(value, Failure):
         return None
-    name = target.name.text
+    name, state = target.name.text, RenderTarget(target.format.text, blend)
     ctx.notes.names.setdefault(value.id, name)
-    return Result(TARGET, FRAGMENT, value, name, target.doc, RenderTarget(format_, blend))
+    return Result(TARGET, FRAGMENT, value, name, target.doc, state)
 
 
 def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
@@ -190,7 +177,7 @@ def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
         return BLENDS[0]
     if chosen.text not in BLENDS:
         unknown(ctx, "blending", chosen.text, chosen.span, BLENDS)
-    elif chosen.text in BLENDS_BY_ALPHA and FORMATS[target.format.text] != VEC4:
+    elif chosen.text in BLENDS_BY_ALPHA and FORMATS.get(target.format.text, VEC4) != VEC4:
         ctx.report.add(
             rules.NO_ALPHA, chosen.span, blend=chosen.text, format=target.format.text,
             hint=f"say how `{target.name.text}` is blended: `… blend add`, or `… blend none`",

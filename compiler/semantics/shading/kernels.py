@@ -17,7 +17,6 @@ from ...ir.shader import BufferInfo, Notes, ParameterInfo, Result, Shader, Store
 from ...ir.stages import COMPUTE, COMPUTED, EXTENT, STORE
 from ...ir.storage import elements_in_row
 from ...ir.types import (
-    INT,
     UINT,
     Array,
     Matrix,
@@ -45,20 +44,25 @@ from ..state.crossings import missing_in_kernels
 from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from ..types.typenames import Declared
+from .images import extent_type, extent_words, image_result, is_image, mixed, reads_only_sizes
 from .instances import instance_of
 from .slot_checks import check_instance
+from .work_groups import work_group_of
 
 _KNOWN_TO_HOST = frozenset(
     {"constant", "parameter", "call", "native", "select", "vector", "splat", "matrix", "as"}
-    | {"swizzle", "index", "member", "called", "struct", "array"}
+    | {"swizzle", "index", "member", "called", "struct", "array", "resource"}
 )
-"""Operations by which a host computes how many elements a result has."""
+"""Operations by which a host computes how many elements a result has, or of which size it is."""
+
+DIMENSIONS = 1
+"""The elements of buffers are counted by one number."""
 
 WRITTEN_GROUP = "draw"
 """The group of the buffers that a kernel writes."""
 
-Written = tuple[BufferInfo, Node]
-"""A buffer, and the value of one of its elements."""
+Written = tuple[BufferInfo, Node] | Result
+"""A buffer, and the value of one of its elements; or an image."""
 
 
 def kernel_shader(
@@ -74,6 +78,8 @@ def kernel_shader(
     assert isinstance(declaration, ast.Record)
     if not statements and not record.baseless:
         report.add(rules.NO_RESULT, declaration.name.span, name=symbol.name)
+    if statements and mixed(ctx, [member for member, _owner, _level in statements]):
+        return None
     extents = [_extent(ctx, member, _scope(owner, instance, level))
                for member, owner, level in statements]  # fmt: skip
     ctx.extent = next((each for each in extents if each is not None), None)
@@ -82,13 +88,16 @@ def kernel_shader(
     found = [_result(ctx, member, _scope(owner, instance, level))
              for member, owner, level in statements]  # fmt: skip
     check_instance(ctx, instance)
+    group = work_group_of(ctx, record, DIMENSIONS)
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:
         return None
     results = [Result(EXTENT, COMPUTE, ctx.extent)]
-    for written in found:
-        results += _stores(ctx, *written) if written is not None else ()
+    buffers = [written for written in found if isinstance(written, tuple)]
+    for info, value in buffers:
+        results += _stores(ctx, info, value)
+    results += [written for written in found if isinstance(written, Result)]
     made = _lowered(ctx, results, statements, [each for each in extents if each is not None])
     if made is None:
         return None
@@ -110,8 +119,9 @@ def kernel_shader(
         results=lowered_results,
         externs=externs,
         buffers=leaves.buffers,
-        written=tuple(written[0] for written in found if written is not None),
+        written=tuple(info for info, _value in buffers),
         chain=COMPUTED,
+        work_group=group,
     )  # fmt: skip
 
 
@@ -133,7 +143,9 @@ def _lowered(
         if extent is not same[0]
     ]
     for member in differ:
-        ctx.report.add(rules.EXTENTS_DIFFER, member.type.span, name=member.name.text)
+        ctx.report.add(
+            rules.EXTENTS_DIFFER, member.type.span, name=member.name.text, what=extent_words(member)
+        )
     pairs = zip(results, values, strict=True)
     found = tuple(changed(result, value=value) for result, value in pairs)
     return None if differ else (found, graph, notes)
@@ -144,22 +156,31 @@ def _scope(owner: Symbol, instance: Instance, level: int) -> Scope:
 
 
 def _extent(ctx: Context, member: ast.Result, scope: Scope) -> Node | None:
-    """How many elements a result has: the same all over a dispatch, and known to the host."""
-    written = member.type.count
+    """How many elements or texels a result has: the same all over a dispatch, and known to the
+    host."""
+    written, type_ = member.type.count, extent_type(member)
+    name, what = member.name.text, extent_words(member)
     if written is None:
-        ctx.report.add(rules.NO_EXTENT, member.type.span, name=member.name.text)
+        ctx.report.add(rules.NO_EXTENT, member.type.span, name=name, what=what)
         return None
-    node = fit(ctx, node_of(ctx, written, scope), INT, "int", written.span)
+    node = fit(ctx, node_of(ctx, written, scope), type_, str(type_), written.span)
     if isinstance(node, Failure):
         return None
-    if any(part.op not in _KNOWN_TO_HOST for part in reachable((node,))):
-        ctx.report.add(rules.EXTENT_VARIES, written.span, name=member.name.text)
+    if not all(_is_known_to_host(part) for part in reachable((node,))):
+        ctx.report.add(rules.EXTENT_VARIES, written.span, name=name, what=what)
         return None
     return node
 
 
+def _is_known_to_host(node: Node) -> bool:
+    return node.op in _KNOWN_TO_HOST and reads_only_sizes(node)
+
+
 def _result(ctx: Context, member: ast.Result, scope: Scope) -> Written | None:
     """What a result declares, and the value of an element."""
+    if is_image(member):
+        image = image_result(ctx, member, scope)
+        return image if image is not None and _exists(ctx, image.value, member) else None
     element = declared_type(ctx, changed(member.type, count=None), scope.module)
     if element is None:
         return None
@@ -167,14 +188,18 @@ def _result(ctx: Context, member: ast.Result, scope: Scope) -> Written | None:
         ctx.report.add(rules.NOT_WRITABLE, member.type.span, type=element.text)
         return None
     value = as_declared(ctx, node_of(ctx, member.value, scope), element, member.value, scope)
-    if isinstance(value, Failure):
+    if isinstance(value, Failure) or not _exists(ctx, value, member):
         return None
+    return _info(member, element), value
+
+
+def _exists(ctx: Context, value: Node, member: ast.Result) -> bool:
+    """Whether a kernel has all that a value is computed by; reported if not."""
     missing = missing_in_kernels(value)
     if missing is not None:
         span = ctx.places.within(missing, member.value.span)
         ctx.report.add(rules.NOT_IN_KERNEL, span, what=f"`{missing.data}`")
-        return None
-    return _info(member, element), value
+    return missing is None
 
 
 def _info(member: ast.Result, element: Declared) -> BufferInfo:

@@ -45,19 +45,25 @@ from .expressions import (
     Unary,
     With,
 )
-from .members import (
+from .member_kinds import (
     KINDS,
     MEMBERS,
+    Contribution,
+    Inheritance,
+    MemberKind,
+    is_named,
+    is_read,
+    kind_of,
+    only_one,
+)
+from .members import (
     RECORD_KINDS,
     Attribute,
     Buffer,
-    Contribution,
     Discard,
     Expand,
-    Inheritance,
     Map,
     Member,
-    MemberKind,
     NamedMember,
     Param,
     ReadMember,
@@ -67,10 +73,7 @@ from .members import (
     Strips,
     StripShape,
     Target,
-    is_named,
-    is_read,
-    kind_of,
-    only_one,
+    WorkGroup,
 )
 
 __all__ = [
@@ -133,6 +136,7 @@ __all__ = [
     "TypeParameter",
     "Unary",
     "With",
+    "WorkGroup",
     "is_named",
     "is_read",
     "kind_of",

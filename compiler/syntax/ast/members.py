@@ -1,17 +1,11 @@
-"""Members of materials, lights, passes and mixins: one class and one row of a table for each kind.
+"""Members of materials, lights, passes, kernels and mixins: one class for each kind.
 
-``KINDS`` is the only place that lists the kinds. The builder makes nodes by it, the parser
-recognises members by it where a text is broken, messages say by it how a member is written and
-where it belongs, and ``semantics`` flattens inheritance by it. What a kind contributes to a shader
-is said by the module of ``semantics`` that lowers it. ``docs/architecture.md`` tells how to add a
-kind.
+``member_kinds.py`` has a row for each of them, with all else that the compiler knows of a kind.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
-from typing import Literal, Protocol, TypeGuard, get_args
+from typing import Literal, Protocol, get_args
 
 from ....frozen import frozen
 from ...diagnostics.source import Span
@@ -145,7 +139,15 @@ class Result:
     value: Expression
 
 
-Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Result
+@frozen(eq=False)
+class WorkGroup:
+    """``work_group of 16 by 16``: how many invocations of a kernel run together."""
+
+    span: Span
+    sides: tuple[Expression, ...]
+
+
+Member = Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Result | WorkGroup
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 
@@ -171,222 +173,3 @@ class ReadMember(NamedMember, Protocol):
     @property
     def type(self) -> TypeName | None:
         """The type that is written, if one is."""
-
-
-# --- the table of their kinds --------------------------------------------------------------------
-
-Inheritance = Literal["overridden", "replaced", "gathered"]
-"""What becomes of a member that a base or a mixin has:
-
-- ``overridden``: its name means a value. The nearest definition of the name is what it means, and
-  ``inherited.name`` reads what the next one further up says. Kinds may override each other.
-- ``replaced``: nothing reads it. Of one name, or of the kind if it has no names, the nearest one
-  counts.
-- ``gathered``: it has no name, and those of the whole chain count together.
-"""
-
-Contribution = Literal["parameter", "resource", "attribute", "value", "result"]
-"""What a shader gets of a member: a value that the host sets, a texture or a buffer that it binds,
-an input of the vertices, something computed that others read, or something that the shader
-delivers."""
-
-
-@frozen
-class MemberKind:
-    """One kind of member: everything that the compiler knows about it before it is lowered."""
-
-    word: str
-    """The word that it begins with; empty for an equation, which begins with its name."""
-    node: type[Member]
-    productions: Mapping[str, Callable[..., Member]]
-    """The productions of ``burnish.lark`` that read it, each with what makes the node.
-
-    They are called with the span, with the doc comment if the node has a field ``doc``, and with
-    what the production hands over.
-    """
-    opening: tuple[str, ...]
-    """Symbols that follow the word in every such member, up to one that tells it from an equation.
-
-    By them a member is recognised on a line of its own, whatever is unfinished above it.
-    """
-    records: tuple[RecordKind, ...]
-    """The kinds of records, and of mixins for them, in which it may stand."""
-    inheritance: Inheritance
-    contribution: Contribution
-    form: str
-    """How it is written, as messages and the manual say it."""
-    doc: str
-    """What it is for, as the manual says it."""
-    has_default: bool = False
-    """Whether ``= …`` may follow its type."""
-
-    @property
-    def places(self) -> str:
-        """Where it may stand, as messages list it: ``a material, a light or a pass``."""
-        *others, last = (f"a {record}" for record in self.records)
-        return f"{', '.join(others)} or {last}" if others else last
-
-    @property
-    def is_named(self) -> bool:
-        """Whether it has a name."""
-        return "name" in self.node.__match_args__
-
-
-def _map(
-    span: Span, doc: str, name: Name, type_: TypeName, group: Name | None, default: Name | None,
-    *state: tuple[Name, Name],
-) -> Map:  # fmt: skip
-    return Map(span, doc, name, type_, group, default, state)
-
-
-def _untyped_slot(span: Span, doc: str, name: Name, value: Expression) -> Slot:
-    return Slot(span, doc, name, None, value)
-
-
-def _expand(span: Span, doc: str, primitive: Name, *strips: Strips) -> Expand:
-    return Expand(span, doc, primitive, strips)
-
-
-KINDS: tuple[MemberKind, ...] = (
-    MemberKind(
-        word="param",
-        node=Param,
-        productions={"param": Param},
-        opening=("NAME", ":"),
-        records=RECORD_KINDS,
-        inheritance="overridden",
-        contribution="parameter",
-        form="a parameter is `param name : type in low..high per group = default`, where "
-        "everything after the type is optional",
-        doc="a value that the host sets",
-        has_default=True,
-    ),
-    MemberKind(
-        word="map",
-        node=Map,
-        productions={"map": _map},
-        opening=("NAME", ":"),
-        records=RECORD_KINDS,
-        inheritance="overridden",
-        contribution="resource",
-        form="a texture is `map name : texture2d per group = white with { filter = nearest }`, "
-        "where everything after the type is optional",
-        doc="a texture that the host binds, with its sampler",
-        has_default=True,
-    ),
-    MemberKind(
-        word="buffer",
-        node=Buffer,
-        productions={"buffer": Buffer},
-        opening=("NAME", ":"),
-        records=RECORD_KINDS,
-        inheritance="overridden",
-        contribution="resource",
-        form="a storage buffer is `buffer name : type[]` or `buffer name : type[] per group`",
-        doc="any number of elements, which the host binds",
-    ),
-    MemberKind(
-        word="attribute",
-        node=Attribute,
-        productions={"attribute": Attribute},
-        opening=("NAME", ":"),
-        records=("material", "pass"),
-        inheritance="overridden",
-        contribution="attribute",
-        form="a vertex input is `attribute name : type` or "
-        "`attribute name : type per instance`; it has no default",
-        doc="an input of the vertices, from the mesh",
-    ),
-    MemberKind(
-        word="",
-        node=Slot,
-        productions={"slot": _untyped_slot, "typed_slot": Slot},
-        opening=(),
-        records=RECORD_KINDS,
-        inheritance="overridden",
-        contribution="value",
-        form="an equation is `name = expression` or `name : type = expression`; without a value, "
-        "`name : type`, a derived record has to give one",
-        doc="a value that is computed",
-        has_default=True,
-    ),
-    MemberKind(
-        word="target",
-        node=Target,
-        productions={"target": Target},
-        opening=("NAME", ":"),
-        records=("pass",),
-        inheritance="replaced",
-        contribution="result",
-        form="a target is `target name : format = expression blend mode`, where the blending "
-        "is optional",
-        doc="what a pass writes to one render target",
-        has_default=True,
-    ),
-    MemberKind(
-        word="discard",
-        node=Discard,
-        productions={"discard": Discard},
-        opening=("when",),
-        records=("pass",),
-        inheritance="gathered",
-        contribution="result",
-        form="a pass discards pixels by `discard when condition`",
-        doc="where a pass writes nothing",
-    ),
-    MemberKind(
-        word="expand",
-        node=Expand,
-        productions={"expand": _expand},
-        opening=("NAME", "{"),
-        records=("material",),
-        inheritance="gathered",
-        contribution="result",
-        form="an expansion is `expand triangle { strip of 3 as i for s in 0..4 where condition "
-        "like corner[i] { slot = expression } }`, where everything between the number of vertices "
-        "and the brace is optional",
-        doc="what each primitive of the mesh turns into",
-    ),
-    MemberKind(
-        word="result",
-        node=Result,
-        productions={"result": Result},
-        opening=("NAME", ":"),
-        records=("kernel",),
-        inheritance="replaced",
-        contribution="result",
-        form="a result is `result name : type[count] = expression`",
-        doc="what a kernel writes to each element of a storage buffer",
-        has_default=True,
-    ),
-)
-
-MEMBERS: Mapping[str, MemberKind] = MappingProxyType(
-    {kind.word: kind for kind in KINDS if kind.word}
-)
-"""The kinds of members that begin with a word, by this word."""
-
-_BY_NODE: Mapping[type, MemberKind] = {kind.node: kind for kind in KINDS}
-
-
-def kind_of(member: Member | NamedMember) -> MemberKind:
-    """The kind of a member."""
-    return _BY_NODE[type(member)]
-
-
-def is_named(member: Member) -> TypeGuard[NamedMember]:
-    """Whether a member has a name."""
-    return kind_of(member).is_named
-
-
-def only_one(member: Member) -> Name | None:
-    """What a record may declare only once: the member's name or, if it has none, its kind."""
-    if is_named(member):
-        return member.name
-    kind = kind_of(member)
-    return Name(kind.word, member.span) if kind.inheritance == "replaced" else None
-
-
-def is_read(member: Member) -> TypeGuard[ReadMember]:
-    """Whether the name of a member means a value in expressions."""
-    return kind_of(member).inheritance == "overridden"

@@ -39,19 +39,29 @@ def check(job: Job) -> None:
 
 def check_kernel(job: KernelJob) -> None:
     """Raise ``DriverError`` if the bytes of a dispatch do not fit the pipeline."""
-    read = [slot for slot in job.pipeline.buffers if not slot.written]
     for number, dispatch in enumerate(job.dispatches):
         try:
             _same_number("uniform blocks", dispatch.blocks, job.pipeline.blocks)
-            _same_number("storage buffers", dispatch.buffers, read)
+            _same_number("storage buffers", dispatch.buffers, job.pipeline.buffers)
             _same_number("textures", dispatch.textures, job.pipeline.textures)
             for block, data in zip(job.pipeline.blocks, dispatch.blocks, strict=True):
                 _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
-            _check_buffers(read, dispatch.buffers)
+            _check_buffers(job.pipeline.buffers, dispatch.buffers)
             for slot, image in zip(job.pipeline.textures, dispatch.textures, strict=True):
                 _check_texture(f"texture {slot.texture.identifier!r}", slot, image)
         except DriverError as error:
             raise DriverError(f"dispatch {number}: {error}") from None
+
+
+def check_groups(job: KernelJob, most: Sequence[int]) -> None:
+    """Raise ``DriverError`` if a dispatch takes more work groups than the device runs at once."""
+    for number, dispatch in enumerate(job.dispatches):
+        for axis, count, limit in zip("xyz", job.groups(dispatch), most, strict=True):
+            if count > limit:
+                raise DriverError(
+                    f"dispatch {number}: {count} work groups along {axis}, and the device runs at "
+                    f"most {limit} at once: compute fewer elements, or declare larger work groups"
+                )
 
 
 def check_names(pipeline: Pipeline) -> None:

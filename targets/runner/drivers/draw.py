@@ -42,6 +42,9 @@ CORNERS: Mapping[Primitive, int] = {
 }  # fmt: skip
 """How many vertices each of them has, but for patches: a pipeline says how many theirs have."""
 
+Sides = tuple[int, int, int]
+"""Lengths along x, y and z."""
+
 Dimension = Literal["2d", "2d_array", "3d", "cube"]
 Sample = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
 """What a shader reads from a texture; ``unfilterable-float`` promises that it never filters."""
@@ -236,6 +239,7 @@ class Draw:
     """One colour for each target."""
     instance_count: int = 1
     buffers: tuple[bytes, ...] = ()
+    """The contents of all storage buffers, in the pipeline's order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -277,19 +281,13 @@ class Device:
 class Dispatch:
     """One run of a kernel: the bytes for every slot, and how many elements it computes."""
 
-    count: int
+    extent: Sides
+    """The elements along x, y and z; a buffer's stand along x."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     buffers: tuple[bytes, ...]
-    """The buffers that are only read, in the pipeline's order."""
-
-    def groups(self, workgroup: int) -> int:
-        """How many work groups that takes."""
-        return -(-self.count // workgroup)
-
-
-WORKGROUP = 64
-"""Invocations in a work group of every kernel."""
+    """What all storage buffers hold before it, in the pipeline's order: also those that it
+    writes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -297,12 +295,22 @@ class KernelJob:
     """A pipeline with a kernel as its only stage, and what to compute with it."""
 
     pipeline: Pipeline
+    work_group: Sides
+    """The invocations in a work group, as the text declares them."""
     dispatches: tuple[Dispatch, ...]
+
+    def groups(self, dispatch: Dispatch) -> Sides:
+        """How many work groups a dispatch takes along x, y and z."""
+        x, y, z = (
+            -(-length // side)
+            for length, side in zip(dispatch.extent, self.work_group, strict=True)
+        )
+        return x, y, z
 
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """What a dispatch has written: the bytes of each buffer that the pipeline writes, in order."""
+    """What a dispatch has written: all bytes of each buffer that the pipeline writes, in order."""
 
     buffers: tuple[bytes, ...]
 

@@ -7,10 +7,10 @@ reference's functions, so a value means the same here as everywhere.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from ....compiler.reference.functions import evaluate
-from ....frozen import fresh, record
+from ....frozen import EMPTY, fresh, record
 from .shapes import Elements, Members, Numbers, Shape, kind_of, shape_of
 
 Row = Mapping[str, Any]
@@ -20,10 +20,24 @@ Named = Any
 """A value in the form of ``shapes``, in which a structure is a mapping of its members by name."""
 
 
+class Sized(Protocol):
+    """A texture, of which steps read only the size."""
+
+    def size(self, level: int) -> tuple[int, ...]:
+        """The number of texels in each direction."""
+
+
 class Inputs:
     """The values of the parameters, converted to ``Named`` when a step first reads them."""
 
-    def __init__(self, shapes: Mapping[str, Shape], values: Mapping[str, Any]) -> None:
+    def __init__(
+        self,
+        shapes: Mapping[str, Shape],
+        values: Mapping[str, Any],
+        textures: Mapping[str, Sized] = EMPTY,
+    ) -> None:
+        """``textures`` are wanted where steps read their sizes, as an extent's may."""
+        self.textures = textures
         self._shapes = shapes
         self._values = values
         self._known: dict[str, Named] = {}
@@ -182,6 +196,11 @@ class _Computation:
         match row["op"]:
             case "parameter":
                 return self._inputs[row["parameter"]]
+            case "resource":
+                return self._inputs.textures[row["texture"]]
+            case "call" if row["function"] == "texture_size":
+                texture, (level,) = arguments
+                return texture.size(level)
             case "call" | "native":
                 kind = kind_of(self._steps[row["args"][0]]["type"])
                 return evaluate(row["function"], arguments, kind=kind)

@@ -180,6 +180,13 @@ class Instance:
         (count,) = derived.compute(steps, derived.Inputs(self._names.shapes, self.values()))
         return max(int(count), 0)
 
+    def size(self) -> tuple[int, int]:
+        """The width and height of a kernel's images. Raises ``MissingValuesError``."""
+        steps = self._reflection["extent"]
+        inputs = derived.Inputs(self._names.shapes, self.values(), self.textures())
+        width, height = derived.compute(steps, inputs)
+        return max(int(width), 0), max(int(height), 0)
+
     def buffers(self) -> dict[str, Contents]:
         """The contents of every storage buffer by name; one that was not set has no elements."""
         return dict(self._buffers)

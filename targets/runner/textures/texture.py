@@ -171,6 +171,11 @@ class Texture:
         height, width = max(self.height >> level, 1), max(self.width >> level, 1)
         return max(self.depth >> level, 1) if self.dimension == "3d" else self.depth, height, width
 
+    def size(self, level: int) -> tuple[int, ...]:
+        """The number of texels in each direction of a level; of the nearest one that there is."""
+        depth, height, width = self._size(min(max(level, 0), len(self.levels) - 1))
+        return (width, height, depth) if self.dimension == "3d" else (width, height)
+
     def image(self) -> Image:
         """The texture in the form that drivers take."""
         return Image(self.format, self.width, self.height, self.levels, self.dimension, self.depth)

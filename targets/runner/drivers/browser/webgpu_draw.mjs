@@ -1,8 +1,8 @@
 // Draws one picture of a job: its resources, the render pass, and reading it back.
 
 import { base64, bytes } from "./answers.mjs";
-import { groups, vertexBuffers } from "./webgpu_pipeline.mjs";
-import { makeSampler, makeTexture, viewOf } from "./webgpu_textures.mjs";
+import { bindGroups, makeBuffer, makeStorage } from "./webgpu_bindings.mjs";
+import { vertexBuffers } from "./webgpu_pipeline.mjs";
 
 const ROW_ALIGNMENT = 256;
 const TEXEL_SIZES = {
@@ -22,7 +22,10 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
     const encoder = device.createCommandEncoder();
     const pass = encoder.beginRenderPass(passDescriptor(screen, depth, draw.clear));
     pass.setPipeline(pipeline);
-    bindGroups(device, job, layouts, draw, keep).forEach((group, at) => pass.setBindGroup(at, group));
+    const storage = makeStorage(device, job, draw, keep);
+    bindGroups(device, job, layouts, draw, storage, keep).forEach((group, at) =>
+      pass.setBindGroup(at, group),
+    );
     drawMesh(device, pass, job, draw, keep);
     pass.end();
     const copies = screen.map((target) => keep(copyBack(device, encoder, target)));
@@ -84,36 +87,6 @@ function interleaved({ arrayStride, members }, vertices) {
     }
   }
   return whole;
-}
-
-export function makeBuffer(device, data, usage) {
-  const buffer = device.createBuffer({ size: data.length, usage: usage | GPUBufferUsage.COPY_DST });
-  device.queue.writeBuffer(buffer, 0, data);
-  return buffer;
-}
-
-function bindGroups(device, job, layouts, draw, keep) {
-  const resource = ({ block, storage, texture, sampler, number }) => {
-    if (block) {
-      const data = bytes(draw.blocks[number]);
-      return { buffer: keep(makeBuffer(device, data, GPUBufferUsage.UNIFORM)) };
-    }
-    if (storage) {
-      const data = bytes(draw.buffers[number]);
-      return { buffer: keep(makeBuffer(device, data, GPUBufferUsage.STORAGE)) };
-    }
-    if (texture) {
-      const image = draw.textures[number];
-      return viewOf(keep(makeTexture(device, image)), image);
-    }
-    return makeSampler(device, sampler);
-  };
-  return groups(job).map((group, at) =>
-    device.createBindGroup({
-      layout: layouts[at],
-      entries: [...group].map(([binding, what]) => ({ binding, resource: resource(what) })),
-    }),
-  );
 }
 
 const rowSize = ({ width, format }) => width * TEXEL_SIZES[format];

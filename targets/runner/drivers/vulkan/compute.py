@@ -7,13 +7,13 @@ from typing import Any
 
 import vulkan as vk
 
-from ..checks import check_kernel
-from ..draw import WORKGROUP, Dispatch, KernelJob, Pipeline, Written
+from ..checks import check_groups, check_kernel
+from ..draw import Dispatch, KernelJob, Pipeline, Sides, Written
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
 from .graphics_pipeline import make_layout, make_stage
 from .limits import check_blocks
-from .memory import Buffer, filled_buffer, make_buffer
+from .memory import filled_buffer
 from .texture_images import make_texture
 
 COMPUTE = vk.VK_PIPELINE_BIND_POINT_COMPUTE
@@ -24,11 +24,12 @@ def compute_job(gpu: Gpu, job: KernelJob) -> list[Written]:
     """What each dispatch writes. Raises ``DriverError``, and ``VkError`` for calls that fail."""
     check_kernel(job)
     check_blocks(job.pipeline)
+    check_groups(job, list(gpu.properties.limits.maxComputeWorkGroupCount))
     with ExitStack() as owned:
         bindings = make_descriptor_sets(owned, gpu, job.pipeline)
         layout = make_layout(owned, gpu, bindings.layouts)
         pipeline = _pipeline(owned, gpu, job.pipeline, layout)
-        return [_run(gpu, job.pipeline, bindings, layout, pipeline, d) for d in job.dispatches]
+        return [_run(gpu, job, bindings, layout, pipeline, d) for d in job.dispatches]
 
 
 def _pipeline(owned: ExitStack, gpu: Gpu, description: Pipeline, layout: Any) -> Any:
@@ -44,40 +45,32 @@ def _pipeline(owned: ExitStack, gpu: Gpu, description: Pipeline, layout: Any) ->
 
 def _run(
     gpu: Gpu,
-    description: Pipeline,
+    job: KernelJob,
     bindings: DescriptorSets,
     layout: Any,
     pipeline: Any,
     dispatch: Dispatch,
 ) -> Written:
     with ExitStack() as owned:
-        given = iter(dispatch.buffers)
-        buffers = [
-            make_buffer(owned, gpu, STORAGE, max(dispatch.count, 1) * slot.stride)
-            if slot.written
-            else filled_buffer(owned, gpu, STORAGE, next(given))
-            for slot in description.buffers
-        ]
+        buffers = [filled_buffer(owned, gpu, STORAGE, data) for data in dispatch.buffers]
         bindings.bind_blocks(dispatch.blocks)
         bindings.bind_buffers(gpu, buffers)
         bindings.bind_textures(
             gpu, [make_texture(owned, gpu, image) for image in dispatch.textures]
         )
         with recording(gpu) as commands:
-            _record(commands, bindings, layout, pipeline, dispatch)
-        pairs = zip(description.buffers, buffers, strict=True)
-        return Written(
-            tuple(_bytes(b, dispatch.count * slot.stride) for slot, b in pairs if slot.written)
-        )
+            _record(commands, bindings, layout, pipeline, job.groups(dispatch))
+        pairs = zip(job.pipeline.buffers, buffers, strict=True)
+        return Written(tuple(bytes(b.mapped[0 : b.size]) for slot, b in pairs if slot.written))
 
 
 def _record(
-    commands: Any, bindings: DescriptorSets, layout: Any, pipeline: Any, dispatch: Dispatch
+    commands: Any, bindings: DescriptorSets, layout: Any, pipeline: Any, groups: Sides
 ) -> None:
     vk.vkCmdBindPipeline(commands, COMPUTE, pipeline)
     if sets := bindings.sets:
         vk.vkCmdBindDescriptorSets(commands, COMPUTE, layout, 0, len(sets), sets, 0, None)
-    vk.vkCmdDispatch(commands, dispatch.groups(WORKGROUP), 1, 1)
+    vk.vkCmdDispatch(commands, *groups)
     barrier = vk.VkMemoryBarrier(
         srcAccessMask=vk.VK_ACCESS_SHADER_WRITE_BIT, dstAccessMask=vk.VK_ACCESS_HOST_READ_BIT
     )
@@ -87,7 +80,3 @@ def _record(
         vk.VK_PIPELINE_STAGE_HOST_BIT,
         0, 1, [barrier], 0, None, 0, None,
     )  # fmt: skip
-
-
-def _bytes(buffer: Buffer, size: int) -> bytes:
-    return bytes(buffer.mapped[0:size])

@@ -6,17 +6,19 @@ from typing import Any
 
 import wgpu
 
-from ..draw import WORKGROUP, BlockSlot, BufferSlot, Dispatch, KernelJob, Pipeline, Written
+from ..checks import check_groups
+from ..draw import Dispatch, KernelJob, Written
+from .bindings import bind_groups, make_storage
 from .device import Gpu, explained
-from .pipeline import Bound, Groups, bound, layout_entries
-from .textures import make_sampler, make_view
+from .pipeline import Groups, bound, layout_entries
 
-STORED = wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC
+MOST_GROUPS = "max-compute-workgroups-per-dimension"
 
 
 def compute_job(gpu: Gpu, job: KernelJob) -> list[Written]:
     """What each dispatch writes. Raises ``DriverError``."""
     with explained():
+        check_groups(job, [int(gpu.device.limits[MOST_GROUPS])] * 3)
         groups = bound(job.pipeline)
         layouts = [
             gpu.device.create_bind_group_layout(
@@ -32,56 +34,22 @@ def compute_job(gpu: Gpu, job: KernelJob) -> list[Written]:
                 "entry_point": code.entry,
             },
         )
-        return [_run(gpu, job.pipeline, pipeline, layouts, groups, d) for d in job.dispatches]
+        return [_run(gpu, job, pipeline, layouts, groups, d) for d in job.dispatches]
 
 
 def _run(
-    gpu: Gpu,
-    description: Pipeline,
-    pipeline: Any,
-    layouts: list[Any],
-    groups: Groups,
-    dispatch: Dispatch,
+    gpu: Gpu, job: KernelJob, pipeline: Any, layouts: list[Any], groups: Groups, dispatch: Dispatch
 ) -> Written:
-    given = iter(dispatch.buffers)
-    buffers = [_buffer(gpu, slot, dispatch, None if slot.written else next(given))
-               for slot in description.buffers]  # fmt: skip
+    storage = make_storage(gpu, job.pipeline.buffers, dispatch.buffers)
     encoder = gpu.device.create_command_encoder()
     run = encoder.begin_compute_pass()
     run.set_pipeline(pipeline)
-    for number, (layout, group) in enumerate(zip(layouts, groups, strict=True)):
-        entries = [
-            {"binding": at, "resource": _resource(gpu, what, dispatch, buffers)}
-            for at, what in group.items()
-        ]
-        run.set_bind_group(number, gpu.device.create_bind_group(layout=layout, entries=entries))
-    run.dispatch_workgroups(dispatch.groups(WORKGROUP), 1, 1)
+    for number, group in enumerate(bind_groups(gpu, layouts, groups, dispatch, storage)):
+        run.set_bind_group(number, group)
+    run.dispatch_workgroups(*job.groups(dispatch))
     run.end()
     gpu.device.queue.submit([encoder.finish()])
-    pairs = zip(description.buffers, buffers, strict=True)
+    pairs = zip(job.pipeline.buffers, storage, strict=True)
     return Written(
-        tuple(_read(gpu, b, dispatch.count * slot.stride) for slot, b in pairs if slot.written)
+        tuple(bytes(gpu.device.queue.read_buffer(each)) for slot, each in pairs if slot.written)
     )
-
-
-def _buffer(gpu: Gpu, slot: BufferSlot, dispatch: Dispatch, data: bytes | None) -> Any:
-    if data is None:
-        size = max(dispatch.count, 1) * slot.stride
-        return gpu.device.create_buffer(size=size, usage=STORED)
-    return gpu.device.create_buffer_with_data(data=data, usage=wgpu.BufferUsage.STORAGE)
-
-
-def _resource(gpu: Gpu, what: Bound, dispatch: Dispatch, buffers: list[Any]) -> Any:
-    if isinstance(what.slot, BlockSlot):
-        data = dispatch.blocks[what.number]
-        usage = wgpu.BufferUsage.UNIFORM
-        return {"buffer": gpu.device.create_buffer_with_data(data=data, usage=usage)}
-    if isinstance(what.slot, BufferSlot):
-        return {"buffer": buffers[what.number]}
-    if what.is_sampler:
-        return make_sampler(gpu, what.slot)
-    return make_view(gpu, dispatch.textures[what.number])
-
-
-def _read(gpu: Gpu, buffer: Any, size: int) -> bytes:
-    return bytes(gpu.device.queue.read_buffer(buffer, 0, size)) if size else b""

@@ -9,11 +9,11 @@ import numpy as np
 import wgpu
 
 from ..checks import lane_count
-from ..draw import BlockSlot, BufferSlot, Draw, Job, Picture, Pipeline, TargetFormat
+from ..draw import Draw, Job, Picture, Pipeline, TargetFormat
 from ..readback import TEXEL_LANES, to_float
+from .bindings import bind_groups, make_buffer, make_storage
 from .device import Gpu, explained
-from .pipeline import DEPTH, Bound, Buffer, Made, make_pipeline
-from .textures import make_sampler, make_view
+from .pipeline import DEPTH, Buffer, Made, make_pipeline
 
 
 def draw_job(gpu: Gpu, job: Job) -> list[Picture]:
@@ -44,7 +44,8 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
         },
     )
     drawn.set_pipeline(made.handle)
-    for number, group in enumerate(_groups(gpu, made, draw)):
+    storage = make_storage(gpu, pipeline.buffers, draw.buffers)
+    for number, group in enumerate(bind_groups(gpu, made.layouts, made.groups, draw, storage)):
         drawn.set_bind_group(number, group)
     _mesh(gpu, drawn, made.buffers, draw)
     drawn.end()
@@ -64,38 +65,11 @@ def _target(gpu: Gpu, format: str, draw: Draw) -> Any:
     return gpu.device.create_texture(format=format, size=size, usage=usage)
 
 
-def _groups(gpu: Gpu, made: Made, draw: Draw) -> list[Any]:
-    return [
-        gpu.device.create_bind_group(
-            layout=layout,
-            entries=[
-                {"binding": at, "resource": _resource(gpu, what, draw)}
-                for at, what in group.items()
-            ],
-        )
-        for layout, group in zip(made.layouts, made.groups, strict=True)
-    ]
-
-
-def _resource(gpu: Gpu, what: Bound, draw: Draw) -> Any:
-    if isinstance(what.slot, BlockSlot):
-        return {"buffer": _buffer(gpu, draw.blocks[what.number], wgpu.BufferUsage.UNIFORM)}
-    if isinstance(what.slot, BufferSlot):
-        return {"buffer": _buffer(gpu, draw.buffers[what.number], wgpu.BufferUsage.STORAGE)}
-    if what.is_sampler:
-        return make_sampler(gpu, what.slot)
-    return make_view(gpu, draw.textures[what.number])
-
-
-def _buffer(gpu: Gpu, data: bytes, usage: int) -> Any:
-    return gpu.device.create_buffer_with_data(data=data, usage=usage)
-
-
 def _mesh(gpu: Gpu, drawn: Any, buffers: Sequence[Buffer], draw: Draw) -> None:
     for number, buffer in enumerate(buffers):
         data = _interleaved(buffer, draw.vertices)
-        drawn.set_vertex_buffer(number, _buffer(gpu, data, wgpu.BufferUsage.VERTEX))
-    drawn.set_index_buffer(_buffer(gpu, draw.indices, wgpu.BufferUsage.INDEX), "uint32")
+        drawn.set_vertex_buffer(number, make_buffer(gpu, data, wgpu.BufferUsage.VERTEX))
+    drawn.set_index_buffer(make_buffer(gpu, draw.indices, wgpu.BufferUsage.INDEX), "uint32")
     drawn.draw_indexed(len(draw.indices) // 4, draw.instance_count)
 
 

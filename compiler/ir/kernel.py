@@ -1,0 +1,25 @@
+"""Which invocations of a kernel run together: its work groups.
+
+Semantics says how large they are, by the kernel's own word or by ``USUAL``. The texts declare it,
+and a host needs it to know how many work groups it has to run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+WorkGroup = tuple[int, int, int]
+"""How many invocations stand side by side along x, y and z."""
+
+USUAL: Mapping[int, WorkGroup] = {1: (64, 1, 1), 2: (8, 8, 1)}
+"""By the number of dimensions that a kernel's results have: a multiple of what all devices execute
+at once, and no more than any of them takes."""
+
+MOST_INVOCATIONS = 1024
+"""No API that there is has larger work groups; what a profile has at least is one of its limits."""
+
+
+def invocations(group: WorkGroup) -> int:
+    """How many invocations a work group has."""
+    x, y, z = group
+    return x * y * z

@@ -1,0 +1,73 @@
+"""What the host holds for a shader: parameters and storage buffers as leaves of a graph.
+
+Pictures, kernels and the attribution of errors read these leaves through ``HeldValues``. A graph
+may have them as they are declared or, after the pass ``lower_reads``, as they are stored.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from ..ir.leaves import Buffer, Parameter
+from ..ir.node import Node
+from ..ir.operations import BUFFER, PARAMETER
+from ..ir.types import Type
+from .bounds.bounded import constant
+from .namespace import Lanes
+from .storage_buffers import BufferReader, Contents
+from .stored import stored
+
+
+class HeldValues:
+    """The values of a shader's parameters and storage buffers, by name."""
+
+    def __init__(
+        self, values: Mapping[str, Any], seen: Callable[[Lanes], Lanes] | None = None
+    ) -> None:
+        """``seen`` makes of a parameter's value what a device has of it; buffers hold numbers of
+        the device already."""
+        self._values = values
+        self._seen = seen
+        self._found: dict[tuple[Parameter | Buffer, Type], Lanes] = {}
+
+    def value(self, node: Node) -> Lanes | None:
+        """The value of a parameter or a buffer; ``None`` for any other node.
+
+        Raises ``ValueError`` for one that has no value.
+        """
+        leaf = node.data
+        if not isinstance(leaf, Parameter | Buffer):
+            return None
+        key = leaf, node.type
+        if key not in self._found:
+            read = self._parameter if isinstance(leaf, Parameter) else self._buffer
+            self._found[key] = read(node)
+        return self._found[key]
+
+    def _parameter(self, node: Node) -> Lanes:
+        leaf = PARAMETER.data(node)
+        if leaf.name not in self._values:
+            raise ValueError(f"The parameter `{leaf.name}` has no value.")
+        value: Lanes = self._values[leaf.name]
+        if node.type != leaf.type:
+            value = stored(leaf.type, value)
+        return value if self._seen is None else self._seen(value)
+
+    def _buffer(self, node: Node) -> Lanes:
+        leaf = BUFFER.data(node)
+        contents = self._values.get(leaf.name)
+        if not isinstance(contents, Contents):
+            raise ValueError(f"The buffer `{leaf.name}` has no contents.")
+        return (BufferReader(contents, leaf, node.type),)
+
+
+def as_rounded(value: Any) -> Any:
+    """A value, floats of which a device has as the nearest float32.
+
+    So it has the constants of a text, and what a host computes in float64 and rounds. What is a
+    float32 stays exact.
+    """
+    if isinstance(value, tuple):
+        return tuple(map(as_rounded, value))
+    return constant(value) if isinstance(value, float) else value

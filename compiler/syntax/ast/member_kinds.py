@@ -1,0 +1,252 @@
+"""The table of the kinds of members: one row for each class of ``members.py``.
+
+``KINDS`` is the only place that lists the kinds. The builder makes nodes by it, the parser
+recognises members by it where a text is broken, messages say by it how a member is written and
+where it belongs, and ``semantics`` flattens inheritance by it. What a kind contributes to a shader
+is said by the module of ``semantics`` that lowers it. ``docs/architecture.md`` tells how to add a
+kind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Literal, TypeGuard
+
+from ....frozen import frozen
+from ...diagnostics.source import Span
+from . import members
+from .expressions import Expression, Name, TypeName
+from .members import RECORD_KINDS, Member, NamedMember, ReadMember, RecordKind
+
+Inheritance = Literal["overridden", "replaced", "gathered"]
+"""What becomes of a member that a base or a mixin has:
+
+- ``overridden``: its name means a value. The nearest definition of the name is what it means, and
+  ``inherited.name`` reads what the next one further up says. Kinds may override each other.
+- ``replaced``: nothing reads it. Of one name, or of the kind if it has no names, the nearest one
+  counts.
+- ``gathered``: it has no name, and those of the whole chain count together.
+"""
+
+Contribution = Literal["parameter", "resource", "attribute", "value", "result"]
+"""What a shader gets of a member: a value that the host sets, a texture or a buffer that it binds,
+an input of the vertices, something computed that others read, or something that the shader
+delivers."""
+
+
+@frozen
+class MemberKind:
+    """One kind of member: everything that the compiler knows about it before it is lowered."""
+
+    word: str
+    """The word that it begins with; empty for an equation, which begins with its name."""
+    node: type[Member]
+    productions: Mapping[str, Callable[..., Member]]
+    """The productions of ``burnish.lark`` that read it, each with what makes the node.
+
+    They are called with the span, with the doc comment if the node has a field ``doc``, and with
+    what the production hands over.
+    """
+    opening: tuple[str, ...]
+    """Symbols that follow the word in every such member, up to one that tells it from an equation.
+
+    By them a member is recognised on a line of its own, whatever is unfinished above it.
+    """
+    records: tuple[RecordKind, ...]
+    """The kinds of records, and of mixins for them, in which it may stand."""
+    inheritance: Inheritance
+    contribution: Contribution
+    form: str
+    """How it is written, as messages and the manual say it."""
+    doc: str
+    """What it is for, as the manual says it."""
+    has_default: bool = False
+    """Whether ``= …`` may follow its type."""
+
+    @property
+    def places(self) -> str:
+        """Where it may stand, as messages list it: ``a material, a light or a pass``."""
+        *others, last = (f"a {record}" for record in self.records)
+        return f"{', '.join(others)} or {last}" if others else last
+
+    @property
+    def is_named(self) -> bool:
+        """Whether it has a name."""
+        return "name" in self.node.__match_args__
+
+
+def _map(
+    span: Span, doc: str, name: Name, type_: TypeName, group: Name | None, default: Name | None,
+    *state: tuple[Name, Name],
+) -> members.Map:  # fmt: skip
+    return members.Map(span, doc, name, type_, group, default, state)
+
+
+def _untyped_slot(span: Span, doc: str, name: Name, value: Expression) -> members.Slot:
+    return members.Slot(span, doc, name, None, value)
+
+
+def _expand(span: Span, doc: str, primitive: Name, *strips: members.Strips) -> members.Expand:
+    return members.Expand(span, doc, primitive, strips)
+
+
+def _work_group(span: Span, *sides: Expression) -> members.WorkGroup:
+    return members.WorkGroup(span, sides)
+
+
+KINDS: tuple[MemberKind, ...] = (
+    MemberKind(
+        word="param",
+        node=members.Param,
+        productions={"param": members.Param},
+        opening=("NAME", ":"),
+        records=RECORD_KINDS,
+        inheritance="overridden",
+        contribution="parameter",
+        form="a parameter is `param name : type in low..high per group = default`, where "
+        "everything after the type is optional",
+        doc="a value that the host sets",
+        has_default=True,
+    ),
+    MemberKind(
+        word="map",
+        node=members.Map,
+        productions={"map": _map},
+        opening=("NAME", ":"),
+        records=RECORD_KINDS,
+        inheritance="overridden",
+        contribution="resource",
+        form="a texture is `map name : texture2d per group = white with { filter = nearest }`, "
+        "where everything after the type is optional",
+        doc="a texture that the host binds, with its sampler",
+        has_default=True,
+    ),
+    MemberKind(
+        word="buffer",
+        node=members.Buffer,
+        productions={"buffer": members.Buffer},
+        opening=("NAME", ":"),
+        records=RECORD_KINDS,
+        inheritance="overridden",
+        contribution="resource",
+        form="a storage buffer is `buffer name : type[]` or `buffer name : type[] per group`",
+        doc="any number of elements, which the host binds",
+    ),
+    MemberKind(
+        word="attribute",
+        node=members.Attribute,
+        productions={"attribute": members.Attribute},
+        opening=("NAME", ":"),
+        records=("material", "pass"),
+        inheritance="overridden",
+        contribution="attribute",
+        form="a vertex input is `attribute name : type` or "
+        "`attribute name : type per instance`; it has no default",
+        doc="an input of the vertices, from the mesh",
+    ),
+    MemberKind(
+        word="",
+        node=members.Slot,
+        productions={"slot": _untyped_slot, "typed_slot": members.Slot},
+        opening=(),
+        records=RECORD_KINDS,
+        inheritance="overridden",
+        contribution="value",
+        form="an equation is `name = expression` or `name : type = expression`; without a value, "
+        "`name : type`, a derived record has to give one",
+        doc="a value that is computed",
+        has_default=True,
+    ),
+    MemberKind(
+        word="target",
+        node=members.Target,
+        productions={"target": members.Target},
+        opening=("NAME", ":"),
+        records=("pass",),
+        inheritance="replaced",
+        contribution="result",
+        form="a target is `target name : format = expression blend mode`, where the blending "
+        "is optional",
+        doc="what a pass writes to one render target",
+        has_default=True,
+    ),
+    MemberKind(
+        word="discard",
+        node=members.Discard,
+        productions={"discard": members.Discard},
+        opening=("when",),
+        records=("pass",),
+        inheritance="gathered",
+        contribution="result",
+        form="a pass discards pixels by `discard when condition`",
+        doc="where a pass writes nothing",
+    ),
+    MemberKind(
+        word="expand",
+        node=members.Expand,
+        productions={"expand": _expand},
+        opening=("NAME", "{"),
+        records=("material",),
+        inheritance="gathered",
+        contribution="result",
+        form="an expansion is `expand triangle { strip of 3 as i for s in 0..4 where condition "
+        "like corner[i] { slot = expression } }`, where everything between the number of vertices "
+        "and the brace is optional",
+        doc="what each primitive of the mesh turns into",
+    ),
+    MemberKind(
+        word="result",
+        node=members.Result,
+        productions={"result": members.Result},
+        opening=("NAME", ":"),
+        records=("kernel",),
+        inheritance="replaced",
+        contribution="result",
+        form="a result is `result name : type[count] = expression`",
+        doc="what a kernel writes to each element of a buffer, or to each texel of an image",
+        has_default=True,
+    ),
+    MemberKind(
+        word="work_group",
+        node=members.WorkGroup,
+        productions={"work_group": _work_group},
+        opening=("of",),
+        records=("kernel",),
+        inheritance="replaced",
+        contribution="result",
+        form="the size of the work groups is `work_group of 128`, or `work_group of 16 by 16` "
+        "where the results have two dimensions",
+        doc="how many invocations of a kernel run together",
+    ),
+)
+
+MEMBERS: Mapping[str, MemberKind] = MappingProxyType(
+    {kind.word: kind for kind in KINDS if kind.word}
+)
+"""The kinds of members that begin with a word, by this word."""
+
+_BY_NODE: Mapping[type, MemberKind] = {kind.node: kind for kind in KINDS}
+
+
+def kind_of(member: Member | NamedMember) -> MemberKind:
+    """The kind of a member."""
+    return _BY_NODE[type(member)]
+
+
+def is_named(member: Member) -> TypeGuard[NamedMember]:
+    """Whether a member has a name."""
+    return kind_of(member).is_named
+
+
+def only_one(member: Member) -> Name | None:
+    """What a record may declare only once: the member's name or, if it has none, its kind."""
+    if is_named(member):
+        return member.name
+    kind = kind_of(member)
+    return Name(kind.word, member.span) if kind.inheritance == "replaced" else None
+
+
+def is_read(member: Member) -> TypeGuard[ReadMember]:
+    """Whether the name of a member means a value in expressions."""
+    return kind_of(member).inheritance == "overridden"

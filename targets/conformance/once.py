@@ -1,0 +1,38 @@
+"""Values that several threads need and that take long to make: each is made once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from threading import Lock
+from typing import Generic, TypeVar
+
+T = TypeVar("T")
+
+
+class Known(Generic[T]):
+    """Values by key; plans keep in it what the reference computes for all routes."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._values: dict[Hashable, _Once[T]] = {}
+
+    def value(self, key: Hashable, make: Callable[[], T]) -> T:
+        """The value of a key; the first thread that asks for it makes it."""
+        with self._lock:
+            once = self._values.setdefault(key, _Once())
+        return once.value(make)
+
+
+class _Once(Generic[T]):
+    """A value that the first thread makes which asks for it; others wait until it is there."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._values: list[T] = []
+
+    def value(self, make: Callable[[], T]) -> T:
+        """The value; if ``make`` raises an error, the next thread tries again."""
+        with self._lock:
+            if not self._values:
+                self._values.append(make())
+            return self._values[0]

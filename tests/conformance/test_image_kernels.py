@@ -1,0 +1,42 @@
+"""Every route makes the images that the reference computes."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+
+import burnish
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.summary import details
+from burnish.targets.runner.routes import ROUTES
+
+from .kit import Studio
+
+FILE = Path(__file__).with_name("image_kernels.burnish")
+NAMES = ("Bytes", "Few", "Floats", "Alone", "Branches")
+WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgl2"}
+
+
+@lru_cache(maxsize=1)
+def compiled() -> burnish.CompileResult:
+    profiles = sorted({route.profile for route in ROUTES.values()})
+    return burnish.compile(FILE, profiles, partial=True)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("route", ROUTES)
+def test_it_agrees(studio: Studio, route: str, name: str) -> None:
+    kernel = compiled()[name]
+    (row,) = conform([(name, kernel)], [ROUTES[route]], studio.runner, studio.toolchain)
+    if name == "Floats" and route in WITHOUT_BUFFERS:
+        assert row.status == "not run"
+        assert "storage buffers" in row.problem
+        return
+    assert row.status == "agrees", "\n".join(details(row)) or row.problem
+    assert row.covered > 1000
+
+
+def test_all_kernels_are_run() -> None:
+    assert {kernel.name for kernel in compiled()} == set(NAMES)

@@ -1,0 +1,104 @@
+"""Jobs of kernels: how many work groups run, and what is refused before a driver sees it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+import burnish
+from burnish.targets.runner.drivers.checks import check_groups, check_kernel
+from burnish.targets.runner.drivers.draw import (
+    BufferSlot,
+    Dispatch,
+    DriverError,
+    KernelJob,
+    Pipeline,
+    Place,
+    Sides,
+    Written,
+)
+from burnish.targets.runner.instances.instance import Instance
+from burnish.targets.runner.kernels import dispatch_of, elements_of, job_of
+
+PLACE = Place("r", 0, 0)
+PIPELINE = Pipeline({}, (), (), (), (), buffers=(BufferSlot(PLACE, 4, written=True),))
+SOURCE = """
+kernel K {
+    work_group of 32
+    param n : int in 0..9 = 3
+    buffer before : vec3[]
+    result after : vec3[n] = before[index]
+    result count : float[n] = 1
+}
+"""
+
+
+def job(extent: Sides, work_group: Sides = (64, 1, 1)) -> KernelJob:
+    return KernelJob(PIPELINE, work_group, (Dispatch(extent, (), (), (bytes(4),)),))
+
+
+@pytest.mark.parametrize(
+    ("extent", "work_group", "groups"),
+    [
+        ((0, 1, 1), (64, 1, 1), (0, 1, 1)),
+        ((1, 1, 1), (64, 1, 1), (1, 1, 1)),
+        ((64, 1, 1), (64, 1, 1), (1, 1, 1)),
+        ((65, 1, 1), (64, 1, 1), (2, 1, 1)),
+        ((65, 1, 1), (32, 1, 1), (3, 1, 1)),
+        ((17, 8, 1), (8, 8, 1), (3, 1, 1)),
+        ((16, 9, 2), (8, 8, 1), (2, 2, 2)),
+    ],
+)
+def test_work_groups_cover_all_elements(extent: Sides, work_group: Sides, groups: Sides) -> None:
+    made = job(extent, work_group)
+    assert made.groups(made.dispatches[0]) == groups
+
+
+def test_more_work_groups_than_a_device_runs_are_refused() -> None:
+    most = (65535, 65535, 65535)
+    check_groups(job((64 * 65535, 1, 1)), most)
+    with pytest.raises(DriverError) as error:
+        check_groups(job((64 * 65535 + 1, 1, 1)), most)
+    assert str(error.value) == (
+        "dispatch 0: 65536 work groups along x, and the device runs at most 65535 at once: "
+        "compute fewer elements, or declare larger work groups"
+    )
+    with pytest.raises(DriverError, match="9 work groups along y"):
+        check_groups(job((1, 65, 1), (8, 8, 1)), (8, 8, 8))
+
+
+def test_buffers_of_another_size_are_refused() -> None:
+    made = job((1, 1, 1))
+    check_kernel(made)
+    for data, message in (
+        ((bytes(6),), "storage buffer 'r' is given 6 bytes, and its elements have 4"),
+        ((), "0 storage buffers are given, and the pipeline has 1"),
+    ):
+        wrong = replace(made, dispatches=(replace(made.dispatches[0], buffers=data),))
+        with pytest.raises(DriverError) as error:
+            check_kernel(wrong)
+        assert str(error.value) == f"dispatch 0: {message}"
+
+
+def test_a_dispatch_is_what_the_reflection_says() -> None:
+    (kernel,) = burnish.compile(SOURCE, "glsl:vulkan")
+    instance = Instance(kernel.reflection)
+    instance.set("before", [(1, 2, 3)])
+    dispatch = dispatch_of(instance)
+    assert job_of(kernel.reflection, PIPELINE, [dispatch]).work_group == (32, 1, 1)
+    assert dispatch.extent == (3, 1, 1)
+    assert [len(data) for data in dispatch.buffers] == [16, 48, 12]
+    written = Written((bytes(range(48)), bytes(12)))
+    found = elements_of(kernel.reflection, dispatch, written)
+    assert {name: len(data) for name, data in found.items()} == {"after": 48, "count": 12}
+
+
+def test_results_without_elements_are_bound_with_one_that_nobody_reads() -> None:
+    (kernel,) = burnish.compile(SOURCE, "glsl:vulkan")
+    instance = Instance(kernel.reflection)
+    instance.set("n", 0)
+    dispatch = dispatch_of(instance)
+    assert [len(data) for data in dispatch.buffers] == [16, 16, 4]
+    found = elements_of(kernel.reflection, dispatch, Written((bytes(16), bytes(4))))
+    assert set(found.values()) == {b""}
