@@ -117,7 +117,8 @@ def divided(patches: Tessellation) -> Shader:
     for part in parts[1:]:
         placed = toy.call("add", VEC3, placed, part)
     clip = build.vector(graph, (toy.named("placed", placed), build.floating(graph, 1.0)))
-    number = toy.call("to_float", FLOAT, graph.node("input", PATCH_INDEX.type, (), PATCH_INDEX))
+    index = build.cross(graph, graph.node("input", PATCH_INDEX.type, (), PATCH_INDEX), OF_PATCH)
+    number = toy.call("to_float", FLOAT, index)
     of_patch = build.cross(graph, toy.named("first_level", edges[0]), OF_PATCH)
     first = toy.named("first", build.vector(graph, (x, y, number, of_patch)))
     results = [
