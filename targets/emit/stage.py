@@ -48,7 +48,6 @@ from .views import (
     TessellationView,
 )
 
-
 LEVELS = (EDGE_LEVEL, INNER_LEVEL)
 DIVIDING = (CONTROL, EVALUATION)
 """The stages that divide patches."""
@@ -130,7 +129,7 @@ class StagePrinter:
     def _inputs(self) -> list[FieldView]:
         """What the stage reads of the one before it, or of the vertex buffers."""
         return [
-            self._field(field, role := self._roles[field.name], field.mode == "corner")
+            self._field(field, self._roles[field.name], field.mode == "corner")
             for field in self._stage.inputs
         ]
 
@@ -213,9 +212,7 @@ class StagePrinter:
         forms = self._language.forms
         for kind, form in zip(LEVELS, (forms.edge_level, forms.inner_level), strict=True):
             for number, output in enumerate(self._stage.results_of(kind)):
-                yield StoreView(
-                    form.format(number=number), self._value(expressions, output.value)
-                )
+                yield StoreView(form.format(number=number), self._value(expressions, output.value))
         for output in self._stage.results:
             if output.store is not None:
                 yield self._store(expressions, output.store, output.value)

@@ -43,7 +43,7 @@ from burnish.compiler.ir.stages import (
     inputs_of,
 )
 from burnish.compiler.ir.tessellation import PATCH_KINDS, Patch, Spacing, Tessellation
-from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4
+from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference import tessellation as reference
 from burnish.targets import registry
@@ -52,6 +52,7 @@ from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.draw import Job, Pipeline, Primitive
 from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.meshes import Indices
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene_state import SceneState
 
@@ -70,7 +71,7 @@ LEVELS: Mapping[Patch, tuple[tuple[tuple[float, ...], tuple[float, ...]], ...]] 
     "quad": (((1, 1, 1, 1), (1, 1)), ((4, 2, 3, 5), (6, 3)), ((2.5, 1, 7, 4), (1, 4.75))),
     "isoline": (((3, 1), ()), ((5, 4.5), ())),
 }
-"""Of edges and of the inside; not among them is what rounding to 1/65536 decides otherwise."""
+"""Of edges and of the inside."""
 
 CORNERS: Mapping[Patch, list[list[float]]] = {
     "triangle": [[-0.875, -0.75, 0.25], [0.75, -0.5, 0.75], [-0.25, 0.875, 0.5]],
@@ -179,8 +180,9 @@ def patches_of(patch: Patch) -> Floats:
 
 
 def state(
-    material: CompiledMaterial, attributes: Mapping[str, Floats], cells: Floats, **values: float
+    material: CompiledMaterial, attributes: Mapping[str, Floats], cells: Indices, **values: float
 ) -> SceneState:
+    """These vertices and primitives, with values of the parameters."""
     instance = material.instance()
     for name, value in values.items():
         instance.set(name, value)
@@ -206,21 +208,20 @@ def natively(patch: Patch, spacing: Spacing) -> list[SceneState]:
 
 def expected(patch: Patch, spacing: Spacing) -> list[SceneState]:
     """What the reference divides them into, as triangles or lines of their own."""
-    return [
-        state(compiled(None), *_cells(patch, spacing, *levels)) for levels in LEVELS[patch]
-    ]
+    return [state(compiled(None), *_cells(patch, spacing, *levels)) for levels in LEVELS[patch]]
 
 
 def _cells(
     patch: Patch, spacing: Spacing, edges: tuple[float, ...], inside: tuple[float, ...]
-) -> tuple[Mapping[str, Floats], Floats]:
+) -> tuple[Mapping[str, Floats], Indices]:
+    """The vertices of both patches, and the triangles or lines between them."""
     match patch:
         case "triangle":
             pattern = reference.triangle(edges, inside[0], spacing)
         case "quad":
             pattern = reference.quad(edges, inside, spacing)
         case "isoline":
-            pattern = reference.isolines(*edges, spacing)
+            pattern = reference.isolines(edges[0], edges[1], spacing)
     where = np.array(pattern.places) / reference.ONE
     cells = np.array(pattern.cells)
     places, firsts = [], []
@@ -233,10 +234,13 @@ def _cells(
 
 
 def _placed(patch: Patch, where: Floats, points: Floats) -> Floats:
+    """Where a patch's vertices lie, with all of which float32 can do without rounding."""
     if patch == "triangle":
-        return where @ points
+        weighted: Floats = where @ points
+        return weighted
     across = points[3] - points[0] if patch == "quad" else np.array(ACROSS)
-    return points[0] + where[:, :1] * (points[1] - points[0]) + where[:, 1:2] * across
+    moved: Floats = where[:, :1] * (points[1] - points[0]) + where[:, 1:2] * across
+    return points[0] + moved
 
 
 def drawn(
