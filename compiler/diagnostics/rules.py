@@ -777,7 +777,7 @@ EXPANDS_TOO_FAR = _error(
 TWO_EXPANSIONS = _error(
     "B0527",
     "`{name}` expands its primitives twice",
-    "A material has one expansion, with as many groups of strips as it needs. Two mixins that each "
+    "A record has one expansion, with as many groups of strips as it needs. Two mixins that each "
     "have one cannot be combined.",
 )
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, TESSELLATED_CHAIN
+from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, RASTERISED
 from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4
 from ...stdlib.builtins.facts import Fact
@@ -172,7 +172,7 @@ VULKAN = Profile(
     framebuffer=Framebuffer(clip_y_down=True),
     patch_winding="cw",
     preamble=("#version 450",),
-    limits=Limits(groups=4, buffers=4),
+    limits=Limits(groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4),
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(
@@ -207,7 +207,7 @@ OPENGL = Profile(
     explicit_bindings=False,
     samplers=Samplers(combined=True),
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
@@ -216,19 +216,18 @@ OPENGL = Profile(
     checkers=("glslang-gl330",),
 )
 
-NO_BUFFERS = 0
-"""OpenGL 4.5 guarantees storage buffers to fragments alone, and ES 3.1 to kernels alone."""
-
 OPENGL_4 = Profile(
     name="gl450",
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
     preamble=("#version 450 core",),
-    stages=TESSELLATED_CHAIN,
     numbering="kind",
+    numbers_storage_apart=True,
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
-    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    # Only fragments and kernels are guaranteed to have storage buffers.
+    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024),
     agrees=AGREES,
     checkers=("glslang-gl450",),
 )
@@ -247,7 +246,7 @@ ES = Profile(
     explicit_bindings=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
@@ -258,12 +257,15 @@ ES = Profile(
 
 ES_31 = Profile(
     name="es310",
+    stages=(*RASTERISED, *COMPUTED),
     doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
     preamble=("#version 310 es", *ES_PRECISIONS),
     numbering="kind",
+    numbers_storage_apart=True,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    # Only kernels are guaranteed to have storage buffers.
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=4),
     natives=WITHOUT_FMA,
     lacks=COUNTS,
     agrees=AGREES,

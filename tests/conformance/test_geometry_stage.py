@@ -32,7 +32,13 @@ from burnish.targets.runner.scene_state import SceneState, set_up
 
 from .kit import Floats, Studio
 
-ON = ("lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "llvmpipe:gl330")
+ON = (
+    "lavapipe:glsl",
+    "lavapipe:hlsl-glslang",
+    "lavapipe:hlsl-dxc",
+    "llvmpipe:gl330",
+    "llvmpipe:gl450",
+)
 """The routes with a geometry stage."""
 PROFILES = tuple(sorted({ROUTES[name].profile for name in ON}))
 EXAMPLES = Path(__file__).parents[2] / "examples"

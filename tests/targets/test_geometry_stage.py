@@ -17,7 +17,7 @@ from burnish.compiler.ir.stages import STAGES
 from burnish.targets.toolchain import Job, Toolchain
 
 GOLDEN = Path(__file__).parent / "golden" / "geometry"
-PROFILES = ("glsl:vulkan", "glsl:gl330", "hlsl:sm6")
+PROFILES = ("glsl:vulkan", "glsl:gl330", "glsl:gl450", "hlsl:sm6")
 
 TENT = """
 /// A roof over each triangle, walls around it, and a flag on every third one.

@@ -24,8 +24,9 @@ def numbered(ctx: Context, corners: Corners, number: Node | Failure, span: Span)
         if isinstance(inner, Failure):
             return FAILURE
         ends = (build.constant(ctx.tree, INT, end) for end in (0, last))
-        return Corner(corners.slots, ctx.tree.node("call", INT, (inner, *ends), "clamp"))
+        nearest = ctx.tree.node("call", INT, (inner, *ends), "clamp")
+        return Corner(corners.slots, corners.instance, nearest)
     if not 0 <= known <= last:
         ctx.report.add(rules.NO_SUCH_CORNER, span, index=known, last=last)
         return FAILURE
-    return Corner(corners.slots, build.constant(ctx.tree, INT, known))
+    return Corner(corners.slots, corners.instance, build.constant(ctx.tree, INT, known))

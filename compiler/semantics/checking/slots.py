@@ -131,7 +131,7 @@ def _in_group(
     written = group.equations.get(name)
     if written is None or written.value is None:
         assert slots.corner is not None
-        return corner_slot(ctx, Corner(slots, slots.corner), name, span)
+        return corner_slot(ctx, Corner(slots, slots.base_of(instance), slots.corner), name, span)
     if (number, name) not in slots.values:
         key = instance, slots, number, name
         if is_cycle(ctx, key, name, span):
@@ -153,9 +153,11 @@ def _finish_emitted(
     written, name, scope = equation.value, equation.name.text, slots.groups[number].scope
     assert written is not None
     node = plain(ctx, value, written)
-    if instance.record.typing(name) is not None:
-        node = assigned(ctx, instance.record, name, node, written, scope, OUTERMOST)
-    elif isinstance(like := slot(ctx, slots.base, name, equation.name.span), Node):
+    base = slots.base_of(instance)
+    record = _typing(base, name)
+    if record.typing(name) is not None:
+        node = assigned(ctx, record, name, node, written, scope, OUTERMOST)
+    elif isinstance(like := slot(ctx, base, name, equation.name.span), Node):
         node = fit(ctx, node, like.type, str(like.type), written.span)
     if isinstance(node, Node):
         node = ctx.crossings.checked_at_vertex(node, written.span)
@@ -176,7 +178,10 @@ def _by_group(ctx: Context, values: list[Node], span: Span) -> Node:
 
 def corner_slot(ctx: Context, corner: Corner, name: str, span: Span) -> Node | Failure:
     """``corner[k].name``: the slot as it is without the expansion, at one vertex of the mesh."""
-    value = slot_or_report(ctx, corner.slots.base, name, span)
+    holder = corner.instance
+    if holder.surface is not None and not holder.has(name) and holder.surface.has(name):
+        holder = holder.surface
+    value = slot_or_report(ctx, holder, name, span)
     if isinstance(value, Node) and not isinstance(value.type, Texture):
         value = ctx.crossings.checked_at_vertex(value, span)
     if not isinstance(value, Node):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache, partial
 from typing import TypeVar
 
@@ -17,9 +18,9 @@ from ..declarations.parameters import Leaves, leaves_of
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
-from ..state.context import Context
+from ..state.context import Context, Twin
 from ..state.scope import Instance, Replacement
-from .expanding import expanded
+from .expanding import expanded, expands
 from .host_names import Entry, names_taken
 from .instances import instance_of
 from .placeholders import stand_in
@@ -65,7 +66,8 @@ def set_up_beside(setting: Setting, parts: Parts) -> Setting:
     if parts == setting.parts:
         return setting
     same = parts.material == setting.parts.material and not setting.surface.replaced
-    leaves, known = _leaves(setting.ctx, parts), setting.surface if same else None
+    is_known = same and setting.surface.expanded is None
+    leaves, known = _leaves(setting.ctx, parts), setting.surface if is_known else None
     return _put_together(setting.ctx, parts, leaves, setting.entries, known)
 
 
@@ -89,7 +91,7 @@ def _put_together(
     pass_leaves, material_leaves = leaves
     passing = instance_of(ctx, drawn, pass_leaves)
     overrides = _overrides(material, drawn, passing)
-    reused = known is not None and not overrides
+    reused = known is not None and not overrides and not expands(passing)
     surface = known if known is not None and reused else instance_of(ctx, material, material_leaves)
     surface.replaced.update(overrides)
     check_replacements(ctx, passing, surface)
@@ -103,15 +105,23 @@ def _put_together(
         surface = expanded(ctx, surface, passing)
         ctx.twins[surface] = lambda: (twin().ctx, twin().surface)
         if surface.expanded is not None:
-            ctx.twins[surface.expanded.base] = lambda: (twin().ctx, _base(twin().surface))
+            for instance in filter(None, (surface.expanded.base, surface.expanded.passing)):
+                ctx.twins[instance] = partial(_base_in, twin, instance)
     passing.surface = surface
     ctx.twins[passing] = lambda: (twin().ctx, twin().passing)
     return Setting(ctx, parts, entries, leaves, surface, passing)
 
 
-def _base(surface: Instance) -> Instance:
-    """The surface without its expansion."""
-    return surface if surface.expanded is None else surface.expanded.base
+def unexpanded(instance: Instance) -> Instance:
+    """A surface or a pass as it is without an expansion."""
+    return instance if instance.expanded is None else instance.expanded.base_of(instance)
+
+
+def _base_in(twin: Callable[[], Setting], instance: Instance) -> Twin:
+    """Where the types are asked for of what an instance without its expansion overrides."""
+    setting = twin()
+    found = setting.surface if instance.surface is None else setting.passing
+    return setting.ctx, unexpanded(found)
 
 
 def _twin(ctx: Context, parts: Parts) -> Setting:

@@ -1,11 +1,12 @@
 """Surfaces whose primitives turn into others: what an ``expand`` member makes of a material.
 
-``assembly.py`` calls ``expanded`` when the parts of a shader have been put together.
+It stands in the material, or in the pass that draws it. ``assembly.py`` calls ``expanded`` when the
+parts of a shader have been put together.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ....frozen import changed, frozen
 from ...diagnostics import rules
@@ -28,6 +29,7 @@ from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import (
     FAILURE,
+    OUTERMOST,
     Corner,
     Corners,
     ExpandedSlots,
@@ -43,21 +45,31 @@ MOST_VERTICES = 4096
 """So many vertices may come of one primitive."""
 
 
-def expanded(ctx: Context, surface: Instance, passing: Instance) -> Instance:
-    """The surface as it is at the emitted vertices; itself where nothing is expanded."""
-    written = list(surface.record.every(ast.Expand))
+def expands(instance: Instance) -> bool:
+    """Whether a material or a pass says what primitives turn into."""
+    return any(True for _ in instance.record.every(ast.Expand))
+
+
+def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
+    """The surface as it is at the emitted vertices; itself where nothing is expanded.
+
+    What ``passing`` says of primitives counts instead of what the surface says. The pass itself
+    becomes what it is at the emitted vertices. There is none where a mixin is checked alone.
+    """
+    holder = surface if passing is None or not expands(passing) else passing
+    written = list(holder.record.every(ast.Expand))
     if not written:
         return surface
     (member, owner, level), *others = written
     if others:
         ctx.report.add(
-            rules.TWO_EXPANSIONS, others[0][0].primitive.span, name=surface.record.name,
+            rules.TWO_EXPANSIONS, others[0][0].primitive.span, name=holder.record.name,
             labels=[Label(member.primitive.span, "expanded here already")],
         )  # fmt: skip
     if member.primitive.text not in CORNERS:
         unknown(ctx, "primitive", member.primitive.text, member.primitive.span, CORNERS)
         return surface
-    return _Expanding(ctx, surface, passing, member, owner, level).surface()
+    return _Expanding(ctx, surface, passing, holder, member, owner, level).surface()
 
 
 @frozen
@@ -78,17 +90,25 @@ class _Expanding:
         self,
         ctx: Context,
         surface: Instance,
-        passing: Instance,
+        passing: Instance | None,
+        holder: Instance,
         member: ast.Expand,
         owner: Symbol,
         level: int,
     ) -> None:
+        """``holder`` is the one of the two that has the ``member``."""
         self._ctx = ctx
         self._member = member
         self._owner = owner
         self._level = level
-        self._base = _apart(surface, passing)
-        self._slots = ExpandedSlots(self._base, CORNERS[member.primitive.text])
+        self._surface = surface
+        self._passing = passing
+        self._is_of_pass = holder is passing
+        base, own = _apart(surface, passing)
+        self._base = base
+        self._slots = ExpandedSlots(base, own, CORNERS[member.primitive.text])
+        self._below = own if self._is_of_pass and own is not None else base
+        """The one that has the member as it is at the mesh's own vertices."""
 
     def surface(self) -> Instance:
         """The surface at the emitted vertices."""
@@ -97,17 +117,13 @@ class _Expanding:
         whole = [group.strips for group in groups if group.strips is not None]
         emitting = [group.emitted for group in groups if isinstance(group.emitted, Node)]
         corners = [group.corner for group in groups if isinstance(group.corner, Node)]
-        made = changed(
-            self._base,
-            values={},
-            expanded=slots,
-            replaced={**self._base.replaced, **{n: Replacement(emitted=True) for n in self._set()}},
-        )
+        made = self._made(list(self._set()))
         slots.corner = self._by_group(corners or [self._number(0)])
+        inherited = {"inherited": Corner(slots, self._below, slots.corner)}
         slots.groups = tuple(
             StripGroup(
                 {equation.name.text: equation for equation in strips.equations},
-                self._scope(made, {**group.names, "inherited": Corner(slots, slots.corner)}),
+                self._scope(self._holder(made), {**group.names, **inherited}),
             )
             for strips, group in zip(self._member.strips, groups, strict=True)
         )
@@ -117,6 +133,34 @@ class _Expanding:
                 self._member.primitive.text, tuple(whole), self._member.primitive.span
             )
         return made
+
+    def _made(self, names: Iterable[str]) -> Instance:
+        """The surface with slots that some group sets, each in the pass or in the surface; the pass
+        likewise, in its place."""
+        base, passing = self._base, self._passing
+        of_surface, of_pass = [], []
+        for name in names:
+            is_own = self._is_of_pass and self._below.has(name)
+            if is_own:
+                of_pass.append(name)
+            # What the pass overrides is one slot of both.
+            if not is_own or name in base.replaced:
+                of_surface.append(name)
+        made = changed(self._surface, expanded=self._slots).with_replaced(_emitted(of_surface))
+        if passing is not None:
+            passing.expanded = self._slots
+            passing.surface = made
+            passing.replaced.update(_emitted(of_pass))
+            for name in of_pass:
+                passing.values.pop((name, OUTERMOST), None)
+        return made
+
+    def _holder(self, made: Instance) -> Instance:
+        """The one that has the member as it is at the emitted vertices."""
+        if not self._is_of_pass:
+            return made
+        assert self._passing is not None
+        return self._passing
 
     def _fits(self, groups: list[EmittedStrips]) -> bool:
         """Whether a primitive turns into something, and not into more than anything could draw."""
@@ -128,8 +172,8 @@ class _Expanding:
         return 0 < count <= MOST_VERTICES
 
     def _set(self) -> Iterator[str]:
-        """The slots that some group sets; reported where a surface has none of that name."""
-        record = self._base.record
+        """The slots that some group sets; reported where there is none of that name."""
+        record = self._below.record
         for strips in self._member.strips:
             seen: dict[str, Span] = {}
             for equation in strips.equations:
@@ -137,8 +181,9 @@ class _Expanding:
                 if name in seen:
                     label = Label(seen[name], "first defined here")
                     self._ctx.report.add(rules.DUPLICATE_NAME, span, name=name, labels=[label])
-                elif not self._base.has(name):
-                    unknown(self._ctx, f"slot of `{record.name}`", name, span, record.definitions)
+                elif not self._below.has(name) and not self._base.has(name):
+                    known = {**self._base.record.definitions, **record.definitions}
+                    unknown(self._ctx, f"slot of `{record.name}`", name, span, known)
                 else:
                     yield name
                 seen.setdefault(name, span)
@@ -204,7 +249,8 @@ class _Expanding:
         """The corner that a vertex is like where nothing else is said of it."""
         if written.like is not None:
             number = self._of_strips(written.like, names, INT, "int")
-            corner = numbered(self._ctx, Corners(self._slots), number, written.like.span)
+            corners = Corners(self._slots, self._below)
+            corner = numbered(self._ctx, corners, number, written.like.span)
             return corner.number if isinstance(corner, Corner) else FAILURE
         if self._slots.corners == 1:
             return self._number(0)
@@ -223,7 +269,7 @@ class _Expanding:
         their numbers: it knows the surface at the corners only."""
         ctx = self._ctx
         scope = self._scope(
-            self._base, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)}
+            self._below, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)}
         )
         node = node_of(ctx, written, scope)
         if isinstance(node, Failure):
@@ -239,8 +285,10 @@ class _Expanding:
         return fit(ctx, node, type_, text, written.span)
 
     def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
-        known = {"material": instance, "corner": Corners(self._slots), **names}
-        return Scope(self._owner.module, instance, self._level, instance, known)
+        surface = instance.surface or instance
+        corners = Corners(self._slots, self._below)
+        known = {"material": surface, "corner": corners, **names}
+        return Scope(self._owner.module, instance, self._level, surface, known)
 
     def _input(self, row: SystemInput) -> Node:
         return self._ctx.tree.node("input", row.type, (), row)
@@ -258,12 +306,20 @@ class _Expanding:
         return chosen
 
 
-def _apart(surface: Instance, passing: Instance) -> Instance:
+def _emitted(names: Iterable[str]) -> dict[str, Replacement]:
+    return {name: Replacement(emitted=True) for name in names}
+
+
+def _apart(surface: Instance, passing: Instance | None) -> tuple[Instance, Instance | None]:
     """The surface with a pass of its own, so that what the pass overrides reads this surface."""
     replaced = dict(surface.replaced)
     base = changed(surface, replaced=replaced)
-    own = changed(passing, surface=base, values=dict(passing.values))
+    if passing is None:
+        return base, None
+    own = changed(
+        passing, surface=base, replaced=dict(passing.replaced), values=dict(passing.values)
+    )
     for name, given in surface.replaced.items():
         if given.within is passing:
             replaced[name] = changed(given, within=own)
-    return base
+    return base, own

@@ -15,10 +15,11 @@ from ..state.scope import Instance
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
-    if surface.expanded is not None:
-        read |= {name for name, _ in surface.expanded.base.values}
-        check_overridden(ctx, surface.expanded.base, surface)
     for instance in (surface, passing):
+        if instance.expanded is not None:
+            base = instance.expanded.base_of(instance)
+            read |= {name for name, _ in base.values}
+            check_overridden(ctx, base, instance)
         check_instance(ctx, instance)
     known, root = surface.record.definitions, surface.record.root
     inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]

@@ -26,9 +26,16 @@ from ..names.modules import Module, Symbol
 from ..state.scope import Scope
 from ..types.generics import examples, of_unknown_family, uninferable
 from ..types.typenames import Variables
-from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
+from .assembly import (
+    Parts,
+    Setting,
+    is_declared_abstract,
+    set_up,
+    set_up_beside,
+    unexpanded,
+)
 from .elaborate import places_vertices, results_of, written_results
-from .expanding import expanded
+from .expanding import expanded, expands
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
@@ -282,8 +289,12 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
         instance = instance_of(ctx, record, leaves_of(ctx, record))
         instance.surface = surface if mixin.kind == "pass" else None
     stand_in(ctx, instance)
+    if instance.surface is None:
+        check_instance(ctx, expanded(ctx, instance, None))
+    elif expands(instance):
+        expanded(ctx, unexpanded(surface), instance)
+        check_instance(ctx, unexpanded(instance))
     check_instance(ctx, instance)
-    check_instance(ctx, expanded(ctx, instance, instance))
     written_results(ctx, instance)
     return True
 

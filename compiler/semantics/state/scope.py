@@ -48,7 +48,7 @@ class Instance:
     attributes: Mapping[str, Node] = fresh(factory=dict)
     replaced: dict[str, Replacement] = fresh(factory=dict)
     expanded: ExpandedSlots | None = None
-    """Where primitives are expanded, what the surface is made of."""
+    """Where primitives are expanded, what the surface and the pass are made of."""
     values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
 
     @property
@@ -97,10 +97,12 @@ class StripGroup:
 
 @record
 class ExpandedSlots:
-    """A surface whose primitives are expanded: what it is made of."""
+    """A surface whose primitives are expanded: what it and its pass are made of."""
 
     base: Instance
     """The surface as it is at the mesh's own vertices."""
+    passing: Instance | None
+    """The pass as it is there; ``None`` where a material's mixin is checked alone."""
     corners: int
     """How many vertices each primitive of the mesh has."""
     corner: Node | None = None
@@ -114,19 +116,31 @@ class ExpandedSlots:
     """By the number of a group and a slot's name: what the slot is at the vertices emitted there.
     Checked on demand and once."""
 
+    def base_of(self, instance: Instance) -> Instance:
+        """The surface or the pass, whichever ``instance`` is, at the mesh's own vertices."""
+        if instance.surface is None:
+            return self.base
+        assert self.passing is not None
+        return self.passing
+
 
 @frozen
 class Corners:
     """``corner`` in an expansion: the vertices of the primitive that is being expanded."""
 
     slots: ExpandedSlots
+    instance: Instance
+    """Whose slots they have: the surface, or the pass if the expansion stands there, and behind its
+    slots those of the surface."""
 
 
 @frozen
 class Corner:
-    """``corner[k]``: the surface as it is at one of them."""
+    """``corner[k]``: a surface or a pass as it is at one of them."""
 
     slots: ExpandedSlots
+    instance: Instance
+    """As it is at the mesh's own vertices."""
     number: Node
 
 
