@@ -11,7 +11,8 @@ from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
-from ..ir.stages import GEOMETRY, IMAGE, TARGET
+from ..ir.stages import EVALUATION, GEOMETRY, IMAGE, TARGET
+from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
@@ -105,16 +106,35 @@ def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
 
 
 def _draw_row(shader: Shader) -> dict[str, Any]:
-    """What a host draws: the triangles of a mesh, or what its primitives turn into."""
-    expansion = shader.expansion
-    if expansion is None:
-        return {"primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None}
-    native = GEOMETRY in shader.chain
+    """What a host draws: the triangles of a mesh, or what its primitives or patches turn into."""
+    expansion, patches = shader.expansion, shader.tessellation
+    row: dict[str, Any] = {
+        "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
+        "tessellation": None,
+    }  # fmt: skip
+    if patches is not None:
+        row |= {
+            "primitive": "patch",
+            "corners": patches.points,
+            "tessellation": _tessellation_row(patches),
+        }
+    if expansion is not None:
+        native = GEOMETRY in shader.chain
+        row |= {
+            "primitive": expansion.primitive,
+            "corners": expansion.corners,
+            "expanded_by": GEOMETRY.name if native else "instances",
+            "vertices": expansion.vertices if native else expansion.listed,
+        }
+    return row
+
+
+def _tessellation_row(patches: Tessellation) -> dict[str, Any]:
     return {
-        "primitive": expansion.primitive,
-        "corners": expansion.corners,
-        "expanded_by": GEOMETRY.name if native else "instances",
-        "vertices": expansion.vertices if native else expansion.listed,
+        "patch": patches.patch,
+        "ends": list(patches.ends),
+        "spacing": patches.spacing,
+        "divided_by": EVALUATION.name,
     }
 
 

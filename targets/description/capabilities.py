@@ -14,11 +14,19 @@ needs it, with which all of its cells are tried.
 
 from __future__ import annotations
 
-from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, VERTEX
+from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, VERTEX, StageRow
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
 from .profile import Profile
 
-BUFFERS = Need("storage buffers", lambda profile: profile.limits.buffers > 0)
+
+def buffers_of(row: StageRow) -> Need:
+    """The need of storage buffers in a stage."""
+    return Need(
+        f"storage buffers in the {row.name} stage",
+        lambda profile: profile.limits.buffers_of(row) > 0,
+    )
+
+
 SEPARATE_SAMPLERS = Need(
     "texture that is both compared and loaded", lambda profile: not profile.samplers.combined
 )
@@ -26,6 +34,10 @@ SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_
 
 BIT_COUNTS = ("count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit")
 
+ELEMENTS_ELSEWHERE = (
+    "keep the elements in an array of a known length, `param name : T[16]`, or load them from a "
+    "texture"
+)
 AS_INSTANCES = "each primitive is drawn as an instance"
 
 CAPABILITIES: tuple[Capability, ...] = (
@@ -55,14 +67,20 @@ CAPABILITIES: tuple[Capability, ...] = (
     Capability(
         "kernels over buffers",
         "The elements of storage buffers are computed: `kernel` with `result name : T[count] = …`.",
-        (Way((a_stage(COMPUTE),)),),
+        (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
     ),
     Capability(
-        "storage buffers",
-        "A parameter has as many elements as the host binds: `buffer name : T[]`.",
-        (Way((BUFFERS,)),),
-        "keep the elements in an array of a known length, `param name : T[16]`, or load them from "
-        "a texture",
+        "storage buffers at fragments",
+        "A parameter has as many elements as the host binds, `buffer name : T[]`, and fragments "
+        "read them.",
+        (Way((buffers_of(FRAGMENT),)),),
+        ELEMENTS_ELSEWHERE,
+    ),
+    Capability(
+        "storage buffers at vertices",
+        "Likewise, and what is computed for each vertex reads them, such as its position.",
+        (Way((buffers_of(VERTEX),)),),
+        ELEMENTS_ELSEWHERE,
     ),
     Capability(
         "gathering texels",

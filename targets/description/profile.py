@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...compiler.ir.stages import COMPUTE, GEOMETRY, RASTERISED, Chain, StageRow
+from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, RASTERISED, Chain, StageRow
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain
 from .spellings import PipelineInput, Spellings
@@ -64,8 +64,12 @@ class Limits:
     """Vectors that cross between the stages."""
     attributes: int = 16
     """Locations of vertex inputs."""
-    buffers: int = 8
-    """Storage buffers that one stage reads; 0 where there are none at all."""
+    vertex_buffers: int = 8
+    """Storage buffers that a stage reads which computes vertices; 0 where it can read none."""
+    fragment_buffers: int = 8
+    """Those that the fragment stage reads; likewise."""
+    kernel_buffers: int = 8
+    """Those that a kernel reads and writes; likewise."""
     textures: int = 16
     """Textures with their samplers that one stage reads."""
     block_bytes: int = 16384
@@ -85,6 +89,16 @@ class Limits:
     bindings: int | None = None
     """Numbers of bindings in a group; likewise."""
 
+    def buffers_of(self, row: StageRow) -> int:
+        """How many storage buffers a stage may have; 0 where it can have none."""
+        return int(getattr(self, buffer_limit(row)))
+
+
+def buffer_limit(row: StageRow) -> str:
+    """The field of ``Limits`` that says how many storage buffers a stage may have."""
+    others = {FRAGMENT.name: "fragment_buffers", COMPUTE.name: "kernel_buffers"}
+    return others.get(row.name, "vertex_buffers")
+
 
 @frozen
 class Limited:
@@ -99,7 +113,9 @@ class Limited:
 LIMITED: Mapping[str, Limited] = {
     "varyings": Limited("varyings"),
     "attributes": Limited("vertex inputs"),
-    "buffers": Limited("storage buffers"),
+    "vertex_buffers": Limited("storage buffers of a stage that computes vertices"),
+    "fragment_buffers": Limited("storage buffers of the fragment stage"),
+    "kernel_buffers": Limited("storage buffers of a kernel", COMPUTE),
     "textures": Limited("textures"),
     "block_bytes": Limited("bytes in a uniform block"),
     "render_targets": Limited("render targets"),
@@ -133,12 +149,18 @@ class Profile:
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
+    patch_winding: Literal["ccw", "cw"] = "ccw"
+    """What the API calls triangles of a patch that turn counter-clockwise where u points to the
+    right and v upwards. It is the other way round where the API has v point downwards."""
     varyings_by_name: bool = False
     """Stages are matched by the names of varyings instead of their locations."""
     explicit_bindings: bool = True
     """The text states set and binding; otherwise the host assigns them by name."""
     numbering: Numbering = "set"
     """Where a number may be used once only: in a set, or for blocks, textures and samplers each."""
+    numbers_storage_apart: bool = False
+    """Where kinds are numbered on their own: whether storage buffers are one of them, and do not
+    follow the blocks."""
     sets: Mapping[str, int] = GROUP_SETS
     default_set: int = 2
     """Where a user's own groups go."""

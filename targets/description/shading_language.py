@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Literal
 
 from ...compiler.ir.stages import STAGES
+from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import Dimension
 from ...frozen import EMPTY, frozen
 from .forms import Forms
@@ -25,8 +26,9 @@ STAGE_STRUCTS = tuple(
 )
 """What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
 
-FieldRole = Literal["attribute", "varying", "render target"]
-"""Vertex input, value between the stages, or render target."""
+FieldRole = Literal["attribute", "varying", "control point", "patch", "render target"]
+"""Vertex input, value between the stages, that of a control point which is handed on to the stage
+after the next, what is the same all over a patch, or render target."""
 
 BindingKind = Literal["block", "buffer", "written", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
@@ -71,6 +73,10 @@ class Language:
     """How the inputs of the stages that its profiles have are spelled."""
     primitives: Mapping[str, str] = EMPTY
     """What a geometry stage calls the primitives that it gets, where the language has one."""
+    patches: Mapping[Patch, str] = EMPTY
+    """What a tessellation stage calls the kinds of patches, where the language has one."""
+    spacings: Mapping[Spacing, str] = EMPTY
+    """What it calls the ways in which their edges are divided."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY
@@ -87,6 +93,8 @@ class Language:
     """Inputs and outputs are global variables and not members of structs."""
     varying_prefix: str = ""
     """Keeps global varyings and locals apart, which tend to have the same name."""
+    point_prefix: str = ""
+    """The same for what a stage hands on of control points, which it also gets."""
     output_prefix: str = ""
     """The same for render targets."""
     fixed_names: tuple[str, ...] = ()

@@ -10,9 +10,20 @@ from collections.abc import Iterable, Iterator
 
 from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
-from ...compiler.ir.program import Field, Function, Output, Stage
+from ...compiler.ir.program import Field, Function, Output, Program, Stage
 from ...compiler.ir.shader import Store
-from ...compiler.ir.stages import CLIP_POSITION, DISCARD, EXTENT, STORE, TARGET
+from ...compiler.ir.stages import (
+    CLIP_POSITION,
+    CONTROL,
+    DISCARD,
+    EDGE_LEVEL,
+    EVALUATION,
+    EXTENT,
+    INNER_LEVEL,
+    PATCHES,
+    STORE,
+    TARGET,
+)
 from ...compiler.ir.storage import stored_element
 from ...compiler.ir.types import INT, Array, Struct
 from ..description.shading_language import FieldRole
@@ -27,7 +38,19 @@ from .origins import Marks
 from .precedence import NAME
 from .statements import INDENT, Statements
 from .strips import Strips
-from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
+from .views import (
+    EntryView,
+    ExpansionView,
+    FieldView,
+    FunctionView,
+    InputView,
+    StoreView,
+    TessellationView,
+)
+
+LEVELS = (EDGE_LEVEL, INNER_LEVEL)
+DIVIDING = (CONTROL, EVALUATION)
+"""The stages that divide patches."""
 
 
 class StagePrinter:
@@ -48,8 +71,7 @@ class StagePrinter:
         self._names = names
         self._types = context.types
         self._leaves = LeafPrinter(context, stage)
-        is_first = stage.row == context.program.stages[0].row
-        self._input_role: FieldRole = "attribute" if is_first else "varying"
+        self._roles = dict(_roles_of_inputs(context.program, stage))
         self._functions = {
             function.body: EmittedFunction(
                 names.function(stage.name, function.body),
@@ -78,15 +100,15 @@ class StagePrinter:
         stored = []
         for output in stage.results:
             if output.field is not None:
-                stored.append((self._field(output.field, _role(output)), output.value))
-            elif output.kind not in (CLIP_POSITION, DISCARD, EXTENT, STORE):
+                stored.append((self._field(output.field, self._role(output)), output.value))
+            elif output.kind not in (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, STORE):
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
             name=name,
-            inputs=[self._field(field, self._input_role) for field in stage.inputs],
+            inputs=[field for field in self._inputs() if not field.of_patch],
             pipeline_inputs=self._pipeline_inputs(),
-            outputs=[field for field, _ in stored],
+            outputs=[*self._handed_on(), *(field for field, _ in stored if not field.of_patch)],
             blocks=self._declarations.blocks((stage,)),
             buffers=self._declarations.buffers((stage,)),
             textures=self._declarations.textures((stage,)),
@@ -101,6 +123,41 @@ class StagePrinter:
             work_group=() if group is None else group,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
             expansion=self._expansion(),
+            tessellation=self._tessellation([field for field, _ in stored]),
+        )
+
+    def _inputs(self) -> list[FieldView]:
+        """What the stage reads of the one before it, or of the vertex buffers."""
+        return [
+            self._field(field, self._roles[field.name], field.mode == "corner")
+            for field in self._stage.inputs
+        ]
+
+    def _handed_on(self) -> list[FieldView]:
+        return [self._field(field, "control point", True) for field in self._stage.handed_on]
+
+    def _tessellation(self, stored: Iterable[FieldView]) -> TessellationView | None:
+        """What the two stages say of patches; ``stored`` is what this stage delivers."""
+        patches = self._context.program.tessellation
+        if patches is None or self._stage.row not in DIVIDING:
+            return None
+        is_control = self._stage.row == CONTROL
+        language, kind = self._language, patches.kind
+        return TessellationView(
+            patch=language.patches[patches.patch],
+            lines=kind.cell == 2,
+            spacing=language.spacings[patches.spacing],
+            points=patches.points,
+            edge_levels=len(kind.edges),
+            inner_levels=len(kind.inner),
+            is_control=is_control,
+            own=[field for field in (stored if is_control else self._inputs()) if field.of_patch],
+            handing=[
+                StoreView(
+                    self._field_name(field, "control point"), self._field_name(field, "varying")
+                )
+                for field in self._stage.handed_on
+            ],
         )
 
     def _expansion(self) -> ExpansionView | None:
@@ -115,7 +172,7 @@ class StagePrinter:
         """The lines that give an emitted vertex one of its outputs."""
         forms, framebuffer = self._language.forms, self._context.profile.framebuffer
         if output.field is not None:
-            name = self._field_name(output.field, _role(output))
+            name = self._field_name(output.field, self._role(output))
             yield forms.deliver.format(name=name, value=value)
             return
         position = forms.position
@@ -152,6 +209,10 @@ class StagePrinter:
         """What is written at the end: outputs, and parts of elements."""
         for field, node in stored:
             yield StoreView(field.name, self._value(expressions, node))
+        forms = self._language.forms
+        for kind, form in zip(LEVELS, (forms.edge_level, forms.inner_level), strict=True):
+            for number, output in enumerate(self._stage.results_of(kind)):
+                yield StoreView(form.format(number=number), self._value(expressions, output.value))
         for output in self._stage.results:
             if output.store is not None:
                 yield self._store(expressions, output.store, output.value)
@@ -222,9 +283,10 @@ class StagePrinter:
         if not self._language.global_fields:
             return self._names.locals(())
         fields = [
-            *(self._field_name(field, self._input_role) for field in self._stage.inputs),
+            *(self._field_name(field, self._roles[field.name]) for field in self._stage.inputs),
+            *(self._field_name(field, "control point") for field in self._stage.handed_on),
             *(
-                self._field_name(output.field, _role(output))
+                self._field_name(output.field, self._role(output))
                 for output in self._stage.results
                 if output.field is not None
             ),
@@ -235,6 +297,8 @@ class StagePrinter:
         table = {
             "attribute": self._names.attributes,
             "varying": self._names.varyings,
+            "patch": self._names.varyings,
+            "control point": self._names.points,
             "render target": self._names.render_targets,
         }
         return table[role][field.name]
@@ -244,7 +308,7 @@ class StagePrinter:
             return self._names.semantics[field.name]
         return self._language.semantic(role, field.name, field.location)
 
-    def _field(self, field: Field, role: FieldRole) -> FieldView:
+    def _field(self, field: Field, role: FieldRole, per_corner: bool = False) -> FieldView:
         name = self._field_name(field, role)
         return FieldView(
             name=name,
@@ -255,7 +319,15 @@ class StagePrinter:
             crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),
+            of_patch=role == "patch",
+            per_corner=per_corner,
         )
+
+    def _role(self, output: Output) -> FieldRole:
+        """Whether an output is a render target, or goes on to the next stage."""
+        if output.kind == TARGET:
+            return "render target"
+        return "patch" if self._stage.row.domain == PATCHES else "varying"
 
     def _supplied(self) -> tuple[str, ...]:
         """The pipeline's values that the entry point reads; a kernel's always reads its index."""
@@ -272,6 +344,11 @@ class StagePrinter:
         ]
 
 
-def _role(output: Output) -> FieldRole:
-    """Whether an output is a render target, or goes on to the next stage."""
-    return "render target" if output.kind == TARGET else "varying"
+def _roles_of_inputs(program: Program, stage: Stage) -> Iterator[tuple[str, FieldRole]]:
+    """What the inputs of a stage are, by name."""
+    for field in stage.inputs:
+        yield field.name, "attribute"
+    for face in program.interfaces_into(stage):
+        role: FieldRole = "patch" if face.origin == PATCHES else "varying"
+        for field in face.fields:
+            yield field.name, "control point" if face.through else role

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import COMPUTED, EXPANDED
-from ...compiler.ir.types import BOOL, INT, UINT, VEC4
+from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, RASTERISED
+from ...compiler.ir.tessellation import Patch, Spacing
+from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -108,6 +109,9 @@ INPUTS = {
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
     "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
+    "patch_weights": PipelineInput(VEC3, "gl_TessCoord"),
+    "patch_coordinate": PipelineInput(VEC2, "gl_TessCoord.xy"),
+    "patch_index": PipelineInput(INT, "gl_PrimitiveID"),
 }
 
 FORMS = Forms(
@@ -115,6 +119,8 @@ FORMS = Forms(
     position="gl_Position",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
+    edge_level="gl_TessLevelOuter[{number}]",
+    inner_level="gl_TessLevelInner[{number}]",
 )
 
 PRIMITIVES = {
@@ -123,6 +129,13 @@ PRIMITIVES = {
     "triangle": "triangles",
     "line_adjacency": "lines_adjacency",
     "triangle_adjacency": "triangles_adjacency",
+}
+
+PATCHES: Mapping[Patch, str] = {"triangle": "triangles", "quad": "quads", "isoline": "isolines"}
+SPACINGS: Mapping[Spacing, str] = {
+    "equal": "equal_spacing",
+    "fractional_even": "fractional_even_spacing",
+    "fractional_odd": "fractional_odd_spacing",
 }
 
 FRAG_COORD_FROM_TOP = PipelineInput(
@@ -154,11 +167,12 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 
 VULKAN = Profile(
     name="vulkan",
-    stages=(*EXPANDED, *COMPUTED),
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
+    patch_winding="cw",
     preamble=("#version 450",),
-    limits=Limits(groups=4, buffers=4),
+    limits=Limits(groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4),
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(
@@ -193,7 +207,7 @@ OPENGL = Profile(
     explicit_bindings=False,
     samplers=Samplers(combined=True),
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
@@ -202,19 +216,18 @@ OPENGL = Profile(
     checkers=("glslang-gl330",),
 )
 
-NO_BUFFERS = 0
-"""OpenGL 4.5 guarantees storage buffers to fragments alone, and ES 3.1 to kernels alone."""
-
 OPENGL_4 = Profile(
     name="gl450",
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
     preamble=("#version 450 core",),
-    stages=EXPANDED,
     numbering="kind",
+    numbers_storage_apart=True,
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
-    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    # Only fragments and kernels are guaranteed to have storage buffers.
+    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024),
     agrees=AGREES,
     checkers=("glslang-gl450",),
 )
@@ -233,7 +246,7 @@ ES = Profile(
     explicit_bindings=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=0),
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
@@ -244,12 +257,15 @@ ES = Profile(
 
 ES_31 = Profile(
     name="es310",
+    stages=(*RASTERISED, *COMPUTED),
     doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
     preamble=("#version 310 es", *ES_PRECISIONS),
     numbering="kind",
+    numbers_storage_apart=True,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
-    limits=Limits(varyings=15, buffers=NO_BUFFERS),
+    # Only kernels are guaranteed to have storage buffers.
+    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=4),
     natives=WITHOUT_FMA,
     lacks=COUNTS,
     agrees=AGREES,
@@ -267,6 +283,8 @@ LANGUAGE = Language(
     forms=FORMS,
     natives=NATIVES,
     primitives=PRIMITIVES,
+    patches=PATCHES,
+    spacings=SPACINGS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),
@@ -274,6 +292,7 @@ LANGUAGE = Language(
     buffer_blocks=True,
     global_fields=True,
     varying_prefix="v_",
+    point_prefix="p_",
     output_prefix="out_",
     fixed_names=("main", "viewport_height"),
     line_directive="#line {line} {number}",

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
-from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...compiler.ir.stages import COMPUTED, CONTROL, ENTRY_POINTS, EVALUATION, EXPANDED
+from ...compiler.ir.tessellation import Patch, Spacing
+from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
@@ -55,6 +56,9 @@ FORMS = Forms(
     position="output.clip_position",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
+    of_patch="patch.{name}",
+    edge_level="edge_levels[{number}]",
+    inner_level="inner_levels[{number}]",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
@@ -158,6 +162,9 @@ INPUTS = {
     "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
     "index": PipelineInput(UINT, "input.{name}", "SV_DispatchThreadID"),
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
+    "patch_weights": PipelineInput(VEC3, "{name}", "SV_DomainLocation"),
+    "patch_coordinate": PipelineInput(VEC2, "{name}", "SV_DomainLocation"),
+    "patch_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
 PRIMITIVES = {
@@ -166,6 +173,12 @@ PRIMITIVES = {
     "triangle": "triangle",
     "line_adjacency": "lineadj",
     "triangle_adjacency": "triangleadj",
+}
+PATCHES: Mapping[Patch, str] = {"triangle": "tri", "quad": "quad", "isoline": "isoline"}
+SPACINGS: Mapping[Spacing, str] = {
+    "equal": "integer",
+    "fractional_even": "fractional_even",
+    "fractional_odd": "fractional_odd",
 }
 
 
@@ -195,7 +208,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     attributes, so that prefix is kept apart. Where the capitals could be a macro of a compiler,
     ``__LINE__`` or ``GL_ES``, something is added.
     """
-    if role == "varying":
+    if role in ("varying", "control point", "patch"):
         return f"TEXCOORD{location}"
     if role == "render target":
         return f"SV_Target{location}"
@@ -220,7 +233,8 @@ AGREES: Mapping[str, Domain] = {
 
 SM6 = Profile(
     name="sm6",
-    stages=(*EXPANDED, *COMPUTED),
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
+    patch_winding="cw",
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
@@ -246,11 +260,15 @@ LANGUAGE = Language(
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
+    patches=PATCHES,
+    spacings=SPACINGS,
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "primitive_index", *STAGE_STRUCTS,
+        "primitive_index", "patch", "patch_weights", "patch_coordinate", "patch_index",
+        "point_index", "edge_levels", "inner_levels", "levels_of_patch", "PatchInput",
+        "PatchOutput", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

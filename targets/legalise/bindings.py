@@ -3,7 +3,8 @@
 The assignment looks at the whole program, so that its stages agree and the reflection can say what
 the text says. In most profiles a number is used once only within a set: DXC maps HLSL's ``b0``,
 ``t0`` and ``s0`` all to Vulkan's binding 0. Where there are no sets, blocks, textures and samplers
-are numbered each on their own (``Profile.numbering``), and storage buffers after the blocks.
+are numbered each on their own (``Profile.numbering``), and storage buffers after the blocks or on
+their own, too.
 """
 
 from __future__ import annotations
@@ -58,7 +59,8 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
         for block in sorted(owned.blocks, key=lambda block: block.derived):
             blocks[block.name] = slots.free("block", set_)
         for buffer in owned.buffers:
-            buffers[buffer.name] = slots.free("block", set_)
+            kind: BindingKind = "buffer" if profile.numbers_storage_apart else "block"
+            buffers[buffer.name] = slots.free(kind, set_)
         for resource in owned.resources:
             texture = textures[resource.name] = slots.free("texture", set_)
             if resource in sampled:

@@ -15,13 +15,13 @@ from ...compiler.ir.types import Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.capabilities import (
-    BUFFERS,
     SEPARATE_SAMPLERS,
+    buffers_of,
     feature_of_builtin,
     without_native_stages,
 )
 from ..description.capability import feature_of_stage
-from ..description.profile import LIMITED, Limits, Profile
+from ..description.profile import LIMITED, Limits, Profile, buffer_limit
 from .samplers import sampler_use
 
 
@@ -80,14 +80,23 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "varyings": max((len(face.varyings) for face in program.interfaces), default=0),
         # A location counts also where nothing is read at those before it.
         "attributes": max((field.location + 1 for field in program.vertex_inputs), default=0),
-        # Where there are none at all, that is what ``lacks`` tells.
-        "buffers": max(len(s.buffers) for s in program.stages) if profile.limits.buffers else 0,
         "textures": max(len(stage.resources) for stage in program.stages),
         "block_bytes": max((block.size for block in program.blocks), default=0),
         "nested_blocks": max(depths),
         "render_targets": len(program.results_of(TARGET)),
         "work_group": 0 if program.work_group is None else invocations(program.work_group),
+        **_buffer_counts(program, profile),
     }
+
+
+def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
+    """Likewise of storage buffers. Where a stage can have none, that is what ``lacks`` tells."""
+    counts: dict[str, int] = {}
+    for stage in program.stages:
+        if profile.limits.buffers_of(stage.row):
+            name = buffer_limit(stage.row)
+            counts[name] = max(counts.get(name, 0), len(stage.buffers))
+    return counts
 
 
 def _emitting(program: Program) -> list[Stage]:
@@ -145,9 +154,9 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         if stage.row not in profile.stages:
             node = stage.roots[0].id
             yield Lack(feature_of_stage(stage.row), node, of_expansion=bool(stage.emitted))
-    reading = [s for s in program.stages if s.buffers and s.row in profile.stages]
-    if reading and not BUFFERS.is_met(profile):
-        yield Lack(BUFFERS.feature, _first_read(reading[0]))
+        need = buffers_of(stage.row)
+        if stage.buffers and stage.row in profile.stages and not need.is_met(profile):
+            yield Lack(need.feature, _first_use(stage))
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield Lack(feature_of_builtin(native.builtin), native.node)
@@ -159,10 +168,11 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
 
 
-def _first_read(stage: Stage) -> int:
-    """The id of a node that reads a storage buffer."""
+def _first_use(stage: Stage) -> int:
+    """The id of a node that reads a storage buffer, or else of one that is written to it."""
     nodes = visible(stage.roots, into_bodies=True)
-    return next(n.id for n in nodes if n.op == "index" and n.operands[0].op == "buffer")
+    reads = (n.id for n in nodes if n.op == "index" and n.operands[0].op == "buffer")
+    return next(reads, stage.roots[0].id)
 
 
 def _is_read(native: NativeUse) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ...compiler.ir.stages import GEOMETRY
+from ...compiler.ir.stages import EVALUATION, GEOMETRY
 from .codes import Codes
 from .drivers.draw import (
     BlockSlot,
@@ -96,6 +96,7 @@ def pipeline(
             for row in reflection["targets"]
         ),
         primitive=_primitive(reflection["draw"]),
+        patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
         cull=cull,
         flip_y=backend["flip_y"],
         # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
@@ -107,9 +108,14 @@ def pipeline(
 
 
 def _primitive(draw: Mapping[str, Any]) -> Primitive:
-    """What the vertices of a draw are: triangles, unless a geometry stage makes these."""
+    """What the vertices of a draw are: triangles, unless another stage makes these."""
     primitive: Primitive = draw["primitive"]
-    return primitive if draw["expanded_by"] == GEOMETRY.name else "triangle"
+    is_native = draw["expanded_by"] == GEOMETRY.name or _divided_natively(draw)
+    return primitive if is_native else "triangle"
+
+
+def _divided_natively(draw: Mapping[str, Any]) -> bool:
+    return bool(draw["tessellation"]) and draw["tessellation"]["divided_by"] == EVALUATION.name
 
 
 def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:

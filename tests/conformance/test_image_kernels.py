@@ -16,7 +16,7 @@ from .kit import Studio
 
 FILE = Path(__file__).with_name("image_kernels.burnish")
 NAMES = ("Bytes", "Few", "Floats", "Alone", "Branches")
-WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgl2"}
+WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:es310", "chromium:webgl2"}
 
 
 @lru_cache(maxsize=1)

@@ -23,7 +23,10 @@ PROFILES = tuple(
     for target in map(registry.load, registry.names())
     for profile in target.profiles
 )
-NEEDING: Mapping[str, str] = {"lanterns": "storage buffers", "swarm": "kernels over buffers"}
+NEEDING: Mapping[str, str] = {
+    "lanterns": "storage buffers at fragments",
+    "swarm": "kernels over buffers",
+}
 """By example, the capability that it shows, if there are profiles without it."""
 LACKING: Mapping[str, frozenset[str]] = {
     name: frozenset(

@@ -102,3 +102,12 @@ def test_results_without_elements_are_bound_with_one_that_nobody_reads() -> None
     assert [len(data) for data in dispatch.buffers] == [16, 16, 4]
     found = elements_of(kernel.reflection, dispatch, Written((bytes(16), bytes(4))))
     assert set(found.values()) == {b""}
+
+
+@pytest.mark.parametrize("profile", ["glsl:gl450", "glsl:es310"])
+def test_opengl_numbers_storage_buffers_on_their_own(profile: str) -> None:
+    """ES 3.1 guarantees four places for them, and uniform blocks take none of these."""
+    (kernel,) = burnish.compile(SOURCE, profile)
+    backend = kernel.reflection["backends"][profile]
+    assert [row["binding"] for row in backend["blocks"].values()] == [0, 1]
+    assert [row["binding"] for row in backend["buffers"].values()] == [0, 1, 2]

@@ -73,7 +73,13 @@ PROBES: Mapping[str, Probe] = {
     "kernels over buffers": Probe(
         "kernel K { param n : int in 0..300 = 200  result r : float[n] = float(index) * 0.5 }"
     ),
-    "storage buffers": Probe("material M { buffer tints : rgb[]  color = tints[int(uv.x * 4)] }"),
+    "storage buffers at fragments": Probe(
+        "material M { buffer tints : rgb[]  color = tints[int(uv.x * 4)] }"
+    ),
+    "storage buffers at vertices": Probe("""material M {
+        buffer tints : rgb[]
+        color = @vertex tints[int(uv.x * 4)]
+    }"""),
     "gathering texels": Probe("material M { map t : texture2d  color = t.gather(uv, 0).rgb }"),
     "gathering comparisons": Probe("material M { map d : depth2d  color = d.gather(uv, 0.5).rgb }"),
     "number of levels": Probe(

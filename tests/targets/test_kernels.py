@@ -28,7 +28,9 @@ def test_profiles_without_kernels_say_so() -> None:
             burnish.compile(EXAMPLE, profile)
         (found,) = error.value.diagnostics
         assert found.message == f"{profile} has no compute stage"
-        assert str(found.hint) == "compile for glsl:vulkan, hlsl:sm6 or wgsl:webgpu"
+        assert str(found.hint) == (
+            "compile for glsl:vulkan, glsl:gl450, glsl:es310, hlsl:sm6 or wgsl:webgpu"
+        )
 
 
 def test_every_statement_has_its_place_in_the_source() -> None:

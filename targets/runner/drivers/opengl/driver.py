@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
-from ..checks import check, check_names
+from ..checks import check, check_kernel, check_names
 from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
@@ -29,9 +29,10 @@ class OpenGL:
         check_names(job.pipeline)
         return self._start().draw(job)
 
-    def compute(self, _job: KernelJob) -> Sequence[Written]:
-        """OpenGL 3.3 has no kernels. Raises ``DriverError``."""
-        raise DriverError("OpenGL 3.3 cannot run kernels")
+    def compute(self, job: KernelJob) -> Sequence[Written]:
+        """What each dispatch of the job writes. Raises ``DriverError``."""
+        check_kernel(job)
+        return self._start().compute(job)
 
     def _start(self) -> Renderer:
         if self._renderer is None:

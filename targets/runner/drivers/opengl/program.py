@@ -7,8 +7,11 @@ from collections.abc import Iterable
 import moderngl
 
 from ..checks import check_block_size, lane_count
-from ..draw import DriverError, Pipeline, Place
+from ..draw import DriverError, Pipeline
+from .bindings import bound_at
 from .context import Functions
+
+Linked = moderngl.Program | moderngl.ComputeShader
 
 KINDS = {"float32": "f", "sint32": "i", "uint32": "u"}
 """moderngl's letter for the lanes of a ``VertexFormat``."""
@@ -23,12 +26,34 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
         texts = {name: code.text for name, code in pipeline.stages.items()}
         program = context.program(
             vertex_shader=texts["vertex"],
+            tess_control_shader=texts.get("control"),
+            tess_evaluation_shader=texts.get("evaluation"),
             geometry_shader=texts.get("geometry"),
             fragment_shader=texts["fragment"],
         )
     except moderngl.Error as error:
         raise DriverError(str(error).strip()) from None
     _refuse_strangers(program, pipeline)
+    _number(functions, program, pipeline)
+    return program
+
+
+def link_kernel(
+    context: moderngl.Context, functions: Functions, pipeline: Pipeline
+) -> moderngl.ComputeShader:
+    """Likewise for a kernel."""
+    (code,) = pipeline.stages.values()
+    try:
+        program = context.compute_shader(code.text)
+    except moderngl.Error as error:
+        raise DriverError(str(error).strip()) from None
+    _refuse_strangers(program, pipeline)
+    _number(functions, program, pipeline)
+    return program
+
+
+def _number(functions: Functions, program: Linked, pipeline: Pipeline) -> None:
+    """Give blocks and textures that the text does not bind their numbers in the pipeline."""
     for number, block in enumerate(pipeline.blocks):
         member = program.get(block.place.identifier, None)
         if isinstance(member, moderngl.UniformBlock):
@@ -41,15 +66,6 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
         if isinstance(sampler, moderngl.Uniform) and slot.texture.binding is None:
             # moderngl does not know all types of samplers.
             functions.glUniform1i(sampler.location, number)
-    return program
-
-
-def bound_at(place: Place, number: int) -> int:
-    """Where a block or texture is bound: at the text's binding, else at its number in the pipeline.
-
-    ``renderer.py`` puts there what the shader reads.
-    """
-    return number if place.binding is None else place.binding
 
 
 def attribute_layout(format: str) -> str:
@@ -57,12 +73,17 @@ def attribute_layout(format: str) -> str:
     return f"{lane_count(format)}{KINDS[format.partition('x')[0]]}"
 
 
-def _refuse_strangers(program: moderngl.Program, pipeline: Pipeline) -> None:
+def _refuse_strangers(program: Linked, pipeline: Pipeline) -> None:
     """Refuse inputs that the pipeline does not have: OpenGL would read zeros, or binding 0."""
     kinds = {slot.identifier: attribute_layout(slot.format)[-1] for slot in pipeline.inputs}
     _require("vertex attribute", kinds, _members(program, moderngl.Attribute))
     blocks = {slot.place.identifier for slot in pipeline.blocks}
     _require("uniform block", blocks, _members(program, moderngl.UniformBlock))
+    places = {bound_at(slot.place, number) for number, slot in enumerate(pipeline.buffers)}
+    for name in program:
+        member = program[name]
+        if isinstance(member, moderngl.StorageBlock) and member.binding not in places:
+            raise DriverError(f"the shader reads storage buffer {name!r}, which nobody binds")
     uniforms = {slot.texture.identifier for slot in pipeline.textures} | {*pipeline.host_uniforms}
     _require("uniform", uniforms, _members(program, moderngl.Uniform))
     for name, kind in kinds.items():
@@ -75,7 +96,7 @@ def _refuse_strangers(program: moderngl.Program, pipeline: Pipeline) -> None:
             raise DriverError(f"vertex attribute {name!r} is of another kind in the shader")
 
 
-def _members(program: moderngl.Program, kind: type) -> list[str]:
+def _members(program: Linked, kind: type) -> list[str]:
     return [name for name in program if isinstance(program[name], kind)]
 
 

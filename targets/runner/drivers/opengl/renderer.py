@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import ExitStack
 
 import moderngl
 
-from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Primitive, StepMode
+from ..draw import (
+    Device,
+    Draw,
+    DriverError,
+    Job,
+    KernelJob,
+    Picture,
+    Pipeline,
+    Primitive,
+    StepMode,
+    Written,
+)
+from .bindings import bound
+from .compute import compute_job
 from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
-from .program import attribute_layout, bound_at, link
+from .program import attribute_layout, link
 from .screen import Screen
-from .texture_units import bound_texture
 
 RATES: Mapping[StepMode, str] = {"vertex": "/v", "instance": "/i"}
 """The suffix of moderngl's layouts for each rate."""
@@ -25,6 +36,7 @@ MODES: Mapping[Primitive, int] = {
     "triangle": moderngl.TRIANGLES,
     "line_adjacency": moderngl.LINES_ADJACENCY,
     "triangle_adjacency": moderngl.TRIANGLES_ADJACENCY,
+    "patch": moderngl.PATCHES,
 }
 
 
@@ -60,6 +72,11 @@ class Renderer:
         finally:
             program.release()
 
+    def compute(self, job: KernelJob) -> Sequence[Written]:
+        """Link the job's kernel and run it. Raises ``DriverError``."""
+        self._context.clear_errors()  # of a job that broke off
+        return compute_job(self._context, self._functions, job)
+
 
 def _picture(
     context: moderngl.Context,
@@ -89,6 +106,8 @@ def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeli
     context.front_face = pipeline.front_face
     context.cull_face = "front" if pipeline.cull == "front" else "back"
     context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
+    if pipeline.primitive == "patch":
+        context.patch_vertices = pipeline.patch_points
     functions.glEnable(GL_FRAMEBUFFER_SRGB)
     names = pipeline.clip_control or OWN_CLIP_CONTROL
     functions.glClipControl(*(CLIP_CONTROL[name] for name in names))
@@ -105,9 +124,6 @@ def _render(
         uniform = program.get(name, None)
         if isinstance(uniform, moderngl.Uniform):
             uniform.value = float(draw.height)
-    blocks = [context.buffer(data) for data in draw.blocks]
-    for number, (block, buffer) in enumerate(zip(pipeline.blocks, blocks, strict=True)):
-        buffer.bind_to_uniform_block(bound_at(block.place, number))
     attributes = [
         (
             context.buffer(data),
@@ -119,8 +135,5 @@ def _render(
     ]
     indices = context.buffer(draw.indices)
     array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
-    with ExitStack() as textures:
-        for number, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
-            unit = bound_at(slot.texture, number)
-            textures.enter_context(bound_texture(functions, slot, image, unit))
+    with bound(context, functions, pipeline, draw):
         array.render(MODES[pipeline.primitive], instances=draw.instance_count)

@@ -117,7 +117,9 @@ def _graphics_family(physical: Any) -> int:
 def _device(owned: ExitStack, physical: Any, family: int, offered: Any) -> Any:
     queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=family, pQueuePriorities=[1.0])
     features = vk.VkPhysicalDeviceFeatures(
-        independentBlend=offered.independentBlend, geometryShader=offered.geometryShader
+        independentBlend=offered.independentBlend,
+        geometryShader=offered.geometryShader,
+        tessellationShader=offered.tessellationShader,
     )
     info = vk.VkDeviceCreateInfo(pQueueCreateInfos=[queue], pEnabledFeatures=features)
     device = vk.vkCreateDevice(physical, info, None)
