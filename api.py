@@ -106,11 +106,8 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        shader = (
-            count_strips(elaborated)
-            if native_stages
-            else lower_tessellation(lower_expansion(elaborated))
-        )
+        lower = count_strips if native_stages else _lowered
+        shader = lower(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:
@@ -211,6 +208,11 @@ def _compiled(
     return CompiledMaterial(
         shader.name, files, reasons, guards, shader, staged, emissions, emit_options.flip_y
     )
+
+
+def _lowered(shader: Shader) -> Shader:
+    """A shader that needs neither geometry nor tessellation stages, where there is one."""
+    return lower_tessellation(lower_expansion(shader))
 
 
 def _lacking(

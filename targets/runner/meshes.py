@@ -50,6 +50,9 @@ class Mesh:
     instances: Mapping[str, NDArray[Any]] = field(default_factory=dict)
     """By name of a vertex input per instance, of shape (instances, lanes)."""
     instance_count: int = 1
+    patches: Indices | None = None
+    """Indices of vertices, of shape (patches, points), for materials that divide patches; if there
+    are none, ``patches.py`` makes some of the triangles."""
 
     def __post_init__(self) -> None:
         if "position" not in self.channels:
@@ -69,6 +72,14 @@ class Mesh:
             self
         ):
             raise MeshError(f"a triangle names a vertex that is not one of the {len(self)}")
+        if self.patches is not None and self.patches.ndim != 2:
+            raise MeshError(f"patches have the shape {self.patches.shape} and not (n, points)")
+        if (
+            self.patches is not None
+            and self.patches.size
+            and not (0 <= self.patches.min() <= self.patches.max() < len(self))
+        ):
+            raise MeshError(f"a patch names a vertex that is not one of the {len(self)}")
 
     def __len__(self) -> int:
         """The number of vertices."""

@@ -359,6 +359,8 @@ def _note(ctx: Context, instance: Instance, name: str, level: int, node: Node) -
         return
     overridden = given is not None or own is not instance.record.definitions[name][0]
     is_inherited = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
+    made = instance.made
+    is_inherited = is_inherited or (made is not None and made.is_set_behind(instance, name))
     shown = f"{instance.prefix}_{name}" if instance.prefix else name
     crossing = bare(node)
     for named in (node, *crossing.operands) if crossing.op == "cross" else (node,):

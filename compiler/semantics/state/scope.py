@@ -136,6 +136,10 @@ class MadeSlots:
         parts = (self.base, self.passing, self.unset, self.passing_unset)
         return tuple(part for part in parts if part is not None)
 
+    def is_set_behind(self, instance: Instance, name: str) -> bool:
+        """Whether ``instance`` is the surface where nothing is set anew, and this slot is."""
+        return instance is self.unset and any(name in group.equations for group in self.groups)
+
     def base_of(self, instance: Instance) -> Instance:
         """The surface or the pass, whichever ``instance`` is, at the mesh's own vertices."""
         if instance.surface is None:

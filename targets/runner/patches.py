@@ -1,0 +1,90 @@
+"""The patches of a mesh, and the pattern into which each of them is divided.
+
+``expanding.py`` draws with them. A mesh may say which control points its patches have. Patches with
+no control points but their ends can be made of any mesh.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiler.ir.tessellation import PATCH_KINDS, Patch, Spacing
+from ...compiler.reference.tessellation import ONE, Pattern, quad, triangle
+from .meshes import Indices, Mesh, MeshError
+from .primitives import primitives
+
+
+def patches(mesh: Mesh, patch: Patch, points: int) -> Indices:
+    """The control points of each patch, (patches, points). Raises ``MeshError``."""
+    if mesh.patches is not None:
+        if mesh.patches.shape[1] != points:
+            raise MeshError(
+                f"the patches of the mesh have {mesh.patches.shape[1]} control points, and this "
+                f"material divides patches of {points}"
+            )
+        found = mesh.patches
+    elif points != PATCH_KINDS[patch].ends:
+        raise MeshError(
+            f"this material divides patches of {points} control points, and the mesh has triangles"
+        )
+    else:
+        found = _MADE[patch](mesh)
+    if not len(found):
+        raise MeshError(f"the mesh has no {patch} patch to divide")
+    return found
+
+
+def pattern(
+    patch: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
+) -> tuple[NDArray[Any], Indices]:
+    """Where the points of a divided patch lie in it, and the triangles between them."""
+    if patch == "triangle":
+        found, lanes = triangle(edges, inside[0], spacing), 3
+    else:
+        found, lanes = quad(edges, inside, spacing), 2
+    return _arrays(found, lanes)
+
+
+def _arrays(found: Pattern, lanes: int) -> tuple[NDArray[Any], Indices]:
+    places = np.array(found.places, np.float64).reshape(-1, 3)[:, :lanes] / ONE
+    return places, np.array(found.cells, np.int64).reshape(-1, 3)
+
+
+def _triangles(mesh: Mesh) -> Indices:
+    return mesh.triangles
+
+
+def _lines(mesh: Mesh) -> Indices:
+    return primitives(mesh, "line")
+
+
+def _quads(mesh: Mesh) -> Indices:
+    """Two triangles that follow each other and share an edge, as one quad that goes round both."""
+    if len(mesh.triangles) % 2:
+        raise MeshError("the triangles of the mesh are no pairs, so they make no quads")
+    return np.array([_quad(*pair) for pair in mesh.triangles.reshape(-1, 2, 3)]).reshape(-1, 4)
+
+
+def _quad(one: Indices, other: Indices) -> Indices:
+    """From the vertex of the first one that the second one does not have, round both."""
+    alone = [k for k in range(3) if one[k] not in other]
+    beyond = [vertex for vertex in other if vertex not in one]
+    if len(alone) != 1 or len(beyond) != 1:
+        raise MeshError(
+            f"the triangles {list(map(int, one))} and {list(map(int, other))} share no edge, so "
+            f"they make no quad"
+        )
+    start, following, last = np.roll(one, -alone[0])
+    return np.array([start, following, beyond[0], last])
+
+
+_MADE: Mapping[Patch, Callable[[Mesh], Indices]] = {
+    "triangle": _triangles,
+    "quad": _quads,
+    "isoline": _lines,
+}
+"""Patches of the primitives that a mesh has anyway."""
