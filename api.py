@@ -21,8 +21,7 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
 from .compiler.passes.emit_strips import count_strips
-from .compiler.passes.lower_expansion import lower_expansion
-from .compiler.passes.lower_tessellation import lower_tessellation
+from .compiler.passes.lower_stages import lower_stages
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
@@ -106,7 +105,7 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        lower = count_strips if native_stages else _lowered
+        lower = count_strips if native_stages else lower_stages
         shader = lower(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
@@ -208,11 +207,6 @@ def _compiled(
     return CompiledMaterial(
         shader.name, files, reasons, guards, shader, staged, emissions, emit_options.flip_y
     )
-
-
-def _lowered(shader: Shader) -> Shader:
-    """A shader that needs neither geometry nor tessellation stages, where there is one."""
-    return lower_tessellation(lower_expansion(shader))
 
 
 def _lacking(

@@ -6,12 +6,11 @@ from functools import partial
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.node import Formal, Node, bare
 from ...ir.stages import GROUP
-from ...ir.types import BOOL, INT, Opaque, RuntimeArray, Texture
+from ...ir.types import BOOL, INT, Opaque, Texture
 from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.assignments import assigned
@@ -33,7 +32,7 @@ from ..state.scope import (
     Value,
 )
 from ..types.coercion import coerce, is_adaptable
-from ..types.typenames import Declared
+from .abstract_slots import way_to_set
 from .cycles import is_cycle
 from .unknown_names import unknown
 
@@ -296,36 +295,8 @@ def _report_abstract(ctx: Context, instance: Instance, definition: Definition, s
         rules.ABSTRACT_SLOT, record.symbol.declaration.name.span if outermost else span,
         name=name.text, record=record.name,
         labels=[Label(name.span, "declared here without a value")],
-        hint=_setting(instance, definition, declared),
+        hint=way_to_set(instance, definition, declared),
     )  # fmt: skip
-
-
-def _setting(instance: Instance, definition: Definition, declared: Declared) -> str:
-    """How an abstract slot is set, or what else was meant by declaring it."""
-    member, record = definition.member, instance.record
-    name, owner = member.name.text, definition.owner
-    declaration = record.symbol.declaration
-    assert isinstance(declaration, ast.Record | ast.Mixin)
-    kind = declaration.kind
-    if isinstance(declared.type, Texture):
-        return f"declare a texture with `map {name} : {declared.text}`"
-    if isinstance(declared.type, RuntimeArray):
-        return f"declare a buffer with `buffer {name} : {declared.text}`"
-    if record.definitions[name][0] is not definition:
-        return f"`inherited.{name}` has no value, so nothing can be computed from it"
-    is_own, surface = owner is record.symbol, instance.surface
-    is_here = is_own or isinstance(owner.declaration, ast.Mixin)
-    if is_here and surface is not None and surface.has(name):
-        return f"leave it out: a {kind} reads `{name}` of a material without declaring it"
-    if is_own:
-        value = f"give it a value, `{name} : {declared.text} = …`"
-        return f"{value}, or let others extend it: `abstract {kind} {record.name}`"
-    own = (n for n, found in record.definitions.items() if found[-1].owner is record.symbol)
-    slip = nearest(name, own)
-    if slip is not None:
-        return f"`{slip}` is declared in `{record.name}`: did you mean `{name}`?"
-    about = f": {member.doc}" if member.doc else ""
-    return f"add `{name} = …` to `{record.name}`{about}"
 
 
 def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Failure:

@@ -27,6 +27,8 @@ from ...ir.stages import (
     FRAGMENTS,
     INSTANCES,
     INTO_FRAGMENTS,
+    OF_PATCH,
+    PATCHES,
     RASTERISED,
     VERTEX,
     VERTICES,
@@ -72,6 +74,8 @@ class Crossings:
         leaf = self._graph.node("input", row.type, (), row)
         if row in FRAGMENT.inputs:
             return leaf
+        if row.domain == PATCHES:
+            leaf = build.cross(self._graph, leaf, OF_PATCH)
         return self.attribute(leaf, origin if row in VERTEX.inputs else None)
 
     def domain(self, node: Node) -> Domain | None:
