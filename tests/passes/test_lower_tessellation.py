@@ -41,7 +41,7 @@ SLOTS = """
     tint  : vec2  = vec2(uv.y, uv.x)
     flag  : bool  = uv.x > 0.4
     frame : mat2  = mat2(uv, uv.yx)
-    wave  = @vertex sin(4 * uv.x) 
+    wave  = @vertex sin(4 * uv.x)
 """
 COLOR = "color = vec3(mark + wave, tint) + vec3(frame * uv, if flag then 1 else 0)"
 
