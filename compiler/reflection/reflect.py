@@ -138,7 +138,7 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
 def _tessellation_row(shader: Shader, patches: Tessellation) -> dict[str, Any]:
     native = EVALUATION in shader.chain
     return {
-        "patch": patches.patch,
+        "kind": patches.patch,
         "ends": list(patches.ends),
         "spacing": patches.spacing,
         "divided_by": EVALUATION.name if native else "instances",

@@ -57,11 +57,11 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     """The patches of a mesh, which a tessellation stage divides or a pattern of the host's."""
     reflection = instance.reflection
     row, points = reflection["draw"]["tessellation"], reflection["draw"]["corners"]
-    found = patches(mesh, row["patch"], points)
+    found = patches(mesh, row["kind"], points, row["ends"])
     copies = mesh.instance_count
     if row["divided_by"] == EVALUATION.name:
         return Drawn(data, found, copies)
-    places, triangles = pattern(row["patch"], row["spacing"], *instance.levels())
+    places, triangles = pattern(row["kind"], row["spacing"], *instance.levels())
     attributes = {
         each["name"]: places
         if each["mesh"]["is_of_pattern"]

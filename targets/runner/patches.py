@@ -1,12 +1,13 @@
 """The patches of a mesh, and the pattern into which each of them is divided.
 
-``expanding.py`` draws with them. A mesh may say which control points its patches have. Patches with
-no control points but their ends can be made of any mesh.
+``expanding.py`` draws with them. A mesh may say which control points its patches have. Otherwise
+its triangles and edges are patches, and its grids have quads of any square number of points.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import isqrt
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from .meshes import Indices, Mesh, MeshError
 from .primitives import primitives
 
 
-def patches(mesh: Mesh, patch: Patch, points: int) -> Indices:
+def patches(mesh: Mesh, kind: Patch, points: int, ends: Sequence[int]) -> Indices:
     """The control points of each patch, (patches, points). Raises ``MeshError``."""
     if mesh.patches is not None:
         if mesh.patches.shape[1] != points:
@@ -27,31 +28,54 @@ def patches(mesh: Mesh, patch: Patch, points: int) -> Indices:
                 f"material divides patches of {points}"
             )
         found = mesh.patches
-    elif points != PATCH_KINDS[patch].ends:
-        raise MeshError(
-            f"this material divides patches of {points} control points, and the mesh has triangles"
-        )
+    elif kind == "quad" and mesh.lattices and isqrt(points) ** 2 == points:
+        found = np.concatenate([_windows(each, points, ends) for each in mesh.lattices])
+    elif points == PATCH_KINDS[kind].ends:
+        found = _MADE[kind](mesh)
     else:
-        found = _MADE[patch](mesh)
+        raise MeshError(
+            f"this material divides patches of {points} control points, and the mesh has none"
+        )
     if not len(found):
-        raise MeshError(f"the mesh has no {patch} patch to divide")
+        raise MeshError(f"the mesh has no {kind} patch to divide")
     return found
 
 
 def pattern(
-    patch: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
+    kind: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
 ) -> tuple[NDArray[Any], Indices]:
     """Where the points of a divided patch lie in it, and the triangles between them."""
-    if patch == "triangle":
-        found, lanes = triangle(edges, inside[0], spacing), 3
-    else:
-        found, lanes = quad(edges, inside, spacing), 2
-    return _arrays(found, lanes)
+    if kind == "triangle":
+        return _arrays(triangle(edges, inside[0], spacing), 3)
+    return _arrays(quad(edges, inside, spacing), 2)
 
 
 def _arrays(found: Pattern, lanes: int) -> tuple[NDArray[Any], Indices]:
     places = np.array(found.places, np.float64).reshape(-1, 3)[:, :lanes] / ONE
     return places, np.array(found.cells, np.int64).reshape(-1, 3)
+
+
+def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
+    """Squares of vertices of a grid, row by row, which lie so that neighbours share their ends.
+
+    Four points go round, as ends do. Beyond the border of a small grid its last vertices repeat.
+    """
+    side = isqrt(points)
+    first, following = (divmod(end, side) for end in ends[:2])
+    step = 1 if points == len(ends) else max(abs(following[1] - first[1]), 1)
+    offsets = np.arange(side)
+    found = [
+        lattice[np.ix_(np.minimum(row + offsets, len(lattice) - 1), columns)].reshape(-1)
+        for row in _starts(len(lattice), side, step)
+        for start in _starts(lattice.shape[1], side, step)
+        for columns in [np.minimum(start + offsets, lattice.shape[1] - 1)]
+    ]
+    whole = np.array(found, np.int64)
+    return whole[:, [0, 1, 3, 2]] if points == len(ends) else whole
+
+
+def _starts(count: int, side: int, step: int) -> Iterator[int]:
+    yield from range(0, max(count - side, 0) + 1, step)
 
 
 def _triangles(mesh: Mesh) -> Indices:
