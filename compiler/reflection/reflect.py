@@ -11,7 +11,7 @@ from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
-from ..ir.stages import EVALUATION, GEOMETRY, IMAGE, TARGET
+from ..ir.stages import EVALUATION, GEOMETRY, IMAGE, PATCHES, TARGET
 from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
@@ -114,7 +114,7 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
     }  # fmt: skip
     if patches is not None:
         row |= {
-            "primitive": "patch",
+            "primitive": PATCHES,
             "corners": patches.points,
             "tessellation": _tessellation_row(patches),
         }
@@ -131,7 +131,7 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
 
 def _tessellation_row(patches: Tessellation) -> dict[str, Any]:
     return {
-        "patch": patches.patch,
+        "kind": patches.patch,
         "ends": list(patches.ends),
         "spacing": patches.spacing,
         "divided_by": EVALUATION.name,

@@ -26,7 +26,7 @@ STAGE_STRUCTS = tuple(
 )
 """What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
 
-FieldRole = Literal["attribute", "varying", "control point", "patch", "render target"]
+FieldRole = Literal["attribute", "varying", "control point", "of patch", "render target"]
 """Vertex input, value between the stages, that of a control point which is handed on to the stage
 after the next, what is the same all over a patch, or render target."""
 

@@ -297,7 +297,7 @@ class StagePrinter:
         table = {
             "attribute": self._names.attributes,
             "varying": self._names.varyings,
-            "patch": self._names.varyings,
+            "of patch": self._names.varyings,
             "control point": self._names.points,
             "render target": self._names.render_targets,
         }
@@ -319,7 +319,7 @@ class StagePrinter:
             crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),
-            of_patch=role == "patch",
+            of_patch=role == "of patch",
             per_corner=per_corner,
         )
 
@@ -327,7 +327,7 @@ class StagePrinter:
         """Whether an output is a render target, or goes on to the next stage."""
         if output.kind == TARGET:
             return "render target"
-        return "patch" if self._stage.row.domain == PATCHES else "varying"
+        return "of patch" if self._stage.row.domain == PATCHES else "varying"
 
     def _supplied(self) -> tuple[str, ...]:
         """The pipeline's values that the entry point reads; a kernel's always reads its index."""
@@ -349,6 +349,6 @@ def _roles_of_inputs(program: Program, stage: Stage) -> Iterator[tuple[str, Fiel
     for field in stage.inputs:
         yield field.name, "attribute"
     for face in program.interfaces_into(stage):
-        role: FieldRole = "patch" if face.origin == PATCHES else "varying"
+        role: FieldRole = "of patch" if face.origin == PATCHES else "varying"
         for field in face.fields:
             yield field.name, "control point" if face.through else role

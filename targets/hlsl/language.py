@@ -208,7 +208,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     attributes, so that prefix is kept apart. Where the capitals could be a macro of a compiler,
     ``__LINE__`` or ``GL_ES``, something is added.
     """
-    if role in ("varying", "control point", "patch"):
+    if role in ("varying", "control point", "of patch"):
         return f"TEXCOORD{location}"
     if role == "render target":
         return f"SV_Target{location}"

@@ -240,7 +240,8 @@ def _placed(patch: Patch, where: Floats, points: Floats) -> Floats:
         return weighted
     across = points[3] - points[0] if patch == "quad" else np.array(ACROSS)
     moved: Floats = where[:, :1] * (points[1] - points[0]) + where[:, 1:2] * across
-    return points[0] + moved
+    placed: Floats = points[0] + moved
+    return placed
 
 
 def drawn(
