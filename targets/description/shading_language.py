@@ -77,6 +77,8 @@ class Language:
     """What a tessellation stage calls the kinds of patches, where the language has one."""
     spacings: Mapping[Spacing, str] = EMPTY
     """What it calls the ways in which their edges are divided."""
+    emitted: Mapping[str, str] = EMPTY
+    """What it calls the streams of points and of triangles that it emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

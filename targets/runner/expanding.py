@@ -34,9 +34,9 @@ class Drawn:
 def as_drawn(reflection: Mapping[str, Any], data: Values, mesh: Mesh) -> Drawn:
     """What is drawn of a mesh; ``data`` are its values by the names of declared vertex inputs."""
     draw = reflection["draw"]
-    if draw["expanded_by"] is None:
-        return Drawn(data, mesh.triangles, mesh.instance_count)
     corners = primitives(mesh, draw["primitive"])
+    if draw["expanded_by"] is None:
+        return Drawn(data, corners, mesh.instance_count)
     if not len(corners):
         raise MeshError(f"the mesh has no {draw['primitive']} to expand")
     if draw["expanded_by"] == GEOMETRY.name:

@@ -19,7 +19,7 @@ DELIVERS = "compiler/semantics/shading/elaborate.py"
 KNOB = (
     (GRAMMAR, "_member: param |", "_member: knob | param |"),
     (GRAMMAR, "\nsetting: name", '\nknob: "knob" name "=" expression\nsetting: name'),
-    (MEMBERS, "Member = Param |", "Member = Knob | Param |"),
+    (MEMBERS, "    Param | Map |", "    Knob | Param | Map |"),
     (
         MEMBERS,
         "\nMember =",

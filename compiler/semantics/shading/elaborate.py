@@ -9,6 +9,9 @@ from ...diagnostics import rules
 from ...ir.node import Node
 from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
 from ...ir.stages import (
+    CAPTURE,
+    CAPTURED,
+    CAPTURED_EXPANDED,
     CLIP_POSITION,
     DISCARD,
     EMITTING,
@@ -18,6 +21,7 @@ from ...ir.stages import (
     RASTERISED,
     TARGET,
     VERTEX,
+    Chain,
 )
 from ...ir.types import BOOL, VEC4
 from ...syntax import ast
@@ -32,6 +36,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
+from .captures import capture_of, captures, captures_of
 from .formats import FORMATS, texel_value
 from .host_names import check_host_names
 from .slot_checks import check_rig, check_slots
@@ -50,7 +55,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     parts, externs = setting.parts, ctx.externs
     found = (
         *_clip_position(ctx, passing, surface),
-        *_emitting(surface),
+        *_emitting(ctx, passing, surface),
         *written_results(ctx, passing),
     )
     check_slots(ctx, surface, passing)
@@ -66,6 +71,7 @@ def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     return (
         *_targets(ctx, passing.record, passing),
         *_discard(ctx, passing.record, passing),
+        *captures_of(ctx, passing),
     )
 
 
@@ -80,7 +86,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     check_rig(ctx, setting.surface)
     ctx.deferred.report()
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
-    if ctx.report.failed or not places_vertices(results):
+    if ctx.report.failed or not delivers_vertices(results):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
@@ -99,15 +105,23 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
-        chain=RASTERISED if setting.surface.expanded is None else EXPANDED,
+        chain=_chain(setting),
         expansion=None if setting.surface.expanded is None else setting.surface.expanded.expansion,
+        capture=capture_of(setting.passing.record, results),
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
     )
 
 
-def places_vertices(results: Iterable[Result]) -> bool:
-    """Whether there is a clip position, without which a pass draws nothing."""
-    return any(result.kind == CLIP_POSITION for result in results)
+def delivers_vertices(results: Iterable[Result]) -> bool:
+    """Whether there is a clip position, without which a pass draws nothing, or it captures."""
+    return any(result.kind in (CLIP_POSITION, CAPTURE) for result in results)
+
+
+def _chain(setting: Setting) -> Chain:
+    is_expanded = setting.surface.expanded is not None
+    if captures(setting.passing.record):
+        return CAPTURED_EXPANDED if is_expanded else CAPTURED
+    return EXPANDED if is_expanded else RASTERISED
 
 
 def _all_parameters(
@@ -126,7 +140,9 @@ def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
 
 
 def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
-    """The slot that every pass (or its material) has to define."""
+    """The slot that every pass that draws (or its material) has to define."""
+    if captures(passing.record):
+        return
     holder = passing if passing.has(CLIP_POSITION) else surface
     declared = passing.record.symbol.declaration.name.span
     if not holder.has(CLIP_POSITION):
@@ -140,17 +156,21 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
         yield Result(CLIP_POSITION, VERTEX if surface.expanded is None else GEOMETRY, placed)
 
 
-def _emitting(surface: Instance) -> Iterator[Result]:
+def _emitting(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
     """Which strips an expansion emits."""
-    if surface.expanded is not None:
-        for emitted in surface.expanded.emitting:
-            yield Result(EMITTING, GEOMETRY, emitted)
+    if surface.expanded is None:
+        return
+    for emitted in surface.expanded.emitting:
+        yield Result(EMITTING, GEOMETRY, emitted)
+    expansion = surface.expanded.expansion
+    if expansion is not None and expansion.emits == "point" and not captures(passing.record):
+        ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
-    if not written and not drawn.baseless and is_whole:
+    if not written and not drawn.baseless and is_whole and not captures(drawn):
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(ctx, drawn, passing, *row) for row in written)
     return (target for target in found if target is not None)
