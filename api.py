@@ -105,7 +105,8 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        lower = count_strips if native_stages else lower_stages
+        # What is captured is emitted by the stage itself.
+        lower = count_strips if native_stages or elaborated.capture else lower_stages
         shader = lower(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)

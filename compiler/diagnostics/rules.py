@@ -657,7 +657,7 @@ NOT_AT_VERTEX = _error(
     "{what} is not available at the vertex",
     "Texture reads and derivatives compare neighbouring pixels, and `frag_coord` and "
     "`front_facing` belong to a pixel. Move them out of `@vertex`, and out of what "
-    "`clip_position` is computed from.",
+    "`clip_position` and captures are computed from.",
 )
 CANNOT_CROSS = _error(
     "B0503",
@@ -793,6 +793,11 @@ TESSELLATED_AND_EXPANDED = _error(
     "`{name}` divides its patches and expands its primitives",
     "A material does one of the two.",
 )
+TESSELLATED_AND_CAPTURED = _error(
+    "B0529",
+    "`{name}` captures the vertices of `{material}`, which divides its patches",
+    "Vertices are captured as the mesh or an expansion makes them.",
+)
 WRONG_POINTS = _error(
     "B0532",
     "`{patch}` patches have from {least} to {most} control points, and not {count}",
@@ -852,6 +857,41 @@ NO_FORMAT = _error(
     "B0551",
     "`{name}` does not say of which format its texels are",
     "An image has one format, as a render target has: `image2d<rgba16f>[size]`.",
+)
+
+# Captures
+
+CAPTURES_AND_DRAWS = _error(
+    "B0560",
+    "`{name}` captures vertices, so it draws nothing",
+    "A pass that captures has no render targets and discards nothing. Draw in another pass.",
+)
+CANNOT_CAPTURE = _error(
+    "B0561",
+    "a {type} cannot be captured",
+    "Floats, ints, uints and vectors of these can be captured. Capture a bool as `if b then 1u "
+    "else 0u`, and a matrix column by column.",
+)
+CAPTURES_TOO_MUCH = _error(
+    "B0562",
+    "{count} numbers of each vertex are captured, and {most} is the most",
+    "Every device captures so many numbers of a vertex: a vec3 has three.",
+)
+POINTS_NOT_CAPTURED = _error(
+    "B0563",
+    "points are captured, and `{name}` draws",
+    "A pass with members such as `capture place : vec3 = position` captures points. What is drawn "
+    "are triangles: `strip of 4 as i { … }` makes a square of a point.",
+)
+POINTS_AND_TRIANGLES = _error(
+    "B0564",
+    "an expansion emits points or triangles, and not both",
+    "All groups of an expansion are `points`, or all of them are strips and lists.",
+)
+NO_POINTS = _error(
+    "B0565",
+    "a group of {count} points emits nothing",
+    "`points of n` emits one point or more.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

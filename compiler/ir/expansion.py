@@ -24,7 +24,9 @@ CORNERS: Mapping[str, int] = {
 OpenGL: a line between the vertices next to its ends, a triangle with the vertex across each edge
 behind the one where that edge begins."""
 
-StripShape = Literal["strip", "list"]
+StripShape = Literal["strip", "list", "points"]
+
+EmittedPrimitive = Literal["point", "triangle"]
 
 
 @frozen
@@ -32,7 +34,8 @@ class EmittedStrips:
     """One group of strips."""
 
     shape: StripShape
-    """Triangles that each share two vertices with the one before, or that share none."""
+    """Triangles that each share two vertices with the one before, or that share none; or points,
+    which only a pass can emit that captures them."""
     vertices: int
     """Of each strip."""
     strips: int
@@ -45,12 +48,18 @@ class EmittedStrips:
     @property
     def triangles(self) -> int:
         """Of each strip."""
-        return self.vertices // 3 if self.shape == "list" else self.vertices - 2
+        whole = {"strip": self.vertices - 2, "list": self.vertices // 3, "points": 0}
+        return whole[self.shape]
+
+    @property
+    def listed_each(self) -> int:
+        """How many vertices each strip has as a list of triangles, or of points."""
+        return self.vertices if self.shape == "points" else 3 * self.triangles
 
     @property
     def listed(self) -> int:
-        """How many vertices all strips have as a list of triangles."""
-        return 3 * self.triangles * self.strips
+        """How many all strips have."""
+        return self.listed_each * self.strips
 
 
 @frozen
@@ -76,8 +85,13 @@ class Expansion:
 
     @property
     def listed(self) -> int:
-        """How many there are as a list of triangles."""
+        """How many there are as a list of triangles, or of points."""
         return sum(group.listed for group in self.groups)
+
+    @property
+    def emits(self) -> EmittedPrimitive:
+        """What the emitted vertices are; all groups agree in that."""
+        return "point" if self.groups[0].shape == "points" else "triangle"
 
     @property
     def starts(self) -> tuple[int, ...]:

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from .capture import Capture
 from .expansion import EmittedStrips, Expansion
 from .kernel import WorkGroup
 from .leaves import Buffer, HostPlace, Parameter, Resource
@@ -349,6 +350,8 @@ class Stage:
     """Those of its inputs that the next stage reads as well, so that it hands them on."""
     emitted: tuple[EmittedGroup, ...] = ()
     """Where it emits vertices, in which groups; then there is nothing else that it computes."""
+    emitting: tuple[Node, ...] = ()
+    """For each group of the expansion, whether a strip of it is emitted; one graph for all."""
 
     @property
     def name(self) -> StageName:
@@ -403,6 +406,8 @@ class Program:
     """What each primitive of the mesh turns into."""
     tessellation: Tessellation | None = None
     """What each patch of it is divided into."""
+    capture: Capture | None = None
+    """What is written of each vertex instead of drawing."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
 

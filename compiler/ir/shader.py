@@ -11,6 +11,7 @@ from typing import Any
 
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
+from .capture import Capture
 from .expansion import Expansion
 from .kernel import WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
@@ -251,6 +252,8 @@ class Shader:
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into, whichever stage does it."""
+    capture: Capture | None = None
+    """What is written of each vertex instead of drawing, by a stream output or by a kernel."""
     tessellation: Tessellation | None = None
     """What each patch of the mesh is divided into, whichever stage does it."""
     levels: tuple[Result, ...] = ()

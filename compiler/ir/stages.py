@@ -45,6 +45,8 @@ INNER_LEVEL = "inner_level"
 """The kind of those that say the same of the inside: of a quad along u, and then along v."""
 EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
+CAPTURE = "capture"
+"""The kind of a result that is written to a buffer for each vertex, instead of drawing."""
 STORE = "store"
 """The kind of a result that is written to an element of a storage buffer."""
 IMAGE = "image"
@@ -148,7 +150,7 @@ VERTEX = StageRow(
         SystemInput("vertex_index", UINT, VERTICES),
         SystemInput("instance_index", UINT, INSTANCES),
     ),
-    delivers=(CLIP_POSITION,),
+    delivers=(CLIP_POSITION, CAPTURE),
 )  # fmt: skip
 
 PATCH_INDEX = SystemInput("patch_index", UINT, PATCHES)
@@ -184,7 +186,7 @@ STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
 GEOMETRY = StageRow(
     "geometry", EMITTED, "geom", "gs_main",
     inputs=(PRIMITIVE_INDEX,),
-    delivers=(CLIP_POSITION, EMITTING),
+    delivers=(CLIP_POSITION, EMITTING, CAPTURE),
 )  # fmt: skip
 
 FRAGMENT = StageRow(
@@ -226,6 +228,12 @@ RASTERISED: Chain = (VERTEX, FRAGMENT)
 
 EXPANDED: Chain = (VERTEX, GEOMETRY, FRAGMENT)
 """What turns each primitive of a mesh into others before these are drawn."""
+
+CAPTURED: Chain = (VERTEX,)
+"""What writes the vertices of a mesh's triangles to a buffer, and draws nothing."""
+
+CAPTURED_EXPANDED: Chain = (VERTEX, GEOMETRY)
+"""What writes what each primitive of a mesh turns into."""
 
 TESSELLATED_CHAIN: Chain = (VERTEX, CONTROL, EVALUATION, FRAGMENT)
 """What divides each patch of a mesh into triangles or lines before these are drawn."""

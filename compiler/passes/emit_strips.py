@@ -79,12 +79,12 @@ def groups_of(
         value, *delivered = _known(simplifier, known, [told, *roots])
         if value.op != "constant" or value.data:
             found.append(GroupValues(strips, strip, vertex, value, tuple(delivered)))
-    return tuple(found) or (_nothing(graph, roots),)
+    return tuple(found) or (_nothing(graph, expansion, roots),)
 
 
-def _nothing(graph: Graph, roots: Sequence[Node]) -> GroupValues:
+def _nothing(graph: Graph, expansion: Expansion, roots: Sequence[Node]) -> GroupValues:
     """What is emitted where no condition can hold: compilers want to see some vertex, and one alone
-    makes no triangle."""
+    makes no triangle; but it is a point, so of these there are none."""
     zeros = []
     for root in roots:
         kind = scalar_kind(root.type)
@@ -94,6 +94,8 @@ def _nothing(graph: Graph, roots: Sequence[Node]) -> GroupValues:
         zeros.append(build.constant(graph, root.type, lanes))
     emitted = build.constant(graph, BOOL, True)
     alone = EmittedStrips("strip", 1, 1)
+    if expansion.emits == "point":
+        alone = EmittedStrips("points", 0, 1)
     names = Formal(alone.strip_name), Formal(alone.vertex_name)
     return GroupValues(alone, *names, emitted, tuple(zeros))
 

@@ -153,13 +153,13 @@ class EmittedNumbers:
         group = self._groups[number]
         if group.strips == 1:
             return self._number(0)
-        return self._call("div", self._within(number), self._number(3 * group.triangles))
+        return self._call("div", self._within(number), self._number(group.listed_each))
 
     def _strip_vertex(self, number: int) -> Node:
         group, place = self._groups[number], self._within(number)
         if group.strips > 1:
-            place = self._call("mod", place, self._number(3 * group.triangles))
-        if group.shape == "list" or group.triangles == 1:
+            place = self._call("mod", place, self._number(group.listed_each))
+        if group.shape != "strip" or group.triangles == 1:
             return place
         triangle = self._call("div", place, self._number(3))
         corner = self._call("mod", place, self._number(3))

@@ -28,7 +28,8 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import EMITTING, EXTENT, IMAGE, VARYING, StageRow
+from ..ir.stages import CAPTURE, EMITTING, EXTENT, IMAGE, VARYING, StageRow
+from ..ir.types import scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
@@ -59,7 +60,8 @@ def split_stages(
         nodes = visible(_roots(groups, delivered), into_bodies=True)
         if before is not None:
             interfaces.enter(row, before, nodes)
-        works.insert(0, _Work(row, delivered, groups, nodes))
+        emitting = tuple(output.value for output in outputs if output.kind == EMITTING)
+        works.insert(0, _Work(row, delivered, emitting, groups, nodes))
     stages = [_stage(work, shader, blocks, interfaces.all) for work in works]
     resources = tuple(
         info.resource
@@ -74,7 +76,7 @@ def split_stages(
     )
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
-        shader.expansion, shader.tessellation, shader.work_group,
+        shader.expansion, shader.tessellation, shader.capture, shader.work_group,
     )  # fmt: skip
 
 
@@ -109,7 +111,12 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
     for result in results:
         field = None
         if result.name and result.store is None:
-            field = Field(result.name, result.value.type, next(locations), doc=result.doc)
+            # Whole numbers of a vertex stage's are marked so in ES.
+            is_whole = result.kind == CAPTURE and scalar_kind(result.value.type) != "float"
+            field = Field(
+                result.name, result.value.type, next(locations),
+                "flat" if is_whole else "perspective", result.doc,
+            )  # fmt: skip
         format_ = result.state.format if result.kind == IMAGE and result.state else ""
         yield Output(result.kind, result.value, field, result.store, format_)
 
@@ -138,6 +145,7 @@ class _Work:
 
     row: StageRow
     outputs: tuple[Output, ...]
+    emitting: tuple[Node, ...]
     groups: tuple[GroupValues, ...]
     nodes: list[Node]
     """What it computes for its outputs, what is computed in bodies included."""
@@ -179,6 +187,7 @@ def _stage(
         reads=texture_reads(nodes),
         natives=native_uses(nodes),
         handed_on=_fields(handing),
+        emitting=work.emitting,
         emitted=tuple(_emitted(group, shader.notes, outputs) for group in groups),
     )
 

@@ -33,7 +33,7 @@ from ..ir.types import (
     Type,
     Vector,
 )
-from .bounds.bounded import Bounded, exact, given, hull
+from .bounds import Bounded, exact, given, hull
 from .namespace import Lanes
 
 Table = Any

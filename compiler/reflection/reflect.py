@@ -11,13 +11,22 @@ from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
-from ..ir.stages import EDGE_LEVEL, EVALUATION, GEOMETRY, IMAGE, INNER_LEVEL, TARGET
+from ..ir.stages import (
+    EDGE_LEVEL,
+    EVALUATION,
+    GEOMETRY,
+    IMAGE,
+    INNER_LEVEL,
+    PATCHES,
+    TARGET,
+)
 from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
+from .captures import capture_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
-from .tables import BackendTable, BindingPoint
+from .tables import BackendTable, BindingPoint, FieldName
 from .textures import TextureRows
 from .values import steps
 
@@ -67,6 +76,7 @@ def reflect(
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
+        "capture": None if shader.capture is None else capture_row(shader),
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),
@@ -120,7 +130,7 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
     }  # fmt: skip
     if patches is not None:
         row |= {
-            "primitive": "patch",
+            "primitive": PATCHES,
             "corners": patches.points,
             "tessellation": _tessellation_row(shader, patches),
         }
@@ -203,15 +213,18 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
         "buffers": {name: _binding_row(point) for name, point in table.buffers.items()},
         "textures": {name: _binding_row(point) for name, point in table.textures.items()},
         "samplers": {name: _binding_row(point) for name, point in table.samplers.items()},
-        "vertex_inputs": {
-            name: {"identifier": row.identifier, "semantic": row.semantic or None}
-            for name, row in table.vertex_inputs.items()
-        },
+        "vertex_inputs": {name: _field_name_row(row) for name, row in table.vertex_inputs.items()},
+        "stream_output": table.stream_output or None,
+        "captures": {name: _field_name_row(row) for name, row in table.captures.items()},
         "host_uniforms": list(table.host_uniforms),
         "source_maps": {
             name: _source_map(spans) for name, spans in sorted(table.source_maps.items())
         },
     }
+
+
+def _field_name_row(row: FieldName) -> dict[str, Any]:
+    return {"identifier": row.identifier, "semantic": row.semantic or None}
 
 
 def _source_map(spans: Mapping[int, Span]) -> dict[str, Any]:

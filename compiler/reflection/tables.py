@@ -30,8 +30,8 @@ class BindingPoint:
 
 
 @frozen
-class VertexInputName:
-    """How a vertex input is called in the text."""
+class FieldName:
+    """How a vertex input, or a captured output, is called in the text."""
 
     identifier: str
     semantic: str = ""
@@ -61,8 +61,13 @@ class BackendTable:
     """By texture name; where the profile combines texture and sampler, this is the pair."""
     samplers: Mapping[str, BindingPoint] = EMPTY
     """By the name of the texture that they read; empty where the profile combines the two."""
-    vertex_inputs: Mapping[str, VertexInputName] = EMPTY
+    vertex_inputs: Mapping[str, FieldName] = EMPTY
     """By vertex input name."""
+    captures: Mapping[str, FieldName] = EMPTY
+    """By captured member; empty where the profile has no stream output."""
+    stream_output: str = ""
+    """How a host captures vertices: as the ``text`` says, by ``names``, by ``semantics``, or not at
+    all."""
     host_uniforms: tuple[str, ...] = ()
     """Loose float uniforms that the host sets besides the blocks."""
     clip_depth: Literal["0..1", "-1..1"] = "0..1"

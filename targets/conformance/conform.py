@@ -22,6 +22,7 @@ from ..runner.runner import Runner
 from ..runner.store import Store
 from ..runner.subject import Subject
 from ..toolchain import Toolchain
+from .captures import CapturePlan
 from .cases import SIZE, Size
 from .compare import proves_little
 from .kernels import KernelPlan
@@ -75,18 +76,20 @@ def conform(
 
 def _plan(
     label: str, subject: Subject, seed: int, store: Store, size: Size, draw: Draw
-) -> Plan | KernelPlan | tuple[str, str]:
+) -> Plan | KernelPlan | CapturePlan | tuple[str, str]:
     """The plan of a material or a kernel; or its label, and the reason why nothing can draw it."""
     try:
         if subject.shader.chain == COMPUTED and not has_images(subject.reflection):
             return KernelPlan(label, subject, seed)
+        if subject.shader.capture is not None:
+            return CapturePlan(label, subject, seed, size)
         return Plan(label, subject, seed, store, size, draw)
     except ValueError as error:
         return label, str(error)
 
 
 def _row(
-    plan: Plan | KernelPlan | tuple[str, str],
+    plan: Plan | KernelPlan | CapturePlan | tuple[str, str],
     route: Route,
     runner: Runner,
     toolchain: Toolchain,
@@ -104,7 +107,7 @@ def _row(
         device = runner.device(route)
         codes = compile_one(route, plan.subject.files, toolchain)
         results: list[CaseResult] = []
-        if isinstance(plan, KernelPlan):
+        if not isinstance(plan, Plan):
             results += plan.results(route, device, codes, runner)
             return made(status=_status(results), device=device, results=tuple(results))
         for series, draws in plan.work:

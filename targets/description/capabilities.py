@@ -30,6 +30,11 @@ def buffers_of(row: StageRow) -> Need:
 SEPARATE_SAMPLERS = Need(
     "texture that is both compared and loaded", lambda profile: not profile.samplers.combined
 )
+STREAM_OUTPUT = Need("stream output", lambda profile: profile.stream_output is not None)
+NUMBERED_CAPTURES = Need(
+    "`vertex_index` where vertices are captured",
+    lambda profile: profile.stream_output is None or profile.stream_output.indexed,
+)
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
 
 BIT_COUNTS = ("count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit")
@@ -63,6 +68,12 @@ CAPABILITIES: tuple[Capability, ...] = (
         "A primitive of the mesh becomes others that depend on its neighbours: "
         "`expand triangle_adjacency { … }`.",
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+    ),
+    Capability(
+        "captures",
+        "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = "
+        "…`.",
+        (Way((STREAM_OUTPUT,)),),
     ),
     Capability(
         "kernels over buffers",

@@ -54,6 +54,18 @@ class Framebuffer:
 
 
 @frozen
+class StreamOutput:
+    """How a host captures vertices."""
+
+    told: Literal["text", "names", "semantics"]
+    """What says which outputs are captured: the text itself, the names that a host gives before it
+    links (OpenGL's transform feedback), or their semantics (Direct3D's stream output)."""
+    indexed: bool = True
+    """Whether the vertices of a mesh may be drawn by their indices. Otherwise a host repeats them,
+    and they have other numbers."""
+
+
+@frozen
 class Limits:
     """What every device and every compiler of a profile has, or takes, at least.
 
@@ -141,6 +153,8 @@ class Profile:
     """By native, the line that opens a file in which it is used."""
     stages: Chain = RASTERISED
     """Those that it has, in any order."""
+    stream_output: StreamOutput | None = None
+    """How vertices are captured, if they can be, that the last stage before the fragments makes."""
     image_formats: frozenset[str] = frozenset()
     """The formats of images that kernels can write. Those of other formats are drawn: a kernel over
     them is a full-screen pass."""

@@ -26,7 +26,7 @@ STAGE_STRUCTS = tuple(
 )
 """What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
 
-FieldRole = Literal["attribute", "varying", "control point", "patch", "render target"]
+FieldRole = Literal["attribute", "varying", "control point", "of patch", "render target"]
 """Vertex input, value between the stages, that of a control point which is handed on to the stage
 after the next, what is the same all over a patch, or render target."""
 
@@ -77,6 +77,8 @@ class Language:
     """What a tessellation stage calls the kinds of patches, where the language has one."""
     spacings: Mapping[Spacing, str] = EMPTY
     """What it calls the ways in which their edges are divided."""
+    emitted: Mapping[str, str] = EMPTY
+    """What it calls the streams of points and of triangles that it emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

@@ -10,11 +10,12 @@ from collections.abc import Mapping
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.ir.program import Block, Program, StoredMember
+from ...compiler.ir.stages import CAPTURE
 from ...compiler.reflection.tables import (
     BackendTable,
     BindingPoint,
     EmittedFile,
-    VertexInputName,
+    FieldName,
 )
 from ..description.profile import Profile
 from ..description.shading_language import BindingKind, Language
@@ -76,11 +77,18 @@ def backend_table(
             if item in sampled
         },
         vertex_inputs={
-            field.name: VertexInputName(
-                names.attributes[field.name], names.semantics[field.name]
-            )
+            field.name: FieldName(names.attributes[field.name], names.semantics[field.name])
             for field in program.vertex_inputs
         },
+        captures={
+            field.name: FieldName(
+                names.varyings[field.name],
+                language.semantic("varying", field.name, field.location),
+            )
+            for output in program.results_of(CAPTURE)
+            if (field := output.field) is not None and profile.stream_output
+        },
+        stream_output=profile.stream_output.told if profile.stream_output else "",
         host_uniforms=emission.host_uniforms,
         clip_depth=profile.framebuffer.clip_depth,
         clip_control=profile.framebuffer.clip_control,

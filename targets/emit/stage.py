@@ -13,6 +13,7 @@ from ...compiler.ir.operations import INPUT
 from ...compiler.ir.program import Field, Function, Output, Program, Stage
 from ...compiler.ir.shader import Store
 from ...compiler.ir.stages import (
+    CAPTURE,
     CLIP_POSITION,
     CONTROL,
     DISCARD,
@@ -26,6 +27,7 @@ from ...compiler.ir.stages import (
 )
 from ...compiler.ir.storage import stored_element
 from ...compiler.ir.types import INT, Array, Struct
+from ...frozen import changed
 from ..description.shading_language import FieldRole
 from .comments import comment_line, comment_lines
 from .context import Context
@@ -100,7 +102,7 @@ class StagePrinter:
         stored = []
         for output in stage.results:
             if output.field is not None:
-                stored.append((self._field(output.field, self._role(output)), output.value))
+                stored.append((self._output(output), output.value))
             elif output.kind not in (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, STORE):
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
@@ -122,6 +124,7 @@ class StagePrinter:
             guard=guard,
             work_group=() if group is None else group,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
+            capture_stride=self._capture_stride(),
             expansion=self._expansion(),
             tessellation=self._tessellation([field for field, _ in stored]),
         )
@@ -166,7 +169,26 @@ class StagePrinter:
         if not self._stage.emitted or expansion is None:
             return None
         primitive = self._language.primitives[expansion.primitive]
-        return ExpansionView(primitive, expansion.corners, expansion.vertices)
+        emitted = self._language.emitted[expansion.emits]
+        places = bool(self._stage.results_of(CLIP_POSITION))
+        return ExpansionView(primitive, expansion.corners, emitted, places, expansion.vertices)
+
+    def _capture_stride(self) -> int:
+        """The bytes of each vertex that this stage captures, where the text has to say it."""
+        capture = self._context.program.capture
+        stream = self._context.profile.stream_output
+        is_said = stream is not None and stream.told == "text"
+        captures = is_said and self._stage.results_of(CAPTURE)
+        return capture.stride if capture is not None and captures else 0
+
+    def _output(self, output: Output) -> FieldView:
+        """What a text declares for an output that has a place."""
+        assert output.field is not None
+        view = self._field(output.field, self._role(output))
+        capture = self._context.program.capture
+        if output.kind != CAPTURE or capture is None or not self._capture_stride():
+            return view
+        return changed(view, captured_at=str(capture.member(output.field.name).offset))
 
     def _delivered(self, output: Output, value: str) -> Iterator[str]:
         """The lines that give an emitted vertex one of its outputs."""
@@ -297,7 +319,7 @@ class StagePrinter:
         table = {
             "attribute": self._names.attributes,
             "varying": self._names.varyings,
-            "patch": self._names.varyings,
+            "of patch": self._names.varyings,
             "control point": self._names.points,
             "render target": self._names.render_targets,
         }
@@ -319,7 +341,7 @@ class StagePrinter:
             crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),
-            of_patch=role == "patch",
+            of_patch=role == "of patch",
             per_corner=per_corner,
         )
 
@@ -327,7 +349,7 @@ class StagePrinter:
         """Whether an output is a render target, or goes on to the next stage."""
         if output.kind == TARGET:
             return "render target"
-        return "patch" if self._stage.row.domain == PATCHES else "varying"
+        return "of patch" if self._stage.row.domain == PATCHES else "varying"
 
     def _supplied(self) -> tuple[str, ...]:
         """The pipeline's values that the entry point reads; a kernel's always reads its index."""
@@ -349,6 +371,6 @@ def _roles_of_inputs(program: Program, stage: Stage) -> Iterator[tuple[str, Fiel
     for field in stage.inputs:
         yield field.name, "attribute"
     for face in program.interfaces_into(stage):
-        role: FieldRole = "patch" if face.origin == PATCHES else "varying"
+        role: FieldRole = "of patch" if face.origin == PATCHES else "varying"
         for field in face.fields:
             yield field.name, "control point" if face.through else role

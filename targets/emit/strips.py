@@ -65,7 +65,7 @@ class Strips(Statements):
         yield self._vertex(group, delivered)
         yield self._forms.end
         self._namer.leave()
-        if not _is_list(group):
+        if not _stands_alone(group):
             yield self._mark(self._forms.end_strip, value)
 
     def _vertex(self, group: EmittedGroup, delivered: Delivered) -> Lines:
@@ -76,13 +76,15 @@ class Strips(Statements):
                     yield self._mark(line, output.value)
             value = group.results[0].value
             yield self._mark(self._forms.emit_vertex, value)
-            if _is_list(group):
+            if _stands_alone(group) and group.strips.triangles:
                 last = self._expressions.formals[group.vertex]
                 yield self._mark(self._forms.if_.format(condition=f"{last} % 3 == 2"), value)
                 yield iter([self._mark(self._forms.end_strip, value)])
                 yield self._forms.end
 
 
-def _is_list(group: EmittedGroup) -> bool:
-    """Whether there are several triangles that share no vertices: each is a strip of its own."""
-    return group.strips.shape == "list" and group.strips.triangles > 1
+def _stands_alone(group: EmittedGroup) -> bool:
+    """Whether there are several triangles that share no vertices, so that each is a strip of its
+    own; or points, which are in no strip."""
+    strips = group.strips
+    return strips.shape == "points" or (strips.shape == "list" and strips.triangles > 1)

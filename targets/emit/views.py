@@ -86,6 +86,8 @@ class FieldView:
     """Whether it is the same all over a patch."""
     per_corner: bool = False
     """Whether there is one for each corner of a primitive, or for each control point."""
+    captured_at: str = ""
+    """At which byte of a vertex it is captured, where the text says so."""
 
 
 @frozen
@@ -120,6 +122,10 @@ class ExpansionView:
     primitive: str
     """In the language's own word."""
     corners: int
+    emitted: str
+    """What it emits: the language's word for streams of points or of triangles."""
+    places: bool
+    """Whether it says where vertices go; those that are captured go nowhere."""
     vertices: int
     """How many it emits at most."""
 
@@ -175,6 +181,8 @@ class EntryView:
     """How many invocations a kernel runs together along x, y and z; empty in other stages."""
     discard: list[str]
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
+    capture_stride: int = 0
+    """The bytes of each vertex that is captured, where the text says so; else 0."""
     expansion: ExpansionView | None = None
     """Of a stage that emits vertices."""
     tessellation: TessellationView | None = None

@@ -12,7 +12,7 @@ from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Framebuffer, Limits, Profile, Samplers
+from ..description.profile import Framebuffer, Limits, Profile, Samplers, StreamOutput
 from ..description.reserved import read_reserved
 from ..description.shading_language import Language
 from ..description.spellings import (
@@ -123,6 +123,8 @@ FORMS = Forms(
     inner_level="gl_TessLevelInner[{number}]",
 )
 
+EMITTED = {"point": "points", "triangle": "triangle_strip"}
+
 PRIMITIVES = {
     "point": "points",
     "line": "lines",
@@ -168,6 +170,7 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 VULKAN = Profile(
     name="vulkan",
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
+    stream_output=StreamOutput("text"),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
     patch_winding="cw",
@@ -204,6 +207,7 @@ OPENGL = Profile(
     doc="GLSL 3.30 core: combined samplers, blocks and samplers bound by name.",
     preamble=("#version 330 core",),
     stages=EXPANDED,
+    stream_output=StreamOutput("names"),
     explicit_bindings=False,
     samplers=Samplers(combined=True),
     framebuffer=BOTTOM_FIRST,
@@ -221,6 +225,7 @@ OPENGL_4 = Profile(
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
+    stream_output=StreamOutput("text"),
     preamble=("#version 450 core",),
     numbering="kind",
     numbers_storage_apart=True,
@@ -242,6 +247,7 @@ ES_SAMPLERS = Samplers(combined=True, precision="precision highp {type};")
 ES = Profile(
     name="es300",
     doc="GLSL ES 3.00 for OpenGL ES 3.0 and WebGL 2: like gl330, with precisions.",
+    stream_output=StreamOutput("names", indexed=False),
     preamble=("#version 300 es", *ES_PRECISIONS),
     explicit_bindings=False,
     samplers=ES_SAMPLERS,
@@ -259,6 +265,7 @@ ES_31 = Profile(
     name="es310",
     stages=(*RASTERISED, *COMPUTED),
     doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
+    stream_output=StreamOutput("names", indexed=False),
     preamble=("#version 310 es", *ES_PRECISIONS),
     numbering="kind",
     numbers_storage_apart=True,
@@ -285,6 +292,7 @@ LANGUAGE = Language(
     primitives=PRIMITIVES,
     patches=PATCHES,
     spacings=SPACINGS,
+    emitted=EMITTED,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),

@@ -13,7 +13,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile
+from ..description.profile import Limits, Profile, StreamOutput
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -167,6 +167,8 @@ INPUTS = {
     "patch_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
+EMITTED = {"point": "PointStream", "triangle": "TriangleStream"}
+
 PRIMITIVES = {
     "point": "point",
     "line": "line",
@@ -208,7 +210,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     attributes, so that prefix is kept apart. Where the capitals could be a macro of a compiler,
     ``__LINE__`` or ``GL_ES``, something is added.
     """
-    if role in ("varying", "control point", "patch"):
+    if role in ("varying", "control point", "of patch"):
         return f"TEXCOORD{location}"
     if role == "render target":
         return f"SV_Target{location}"
@@ -235,6 +237,7 @@ SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     patch_winding="cw",
+    stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
@@ -262,6 +265,7 @@ LANGUAGE = Language(
     primitives=PRIMITIVES,
     patches=PATCHES,
     spacings=SPACINGS,
+    emitted=EMITTED,
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),

@@ -7,13 +7,14 @@ operations in a text, and the compiler has replaced many of those that the mater
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from ...compiler.ir.build import apply
 from ...compiler.ir.node import Graph, Node, reachable
 from ...compiler.ir.operations import NATIVE
-from ...compiler.ir.shader import Notes, Shader
-from ...compiler.ir.stages import VARYING
+from ...compiler.ir.program import Stage
+from ...compiler.ir.shader import Notes, Result, Shader
+from ...compiler.ir.stages import EMITTING, VARYING
 from ...frozen import changed
 from .definitions import Definitions
 from .legal import Legal
@@ -27,15 +28,7 @@ def emitted(shader: Shader, legal: Legal) -> Shader:
     one, in which equal programs have equal nodes with equal numbers. So what is remembered of the
     program of one profile is found for every other one that has the same program.
     """
-    given = [
-        (result, output.value)
-        for stage in legal.program.stages
-        for result, output in zip(
-            [result for result in shader.results if result.stage == stage.row],
-            [output for output in stage.results if output.kind != VARYING],
-            strict=True,
-        )
-    ]
+    given = [pair for stage in legal.program.stages for pair in _values(shader, stage)]
     writing = _Writing(legal.definitions)
     values = writing.written([value for _, value in given])
     results = tuple(
@@ -43,6 +36,16 @@ def emitted(shader: Shader, legal: Legal) -> Shader:
     )
     notes = writing.notes(legal.notes or shader.notes)
     return changed(shader, graph=writing.graph, notes=notes, results=results)
+
+
+def _values(shader: Shader, stage: Stage) -> Iterator[tuple[Result, Node]]:
+    """The results of one stage with the values that it computes for them."""
+    results = [result for result in shader.results if result.stage == stage.row]
+    emitting = [result for result in results if result.kind == EMITTING]
+    delivered = [result for result in results if result.kind != EMITTING]
+    outputs = [output.value for output in stage.results if output.kind != VARYING]
+    yield from zip(emitting, stage.emitting, strict=True)
+    yield from zip(delivered, outputs, strict=True)
 
 
 class _Writing:

@@ -10,12 +10,14 @@ from collections.abc import Iterator
 
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
-from ...compiler.ir.stages import TARGET
+from ...compiler.ir.stages import CAPTURE, TARGET
 from ...compiler.ir.types import Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.capabilities import (
+    NUMBERED_CAPTURES,
     SEPARATE_SAMPLERS,
+    STREAM_OUTPUT,
     buffers_of,
     feature_of_builtin,
     without_native_stages,
@@ -76,8 +78,10 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
 def _counts(program: Program, profile: Profile) -> dict[str, int]:
     """How much a program has of what is limited, by the field of the limit."""
     depths = (_nested_blocks(region) for stage in program.stages for region in stage.regions)
+    crossing = (len(face.varyings) for face in program.interfaces)
     return {
-        "varyings": max((len(face.varyings) for face in program.interfaces), default=0),
+        # What is captured leaves a stage as what crosses does.
+        "varyings": max(*crossing, len(program.results_of(CAPTURE)), 0),
         # A location counts also where nothing is read at those before it.
         "attributes": max((field.location + 1 for field in program.vertex_inputs), default=0),
         "textures": max(len(stage.resources) for stage in program.stages),
@@ -157,6 +161,12 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         need = buffers_of(stage.row)
         if stage.buffers and stage.row in profile.stages and not need.is_met(profile):
             yield Lack(need.feature, _first_use(stage))
+    captured = program.results_of(CAPTURE)
+    if captured and not STREAM_OUTPUT.is_met(profile):
+        yield Lack(STREAM_OUTPUT.feature, captured[0].value.id)
+    elif captured and not NUMBERED_CAPTURES.is_met(profile):
+        numbers = _numbers_of_vertices(program)
+        yield from (Lack(NUMBERED_CAPTURES.feature, number) for number in numbers)
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield Lack(feature_of_builtin(native.builtin), native.node)
@@ -166,6 +176,14 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         compared = _is_depth(read) and read.resource in program.sampled
         if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
+
+
+def _numbers_of_vertices(program: Program) -> list[int]:
+    """The ids of the nodes that read the number of a vertex."""
+    stage = program.stages[0]
+    (number, *_) = stage.row.inputs
+    nodes = visible(stage.roots, into_bodies=True)
+    return [node.id for node in nodes if node.op == "input" and node.data == number]
 
 
 def _first_use(stage: Stage) -> int:

@@ -13,11 +13,13 @@ from .codes import Codes
 from .drivers.draw import (
     BlockSlot,
     BufferSlot,
+    CapturedOutput,
     Cull,
     Pipeline,
     Place,
     Primitive,
     RenderTarget,
+    StreamOutput,
     TargetFormat,
     TextureSlot,
     VertexFormat,
@@ -104,14 +106,32 @@ def pipeline(
         first_row="top" if on_vulkan else backend["first_row"],
         host_uniforms=tuple(backend["host_uniforms"]),
         clip_control=tuple(backend["clip_control"]),
+        stream_output=_stream_output(reflection, backend),
+    )
+
+
+def _stream_output(
+    reflection: Mapping[str, Any], backend: Mapping[str, Any]
+) -> StreamOutput | None:
+    """How vertices are captured; ``None`` if they are drawn, or if a kernel captures."""
+    captured, names = reflection["capture"], backend["captures"]
+    if captured is None or not names:
+        return None
+    return StreamOutput(
+        outputs=tuple(
+            CapturedOutput(names[row["name"]]["identifier"], location, row["offset"])
+            for location, row in enumerate(captured["members"])
+        ),
+        stride=captured["stride"],
+        primitive=captured["primitive"],
+        in_text=backend["stream_output"] == "text",
     )
 
 
 def _primitive(draw: Mapping[str, Any]) -> Primitive:
-    """What the vertices of a draw are: triangles, unless another stage makes these."""
+    """What the vertices of a draw are: triangles where instances stand for a geometry stage."""
     primitive: Primitive = draw["primitive"]
-    is_native = draw["expanded_by"] == GEOMETRY.name or _divided_natively(draw)
-    return primitive if is_native else "triangle"
+    return primitive if draw["expanded_by"] in (None, GEOMETRY.name) else "triangle"
 
 
 def _divided_natively(draw: Mapping[str, Any]) -> bool:

@@ -39,9 +39,9 @@ def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     draw = reflection["draw"]
     if draw["tessellation"] is not None:
         return _divided(instance, data, mesh)
-    if draw["expanded_by"] is None:
-        return Drawn(data, mesh.triangles, mesh.instance_count)
     corners = primitives(mesh, draw["primitive"])
+    if draw["expanded_by"] is None:
+        return Drawn(data, corners, mesh.instance_count)
     if not len(corners):
         raise MeshError(f"the mesh has no {draw['primitive']} to expand")
     if draw["expanded_by"] == GEOMETRY.name:

@@ -40,7 +40,7 @@ class MeshError(ValueError):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Mesh:
-    """Triangles, with values at each vertex."""
+    """Triangles, with values at each vertex; or, without triangles, points."""
 
     channels: Mapping[str, NDArray[Any]]
     """By channel (see ``CHANNELS``) or name of a vertex input, of shape (vertices, lanes)."""

@@ -25,7 +25,9 @@ def primitives(mesh: Mesh, kind: str) -> Indices:
 
 
 def _points(mesh: Mesh) -> Indices:
-    """Each vertex that a triangle has, once."""
+    """Each vertex that a triangle has, once; of a mesh without triangles, each vertex."""
+    if not len(mesh.triangles):
+        return np.arange(len(mesh))[:, None]
     return _first(mesh.triangles.reshape(-1, 1), mesh.triangles.reshape(-1, 1))
 
 

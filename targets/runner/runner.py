@@ -16,7 +16,16 @@ from typing import Any
 
 from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
-from .drivers.draw import Device, DriverError, Job, KernelJob, Picture, Written
+from .drivers.draw import (
+    Captured,
+    CaptureJob,
+    Device,
+    DriverError,
+    Job,
+    KernelJob,
+    Picture,
+    Written,
+)
 from .drivers.wire import from_json, to_json
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
@@ -103,6 +112,11 @@ class Runner(Closing):
         """What each dispatch of the job writes. Raises ``DriverError``."""
         answer = self._ask(route.driver, {"kernel": to_json(job)})
         return tuple(from_json(Written, written) for written in answer["written"])
+
+    def capture(self, route: Route, job: CaptureJob) -> tuple[Captured, ...]:
+        """The vertices that each draw of the job captures. Raises ``DriverError``."""
+        answer = self._ask(route.driver, {"capture": to_json(job)})
+        return tuple(from_json(Captured, captured) for captured in answer["captured"])
 
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(

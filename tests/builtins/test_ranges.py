@@ -19,7 +19,8 @@ from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK, Fact
 from burnish.stdlib.builtins.row import anything
 from burnish.stdlib.builtins.weakest import ROUNDING, relative
 
-from ..reference.device import HABITS, Chosen, Device
+from ..reference.chosen import Chosen
+from ..reference.device import HABITS, Device
 
 BOXES, POINTS = 160, 12
 LARGEST = {"tanh": 16.0}

@@ -7,6 +7,7 @@ What stands behind a block's language says how it is tried:
 ```burnish file=shared/x.burnish a whole file that later blocks of the page can import
 ```burnish error=B0203           must fail with this code and no other
 ```burnish rig=R pass=P          compiled with that rig and pass
+```burnish targets=glsl,hlsl     compiled for these instead of the default ones
 ```wgsl from=plastic:fragment    lines of the text that the example becomes; `…` stands for others
 ```json from=own_light            a row of the example's reflection; of `plastic`, if none is named
 ```text from=B0203               how the error of the block before is shown

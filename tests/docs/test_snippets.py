@@ -18,6 +18,7 @@ import burnish
 from burnish.commands.group import burnish as group
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.render import render_all
+from burnish.targets.selection import DEFAULT
 
 from .kit import PAGES, ROOT, Block, all_blocks, blocks
 
@@ -47,8 +48,9 @@ def outcome(block: Block, folder: Path) -> tuple[Diagnostic, ...]:
     path = folder / "sample.burnish"
     path.write_text(whole(block), encoding="utf-8")
     rig, pass_ = block.value("rig"), block.value("pass")
+    targets = block.value("targets") or DEFAULT
     try:
-        result = burnish.compile(path, search_path=[EXAMPLES], rig=rig, pass_=pass_)
+        result = burnish.compile(path, targets, search_path=[EXAMPLES], rig=rig, pass_=pass_)
     except burnish.CompileError as error:
         return error.diagnostics
     assert result.materials or block.value("file")

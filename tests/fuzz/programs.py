@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import dataclass, field, replace
 from random import Random
 
@@ -75,6 +75,9 @@ class _Program:
     """References to the members of the host's block."""
     has_bench: bool = False
     """Whether there is a space of the program's own."""
+    has_buffers: bool = False
+    """Whether there may be storage buffers, and so nothing that compares neighbouring pixels: Mesa
+    reads zeros where a pixel is there for its neighbours only (``docs/drivers.md``)."""
     inherited: list[Node] = field(default_factory=list)
     """References to what the base declares, which the material may override."""
 
@@ -82,6 +85,7 @@ class _Program:
         """The whole file."""
         writer = self.writer
         writer.wild = writer.maybe(0.2)
+        self.has_buffers = writer.maybe(0.25)
         self.file += declarations.structures(writer)
         for node, reference in declarations.constants(writer):
             self.file.append(node)
@@ -123,12 +127,17 @@ class _Program:
             self.file.append(Node("space bench", optional=True))
             self.has_bench = True
 
+    def _fragments(self, can: Set[str]) -> frozenset[str]:
+        """What fragments of this program can do, of what others can."""
+        return frozenset(can - {UNIFORM} if self.has_buffers else can)
+
     # --- materials -------------------------------------------------------------------------------
 
     def _materials(self, outside: Scope) -> Iterator[Node]:
         """A material, perhaps with a base and mixins."""
         writer = self.writer
-        scope = replace(outside, can=IN_MATERIAL | self.scope.can).having(*_VARYING, *self.hosted)
+        can = self._fragments(IN_MATERIAL | self.scope.can)
+        scope = replace(outside, can=can).having(*_VARYING, *self.hosted)
         base, mixins = "Surface", []
         if writer.maybe(0.3):
             scope, node = self._base(scope)
@@ -217,7 +226,7 @@ class _Program:
             name = f"{letter}_in{number}"
             items.append(Node(f"attribute {name} : {type_}{rate}", optional=True, name=name))
             scope = scope.having(variable(name, type_, () if type_ != "mat2" else {SURFACE}))
-        if writer.maybe(0.08):
+        if self.has_buffers and writer.maybe(0.3):
             node, references = declarations.buffer(writer, f"{letter}_buffer")
             items.append(node)
             scope = scope.having(*references)
@@ -274,7 +283,7 @@ class _Program:
         """A pass with targets of several formats, blending and discarding."""
         writer = self.writer
         scope = Scope((variable("vec3(color)", "vec3"), variable("alpha", "float")), callables,
-                      can=frozenset({SURFACE, LIT, FRAGMENT, UNIFORM}))  # fmt: skip
+                      can=self._fragments({SURFACE, LIT, FRAGMENT, UNIFORM}))  # fmt: skip
         items = []
         for node, reference in declarations.parameters(writer, "r", 1):
             items.append(node)

@@ -43,7 +43,7 @@ from burnish.compiler.reflection import (
     BackendTable,
     BindingPoint,
     EmittedFile,
-    VertexInputName,
+    FieldName,
 )
 
 HERE = Span(Source("lit.burnish", ""), 0, 0)
@@ -170,7 +170,7 @@ BACKENDS = {
         ),
         blocks={block.name: BindingPoint(block.name) for block in _BLOCKS},
         textures={"albedo": BindingPoint("albedo")},
-        vertex_inputs={"uv": VertexInputName("a_uv")},
+        vertex_inputs={"uv": FieldName("a_uv")},
         clip_depth="-1..1",
         first_row="bottom",
         host_uniforms=("burnish_height",),
@@ -189,7 +189,7 @@ BACKENDS = {
         },
         textures={"albedo": BindingPoint("albedo", 1, 3, "t3")},
         samplers={"albedo": BindingPoint("albedo_sampler", 1, 4, "s4")},
-        vertex_inputs={"uv": VertexInputName("uv", "TEXCOORD0")},
+        vertex_inputs={"uv": FieldName("uv", "TEXCOORD0")},
     ),
 }
 

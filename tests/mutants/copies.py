@@ -16,7 +16,8 @@ from typing import Any
 from ..suite.processes import Program, started
 from .places import DRAWING, ROOT, Mutant
 
-JUDGE = Path(__file__).with_name("judge.py")
+JUDGE = "judge"
+"""The program beside this file that is asked; it is a package of modules."""
 MATERIALS = (ROOT / "tests" / "conformance" / "materials",)
 
 MOST = 16
@@ -139,10 +140,11 @@ def copy(folder: Path, materials: Sequence[Path] = MATERIALS) -> Iterator[Copy]:
     shutil.copytree(ROOT, package, ignore=ignored)
     # No code may be taken from another mutant's cache.
     env = {
-        **os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1",
+        **os.environ, "PYTHONPATH": f"{folder}{os.pathsep}{Path(__file__).parent}",
+        "PYTHONDONTWRITEBYTECODE": "1",
         "OPENBLAS_NUM_THREADS": "1", "BURNISH_CACHE": str(folder / "cache"),
     }  # fmt: skip
-    command = [sys.executable, str(JUDGE), *map(str, materials)]
+    command = [sys.executable, "-m", JUDGE, *map(str, materials)]
     with started(command, cwd=folder, env=env, stdin=PIPE, stderr=DEVNULL, stdout=PIPE) as judge:
         try:
             yield Copy(folder, judge, package)

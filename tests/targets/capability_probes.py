@@ -54,6 +54,11 @@ EXPANSION = """material M {{
     color = vec3(uv, 0)
 }}"""
 
+CAPTURES = """
+material M {{ color = vec3(uv, 0) }}
+pass Moved {{ capture place : vec3 = position + {} * normal  capture tint : rgb = color }}
+"""
+
 PROBES: Mapping[str, Probe] = {
     "drawing": Probe("material M { color = vec3(uv, 0) }"),
     "derivatives": Probe("""material M {
@@ -70,6 +75,7 @@ PROBES: Mapping[str, Probe] = {
         native={"native_stages": True},
         is_native=has_geometry_stage,
     ),
+    "captures": Probe(CAPTURES.format("0.5"), options={"pass_": "Moved"}),
     "kernels over buffers": Probe(
         "kernel K { param n : int in 0..300 = 200  result r : float[n] = float(index) * 0.5 }"
     ),

@@ -4,8 +4,9 @@ The reference's pictures evaluate graphs with it, as with numbers: a lane is a `
 array library is a ``Bounds``. It needs NumPy, so nothing that compiles imports it.
 """
 
-from .bounded import Bounded, as_bounded, between, exact, given, hull, remembered
+from .bounded import Bounded, as_bounded, exact
 from .functions import Bounds, Errors
+from .lanes import between, given, hull, remembered
 
 __all__ = [
     "Bounded",

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .bounded import Bounded, either, limited
+from .bounded import Bounded
+from .lanes import either, limited
 from .rounding import Array
 
 _OPEN = 2.0**-12

@@ -19,6 +19,7 @@ from . import whole
 from .affine import Form, alone, chosen
 from .operators import Operators
 from .orders import Single, Sum, Term, in_any_order, is_coarse
+from .products import products, square
 from .rounding import (
     ROUNDED_UP,
     SUBNORMAL_STEP,
@@ -128,6 +129,11 @@ class Bounded(Operators):
         """Whether a condition may hold anywhere."""
         return bool(np.any(self.high))
 
+    def made_as(self, other: Bounded) -> Bounded:
+        """Note, of a new lane, that it is made of the same terms and factors as another one."""
+        self._sum, self._factors, self._of = other._sum, other._factors, other._of
+        return self
+
     def mapped(self, change: Callable[[Array], Array]) -> Bounded:
         """The lane with all arrays changed in their shape or order only."""
         value = change(np.asarray(self.value))
@@ -171,9 +177,8 @@ class Bounded(Operators):
         if not self.is_exact:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
-        made._sum, made._factors, made._of = self._sum, self._factors, self._of
         made._number = self._number
-        return made
+        return made.made_as(self)
 
     def __abs__(self) -> Bounded:
         if self.is_exact:
@@ -232,23 +237,6 @@ def exact(value: Any) -> Bounded:
     return Bounded(array, array, array)
 
 
-def given(value: Any) -> Bounded:
-    """A lane from outside, such as a vertex input; devices may flush what is subnormal."""
-    array = np.asarray(value)[()]
-    if array.dtype.kind != "f" or is_float32(array):
-        return exact(array)
-    return Bounded(array, *constant_ends(array))
-
-
-def remembered(lane: Any) -> Any:
-    """A lane whose error is shared by all that is computed from it."""
-    if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
-        return lane
-    made = Bounded(lane.value, lane.low, lane.high, lane.any_form.shared())
-    made._sum, made._factors, made._of = lane._sum, lane._factors, lane._of
-    return made
-
-
 def constant(value: float) -> Bounded:
     """A constant of a text, which a compiler rounds to the nearest float32."""
     number = np.float64(value)
@@ -260,37 +248,6 @@ def as_bounded(lane: Any) -> Bounded:
     if isinstance(lane, Bounded):
         return lane
     return constant(lane) if isinstance(lane, float) else exact(lane)
-
-
-def between(value: Array, low: Array, high: Array) -> Bounded:
-    """A lane with a device's value from ``low`` to ``high``, which need not contain ``value``."""
-    return Bounded(value, np.minimum(value, low), np.maximum(value, high))
-
-
-def hull(x: Bounded, y: Bounded) -> Bounded:
-    """The value of ``x``, on a device any value that ``x`` or ``y`` may have."""
-    return Bounded(x.value, np.minimum(x.low, y.low), np.maximum(x.high, y.high))
-
-
-def either(x: Bounded, y: Bounded) -> Bounded:
-    """The result of one of two formulas for the same value; its terms are those of the first."""
-    found = hull(x, y)
-    if x.form is not None and y.form is not None:
-        found = Bounded(x.value, found.low, found.high, x.form.or_else(y.form))
-    found._sum = x._sum
-    return found
-
-
-def rounded(x: Bounded) -> Bounded:
-    """The lane of a device that rounds this result correctly."""
-    return _rounded(x.value, x.low, x.high, x.form)
-
-
-def limited(x: Bounded, low: Array, high: Array) -> Bounded:
-    """The lane, of which is known that it is between these, too."""
-    made = Bounded(x.value, np.maximum(x.low, low), np.minimum(x.high, high), x.form)
-    made._sum, made._factors, made._of = x._sum, x._factors, x._of
-    return made
 
 
 def widened(x: Bounded, by: Array) -> Bounded:
@@ -309,30 +266,6 @@ def widened(x: Bounded, by: Array) -> Bounded:
 # --- operations -----------------------------------------------------------------------------------
 
 
-def products(x: Bounded, y: Bounded) -> tuple[Array, Array]:
-    """The ends of all products; NaN where one may be infinite and the other one zero."""
-    if y.is_exact:
-        one, other = x.low * y.value, x.high * y.value
-        return np.minimum(one, other), np.maximum(one, other)
-    if x.is_exact:
-        return products(y, x)
-    a, b, c, d = x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high
-    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
-    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
-    if np.isfinite((high - low).sum()):
-        return low, high
-    nothing = (_is_infinite(x) & _has_zero(y)) | (_has_zero(x) & _is_infinite(y))
-    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
-
-
-def _is_infinite(x: Bounded) -> Array:
-    return ~(np.isfinite(x.low) & np.isfinite(x.high))
-
-
-def _has_zero(x: Bounded) -> Array:
-    return (x.low <= 0) & (x.high >= 0)
-
-
 def negated(condition: Bounded) -> Bounded:
     """Where a condition does not hold."""
     if condition.is_exact:
@@ -347,7 +280,7 @@ def _condition(x: Bounded, y: Bounded, compare: Any, holds: Array, fails: Array)
     return Bounded(value, holds, np.logical_not(fails))
 
 
-def _rounded(
+def correctly_rounded(
     value: Array, low: Array, high: Array, form: Form | None = None, times: int = 1
 ) -> Bounded:
     """The result of a correctly rounded operation, from the ends of its exact results.
@@ -377,7 +310,7 @@ def _added(x: Bounded, y: Bounded) -> Bounded:
     if are_exact and x.kind == "f" and not _is_whole_sum(value, x.value, y.value):
         low, high = value - _STEP * np.abs(value), value + _STEP * np.abs(value)
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
-    made = _rounded(value, low, high, form)
+    made = correctly_rounded(value, low, high, form)
     if made.kind != "f":
         return made
     terms = _term(x), _term(y)
@@ -403,10 +336,10 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
     value = x.value * y.value
     factors = x._factors + y._factors + 1
     if x.is_exact and y.is_exact:
-        made = _rounded(value, value, value, times=factors)
+        made = correctly_rounded(value, value, value, times=factors)
     else:
-        ends = _square(x) if x is y else products(x, y)
-        made = _rounded(value, *ends, _product_form(x, y), times=factors)
+        ends = square(x) if x is y else products(x, y)
+        made = correctly_rounded(value, *ends, _product_form(x, y), times=factors)
     if made.kind == "f":
         made._factors = factors
         made._of = x._of | y._of | {x._number, y._number}
@@ -422,12 +355,6 @@ def _term(lane: Bounded) -> Term:
     if lane._sum is not None:
         return lane._sum
     return Single(lane.low, lane.high, lane.magnitude)
-
-
-def _square(x: Bounded) -> tuple[Array, Array]:
-    nearest = np.minimum(np.abs(x.low), np.abs(x.high))
-    near = np.where((x.low <= 0) & (x.high >= 0), 0, nearest)
-    return near * near, x.magnitude**2
 
 
 def _product_form(x: Bounded, y: Bounded) -> Form | None:

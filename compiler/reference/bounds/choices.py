@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from .affine import chosen
-from .bounded import Bounded, as_bounded, exact, hull
+from .bounded import Bounded, as_bounded, exact
+from .lanes import hull
 from .rounding import Array
 
 

@@ -16,17 +16,10 @@ from ....stdlib.builtins.facts import SMALLEST_NORMAL, ULP
 from ..namespace import OwnFunctions
 from .affine import Derivative, Form, curved
 from .blend import blend
-from .bounded import (
-    Bounded,
-    as_bounded,
-    exact,
-    limited,
-    negated,
-    products,
-    rounded,
-    widened,
-)
+from .bounded import Bounded, as_bounded, exact, negated, widened
 from .choices import certain_choice, of_conditions, of_ends, open_choice
+from .lanes import limited, rounded
+from .products import products
 from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ....stdlib.builtins.facts import ULP
 from ..bounds import Bounded, exact
-from ..bounds.bounded import limited
+from ..bounds.lanes import limited
 from .blending import BLENDING, blended
 from .choices import Choice, Part, at, hull_of_choices, lane_at, replaced, sure
 from .intervals import increasing, widened

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..bounds import Bounded, as_bounded, between, exact
-from ..bounds.bounded import products
+from ..bounds.products import products
 from ..namespace import Lane
 from .scene import Floats
 

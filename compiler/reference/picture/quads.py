@@ -79,9 +79,9 @@ class Barycentric:
         self.y = (quads.y[:, None] + steps)[:, :, None]
         self._extent = faces.extent[quads.face][:, None, None]
         self._linear, self._steps = _linear(faces, quads.face, self.x, self.y)
-        self._moved = self._moved_by()
         self._whole = bool(faces.whole[quads.face].all())
         self._weights = faces.weights[quads.face]
+        self._moved = self._moved_by()
 
     @cached_property
     def depth(self) -> Bounded:
@@ -219,9 +219,11 @@ class Barycentric:
         some weights are negative.
         """
         second, third = self._linear
-        shares = self._faces.shares[self._face]
-        parts = np.stack([1.0 - second - third, second, third], axis=1)
-        weights = np.abs(np.einsum("qijk,qic->qcjk", parts, shares))
+        weights = np.stack([1.0 - second - third, second, third], axis=1)
+        # Otherwise these corners are the face's own, and their shares are the identity.
+        if self._rules.interpolates_snapped and not self._whole:
+            weights = np.einsum("qijk,qic->qcjk", weights, self._faces.shares[self._face])
+        weights = np.abs(weights)
         # A corner without weight is of no account, even if nothing is known of it.
         by_corner = self._faces.moved[self._face][:, :, None, None]
         moved: Floats = np.where(weights > 0, weights * by_corner, 0.0).sum(axis=1)

@@ -21,13 +21,13 @@ first row and column for the whole quad, or, if nothing is known, any of its qua
 
 @dataclass(frozen=True, slots=True)
 class Geometry:
-    """Indexed triangles."""
+    """Indexed triangles; or other primitives, which are expanded into triangles or captured."""
 
     attributes: Mapping[str, NDArray[Any]]
     """By attribute name, (vertices, lanes): float64, or int64 for integers."""
     triangles: Ints
     """(triangles, 3): indices of vertices, in the order of drawing; the first is the provoking
-    vertex."""
+    vertex. Other primitives have as many as they have corners."""
     instance_count: int = 1
     """How often the same vertices are repeated, one instance after the other."""
 
@@ -56,7 +56,9 @@ def instanced(
     for name, values in per_instance.items():
         attributes[name] = np.repeat(values, alone, axis=0)
     offsets = np.arange(instance_count)[:, None, None] * alone
-    return Geometry(attributes, (triangles + offsets).reshape(-1, 3), instance_count)
+    return Geometry(
+        attributes, (triangles + offsets).reshape(-1, triangles.shape[1]), instance_count
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,8 +19,7 @@ from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
-from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
-from ..bounds.bounded import hull
+from ..bounds import Bounded, Bounds, Errors, exact, given, hull, remembered
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
@@ -117,7 +116,7 @@ class StageEvaluator:
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
-                return self._given(_attribute(geometry, node.data))
+                return self._given(attribute_lanes(geometry, node.data))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return (
@@ -317,7 +316,8 @@ def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
     return textures[resource.name]
 
 
-def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
+def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
+    """The values of a vertex input at all vertices."""
     lanes = width(attribute.type)
     array: Any = geometry.attributes.get(attribute.name)
     if array is None or array.ndim != 2 or array.shape[1] != lanes:

@@ -9,12 +9,13 @@ from ...diagnostics import rules
 from ...ir.node import Node
 from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
 from ...ir.stages import (
+    CAPTURE,
     CLIP_POSITION,
     DISCARD,
     FRAGMENT,
     TARGET,
     VERTEX,
-    StageRow,
+    Chain,
 )
 from ...ir.types import BOOL, VEC4
 from ...syntax import ast
@@ -29,6 +30,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
+from .captures import capture_of, captures, captures_of
 from .formats import FORMATS, texel_value
 from .host_names import check_host_names
 from .slot_checks import check_rig, check_slots
@@ -47,7 +49,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     parts, externs = setting.parts, ctx.externs
     found = (
         *_clip_position(ctx, passing, surface),
-        *(() if surface.made is None else surface.made.results),
+        *_made(ctx, passing, surface),
         *written_results(ctx, passing),
     )
     check_slots(ctx, surface, passing)
@@ -63,6 +65,7 @@ def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     return (
         *_targets(ctx, passing.record, passing),
         *_discard(ctx, passing.record, passing),
+        *captures_of(ctx, passing),
     )
 
 
@@ -77,7 +80,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     check_rig(ctx, setting.surface)
     ctx.deferred.report()
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
-    if ctx.report.failed or not places_vertices(results):
+    if ctx.report.failed or not delivers_vertices(results):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
@@ -97,16 +100,24 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
-        chain=(VERTEX, *(() if made is None else made.stages), FRAGMENT),
+        chain=_chain(setting),
         expansion=None if made is None else made.expansion,
         tessellation=None if made is None else made.tessellation,
+        capture=capture_of(setting.passing.record, results),
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
     )
 
 
-def places_vertices(results: Iterable[Result]) -> bool:
-    """Whether there is a clip position, without which a pass draws nothing."""
-    return any(result.kind == CLIP_POSITION for result in results)
+def delivers_vertices(results: Iterable[Result]) -> bool:
+    """Whether there is a clip position, without which a pass draws nothing, or it captures."""
+    return any(result.kind in (CLIP_POSITION, CAPTURE) for result in results)
+
+
+def _chain(setting: Setting) -> Chain:
+    """The stages up to the vertices, and that of the fragments where any are drawn."""
+    made = setting.surface.made
+    before = (VERTEX, *(() if made is None else made.stages))
+    return before if captures(setting.passing.record) else (*before, FRAGMENT)
 
 
 def _all_parameters(
@@ -125,7 +136,9 @@ def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
 
 
 def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
-    """The slot that every pass (or its material) has to define."""
+    """The slot that every pass that draws (or its material) has to define."""
+    if captures(passing.record):
+        return
     holder = passing if passing.has(CLIP_POSITION) else surface
     declared = passing.record.symbol.declaration.name.span
     if not holder.has(CLIP_POSITION):
@@ -136,18 +149,24 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
     node = fit(ctx, slot(ctx, holder, CLIP_POSITION, declared), VEC4, "vec4", span)
     placed = node if isinstance(node, Failure) else ctx.crossings.checked_at_vertex(node, span)
     if isinstance(placed, Node):
-        yield Result(CLIP_POSITION, last_of(surface), placed)
+        yield Result(CLIP_POSITION, surface.vertex_stage, placed)
 
 
-def last_of(surface: Instance) -> StageRow:
-    """The stage that delivers the vertices of the triangles that are drawn."""
-    return VERTEX if surface.made is None else surface.made.stages[-1]
+def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
+    """What the stages deliver that make vertices, besides these."""
+    made = surface.made
+    if made is None:
+        return
+    yield from made.results
+    expansion = made.expansion
+    if expansion is not None and expansion.emits == "point" and not captures(passing.record):
+        ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
-    if not written and not drawn.baseless and is_whole:
+    if not written and not drawn.baseless and is_whole and not captures(drawn):
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(ctx, drawn, passing, *row) for row in written)
     return (target for target in found if target is not None)

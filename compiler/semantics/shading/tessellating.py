@@ -30,6 +30,7 @@ from ..state.context import Context
 from ..state.crossings import INPUTS
 from ..state.origins import MixedEnds
 from ..state.scope import Corners, Instance, MadeGroup, MadeSlots, Scope, Value
+from .captures import captures
 from .levels import Levels
 from .made import apart, by_vertices, slots_set
 
@@ -50,6 +51,12 @@ def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> In
     if others:
         span = others[0][0].patch.span
         ctx.report.add(rules.TWO_TESSELLATIONS, span, name=name, labels=[label])
+    if passing is not None and captures(passing.record):
+        ctx.report.add(
+            rules.TESSELLATED_AND_CAPTURED, passing.record.symbol.declaration.name.span,
+            name=passing.record.name, material=name, labels=[label],
+        )  # fmt: skip
+        return surface
     for holder in filter(None, (surface, passing)):
         for expansion, _owner, _level in holder.record.every(ast.Expand):
             span = expansion.primitive.span

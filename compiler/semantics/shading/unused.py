@@ -35,7 +35,7 @@ from .assembly import (
     set_up_beside,
     with_made_vertices,
 )
-from .elaborate import places_vertices, results_of, written_results
+from .elaborate import delivers_vertices, results_of, written_results
 from .expanding import expanded, expands
 from .instances import instance_of
 from .placeholders import some, stand_in
@@ -240,7 +240,7 @@ class _Trial:
 
 def _check_parts(parts: Parts, setting: Setting) -> bool:
     other = set_up_beside(setting, parts)
-    delivered = places_vertices(results_of(other))
+    delivered = delivers_vertices(results_of(other))
     return delivered or is_declared_abstract(other.passing.record)
 
 

@@ -11,7 +11,7 @@ from ...ir.expansion import Expansion
 from ...ir.leaves import Buffer, Parameter, Resource
 from ...ir.node import Node
 from ...ir.shader import Result
-from ...ir.stages import Crossing, StageRow, SystemInput
+from ...ir.stages import VERTEX, Crossing, StageRow, SystemInput
 from ...ir.tessellation import Tessellation
 from ...syntax import ast
 from ..inheritance.records import Definition, Record
@@ -59,6 +59,11 @@ class Instance:
     def origin(self) -> Origin | None:
         """Where vertices are made of those of a mesh, how their inputs are."""
         return None if self.made is None else self.made.origin
+
+    @property
+    def vertex_stage(self) -> StageRow:
+        """The stage that delivers its vertices."""
+        return VERTEX if self.made is None else self.made.stages[-1]
 
     def has(self, name: str) -> bool:
         """Whether the record defines ``name``."""

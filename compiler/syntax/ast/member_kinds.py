@@ -194,6 +194,18 @@ KINDS: tuple[MemberKind, ...] = (
         doc="where a pass writes nothing",
     ),
     MemberKind(
+        word="capture",
+        node=members.Capture,
+        productions={"capture": members.Capture},
+        opening=("NAME", ":"),
+        records=("pass",),
+        inheritance="replaced",
+        contribution="result",
+        form="a pass captures vertices by `capture name : type = expression`",
+        doc="what a pass writes of each vertex to a buffer, instead of drawing",
+        has_default=True,
+    ),
+    MemberKind(
         word="expand",
         node=members.Expand,
         productions={"expand": _expand},

@@ -96,13 +96,25 @@ class Discard:
     condition: Expression
 
 
-StripShape = Literal["strip", "list"]
-"""Triangles that each share two vertices with the one before, or that share none."""
+@frozen(eq=False)
+class Capture:
+    """``capture place : vec3 = e``: what a pass keeps of each vertex."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    value: Expression
+
+
+StripShape = Literal["strip", "list", "points"]
+"""Triangles that each share two vertices with the one before, or that share none; or vertices that
+are points, each alone."""
 
 
 @frozen(eq=False)
 class Strips:
-    """``strip of 4 as i for s in 0..n where c like corner[0] { … }``: triangles of an expansion."""
+    """``strip of 4 as i for s in 0..n where c like corner[0] { … }``: a group of an expansion."""
 
     span: Span
     shape: StripShape
@@ -170,8 +182,8 @@ class WorkGroup:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Expand | Tessellate | Result
-    | WorkGroup
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Capture | Expand | Tessellate
+    | Result | WorkGroup
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 

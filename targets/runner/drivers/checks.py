@@ -14,6 +14,7 @@ from .draw import (
     TEXELS,
     BlockSlot,
     BufferSlot,
+    CaptureJob,
     Draw,
     DriverError,
     Image,
@@ -35,6 +36,14 @@ def check(job: Job) -> None:
             _check_draw(job.pipeline, draw)
         except DriverError as error:
             raise DriverError(f"draw {number}: {error}") from None
+
+
+def check_capture(job: CaptureJob) -> None:
+    """Raise ``DriverError`` if there is nothing to capture, or a draw does not fit the pipeline."""
+    if job.pipeline.stream_output is None or not job.pipeline.stream_output.outputs:
+        raise DriverError("the pipeline captures nothing")
+    _same_number("capacities", job.most, job.draws)
+    check(Job(job.pipeline, job.draws))
 
 
 def check_kernel(job: KernelJob) -> None:

@@ -171,6 +171,30 @@ class RenderTarget:
 
 
 @dataclass(frozen=True, slots=True)
+class CapturedOutput:
+    """An output of the last stage that a stream output writes."""
+
+    identifier: str
+    """Its name in the text; OpenGL finds it by that where the text does not say its place."""
+    location: int
+    offset: int
+    """In bytes, from where a vertex begins."""
+
+
+@dataclass(frozen=True, slots=True)
+class StreamOutput:
+    """How vertices are captured instead of drawing."""
+
+    outputs: tuple[CapturedOutput, ...]
+    stride: int
+    """The bytes from one vertex to the next."""
+    primitive: Literal["point", "triangle"]
+    """What the captured vertices are, in turn."""
+    in_text: bool
+    """Whether the text says where its outputs go."""
+
+
+@dataclass(frozen=True, slots=True)
 class Pipeline:
     """The state that all draws of a job share."""
 
@@ -196,6 +220,8 @@ class Pipeline:
     """Single float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
     clip_control: tuple[str, ...] = ()
     """What ``glClipControl`` is given (the reflection's ``clip_control``); empty: OpenGL's own."""
+    stream_output: StreamOutput | None = None
+    """Where vertices are captured; then there are no targets."""
 
     @property
     def corners(self) -> int:
@@ -259,6 +285,27 @@ class Picture:
     targets: tuple[bytes, ...]
     """For each target float32 RGBA, row by row from the top; lanes that the format lacks are 0, 0,
     1."""
+
+
+@dataclass(frozen=True, slots=True)
+class CaptureJob:
+    """A pipeline with a stream output, and what to capture with it."""
+
+    pipeline: Pipeline
+    draws: tuple[Draw, ...]
+    """The sizes of their pictures do not matter."""
+    most: tuple[int, ...]
+    """Of each draw, how many vertices it captures at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Captured:
+    """What was captured by one draw."""
+
+    count: int
+    """The number of vertices."""
+    data: bytes
+    """All of them, without gaps."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any, Protocol
 
-from .draw import Device, DriverError, Job, KernelJob, Picture, Written
+from .draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0
@@ -33,6 +33,9 @@ class Driver(Protocol):
     def compute(self, job: KernelJob) -> Sequence[Written]:
         """What each dispatch of the job writes. Raises ``DriverError``."""
 
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """The vertices that each draw of the job captures. Raises ``DriverError``."""
+
 
 def serve(driver: Driver) -> None:
     """Answer requests until the input ends. Whatever libraries print goes to standard error."""
@@ -46,9 +49,13 @@ def serve(driver: Driver) -> None:
 
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
-    """The answer to ``{"job": …}`` has ``pictures``, that to ``{"kernel": …}`` has ``written``, and
-    that to ``{}`` has ``device``; or it has ``error``."""
+    """The answer to ``{"job": …}`` has ``pictures``, that to ``{"kernel": …}`` has ``written``,
+    that to ``{"capture": …}`` has ``captured``, and that to ``{}`` has ``device``; or it has
+    ``error``."""
     try:
+        if "capture" in request:
+            capturing = from_json(CaptureJob, request["capture"])
+            return {"captured": to_json(tuple(driver.capture(capturing)))}
         if "kernel" in request:
             job = from_json(KernelJob, request["kernel"])
             return {"written": to_json(tuple(driver.compute(job)))}

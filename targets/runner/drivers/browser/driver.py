@@ -11,8 +11,10 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ....toolchain.tools import tool_named
-from ..checks import check, check_kernel, check_names
+from ..checks import check, check_capture, check_kernel, check_names
 from ..draw import (
+    Captured,
+    CaptureJob,
     Device,
     Draw,
     DriverError,
@@ -69,6 +71,13 @@ class Browser:
         check_kernel(job)
         runs = self._ask("kernel", to_json(job))["written"]
         return [Written(tuple(map(base64.b64decode, buffers))) for buffers in runs]
+
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """The vertices that each draw of the job captures. Raises ``DriverError``."""
+        check_capture(job)
+        check_names(job.pipeline)
+        found = self._ask("capture", to_json(job))["captured"]
+        return [Captured(row["count"], base64.b64decode(row["data"])) for row in found]
 
     def close(self) -> None:
         """End the browser, if there is one."""

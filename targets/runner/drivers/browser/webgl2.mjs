@@ -1,6 +1,7 @@
 // Draws jobs with WebGL 2. A job and its pictures are those of draw.py, as JSON.
 
 import { answer, LostBrowser, Refusal } from "./answers.mjs";
+import { captureVertices } from "./webgl2_capture.mjs";
 import { drawPicture } from "./webgl2_draw.mjs";
 import { linkProgram } from "./webgl2_program.mjs";
 
@@ -44,11 +45,28 @@ export function device() {
 }
 
 export function draw(job) {
+  return withContext((gl, extensions) => ({
+    pictures: eachDraw(gl, job, (program, draw) =>
+      drawPicture(gl, extensions, program, job.pipeline, draw),
+    ),
+  }));
+}
+
+export function capture(job) {
+  return withContext((gl) => ({
+    captured: eachDraw(gl, job, (program, draw, at) =>
+      captureVertices(gl, program, job.pipeline, draw, job.most[at]),
+    ),
+  }));
+}
+
+/** The answer that `work` makes with the context. */
+function withContext(work) {
   return answer(async () => {
     const { gl, extensions } = theContext();
     takeErrors(gl); // of a job that broke off
     try {
-      return { pictures: drawAll(gl, extensions, job) };
+      return work(gl, extensions);
     } catch (error) {
       // The reason may be a lost context, which the page only learns when it is idle.
       await new Promise((resolve) => setTimeout(resolve, NEWS_DELAY));
@@ -57,15 +75,16 @@ export function draw(job) {
   });
 }
 
-function drawAll(gl, extensions, job) {
+/** What `run` makes of each draw of a job, with the job's program. */
+function eachDraw(gl, job, run) {
   const program = linkProgram(gl, job.pipeline);
-  const pictures = job.draws.map((each) => {
-    const picture = drawPicture(gl, extensions, program, job.pipeline, each);
+  const found = job.draws.map((draw, at) => {
+    const made = run(program, draw, at);
     refuseErrors(gl);
-    return picture;
+    return made;
   });
   gl.deleteProgram(program);
-  return pictures;
+  return found;
 }
 
 function refuseErrors(gl) {

@@ -26,6 +26,16 @@ function setState(gl, job) {
 }
 
 function drawMesh(gl, program, job, draw) {
+  withMesh(gl, program, job, draw, () => {
+    const indices = firstVertexLast(new Uint32Array(bytes(draw.indices).buffer));
+    const mesh = makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, indices);
+    gl.drawElementsInstanced(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0, draw.instance_count);
+    gl.deleteBuffer(mesh);
+  });
+}
+
+/** Calls `work` while everything is bound that the program reads. */
+export function withMesh(gl, program, job, draw, work) {
   gl.useProgram(program);
   job.host_uniforms.forEach((name) => {
     gl.uniform1f(gl.getUniformLocation(program, name), draw.height);
@@ -40,12 +50,10 @@ function drawMesh(gl, program, job, draw) {
   const array = gl.createVertexArray();
   gl.bindVertexArray(array);
   const attributes = job.inputs.map((slot, at) => feed(gl, program, slot, draw.vertices[at]));
-  const indices = firstVertexLast(new Uint32Array(bytes(draw.indices).buffer));
-  const mesh = makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, indices);
-  gl.drawElementsInstanced(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0, draw.instance_count);
+  work();
   gl.bindVertexArray(null);
   gl.deleteVertexArray(array);
-  [...blocks, ...attributes, mesh].forEach((buffer) => gl.deleteBuffer(buffer));
+  [...blocks, ...attributes].forEach((buffer) => gl.deleteBuffer(buffer));
   textures.forEach((texture) => gl.deleteTexture(texture));
   samplers.forEach((sampler) => gl.deleteSampler(sampler));
 }

@@ -2,14 +2,21 @@
 
 import { Refusal } from "./answers.mjs";
 
+// WebGL links no program without a fragment shader, also where vertices are captured.
+const NO_FRAGMENTS = "#version 300 es\nvoid main() {}\n";
+
 /** Compile and link; the binding of a block or texture is its number in the pipeline. */
 export function linkProgram(gl, job) {
   const program = gl.createProgram();
   const shaders = [
     makeShader(gl, gl.VERTEX_SHADER, job.stages.vertex.text),
-    makeShader(gl, gl.FRAGMENT_SHADER, job.stages.fragment.text),
+    makeShader(gl, gl.FRAGMENT_SHADER, job.stages.fragment?.text ?? NO_FRAGMENTS),
   ];
   shaders.forEach((shader) => gl.attachShader(program, shader));
+  if (job.stream_output) {
+    const names = job.stream_output.outputs.map((output) => output.identifier);
+    gl.transformFeedbackVaryings(program, names, gl.INTERLEAVED_ATTRIBS);
+  }
   gl.linkProgram(program);
   const failed = [...shaders, program].map((object) => complaint(gl, object)).filter(Boolean);
   shaders.forEach((shader) => gl.deleteShader(shader));

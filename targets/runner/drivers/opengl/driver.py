@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
-from ..checks import check, check_kernel, check_names
-from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
+from ..checks import check, check_capture, check_kernel, check_names
+from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
     from .renderer import Renderer
@@ -33,6 +33,12 @@ class OpenGL:
         """What each dispatch of the job writes. Raises ``DriverError``."""
         check_kernel(job)
         return self._start().compute(job)
+
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """The vertices that each draw of the job captures. Raises ``DriverError``."""
+        check_capture(job)
+        check_names(job.pipeline)
+        return self._start().capture(job)
 
     def _start(self) -> Renderer:
         if self._renderer is None:

@@ -29,7 +29,8 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
             tess_control_shader=texts.get("control"),
             tess_evaluation_shader=texts.get("evaluation"),
             geometry_shader=texts.get("geometry"),
-            fragment_shader=texts["fragment"],
+            fragment_shader=texts.get("fragment"),
+            varyings=_captured_by_name(pipeline),
         )
     except moderngl.Error as error:
         raise DriverError(str(error).strip()) from None
@@ -50,6 +51,14 @@ def link_kernel(
     _refuse_strangers(program, pipeline)
     _number(functions, program, pipeline)
     return program
+
+
+def _captured_by_name(pipeline: Pipeline) -> tuple[str, ...]:
+    """The outputs that are captured, in order, where the text does not say so itself."""
+    captured = pipeline.stream_output
+    if captured is None or captured.in_text:
+        return ()
+    return tuple(output.identifier for output in captured.outputs)
 
 
 def _number(functions: Functions, program: Linked, pipeline: Pipeline) -> None:

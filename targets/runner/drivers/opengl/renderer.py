@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import moderngl
 
 from ..draw import (
+    Captured,
+    CaptureJob,
     Device,
     Draw,
     DriverError,
@@ -14,30 +16,17 @@ from ..draw import (
     KernelJob,
     Picture,
     Pipeline,
-    Primitive,
-    StepMode,
     Written,
 )
-from .bindings import bound
+from .capture import capture_job
 from .compute import compute_job
 from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
-from .program import attribute_layout, link
+from .program import link
 from .screen import Screen
-
-RATES: Mapping[StepMode, str] = {"vertex": "/v", "instance": "/i"}
-"""The suffix of moderngl's layouts for each rate."""
+from .vertices import MODES, vertices
 
 OWN_CLIP_CONTROL = ("GL_LOWER_LEFT", "GL_NEGATIVE_ONE_TO_ONE")
 """OpenGL's own clip space, which texts have that are for older versions, too."""
-
-MODES: Mapping[Primitive, int] = {
-    "point": moderngl.POINTS,
-    "line": moderngl.LINES,
-    "triangle": moderngl.TRIANGLES,
-    "line_adjacency": moderngl.LINES_ADJACENCY,
-    "triangle_adjacency": moderngl.TRIANGLES_ADJACENCY,
-    "patch": moderngl.PATCHES,
-}
 
 
 class Renderer:
@@ -46,6 +35,9 @@ class Renderer:
     def __init__(self) -> None:
         self._context = create_context()
         self._functions = Functions()
+        self._nowhere = self._context.simple_framebuffer((1, 1))
+        """What is bound while vertices are captured: OpenGL wants something to draw to, although
+        nothing is drawn."""
 
     def device(self) -> Device:
         """The device; OpenGL reports only one precision, that of snapping vertices."""
@@ -72,6 +64,12 @@ class Renderer:
         finally:
             program.release()
 
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """Link the job's program and capture with it. Raises ``DriverError``."""
+        self._context.clear_errors()  # of a job that broke off
+        self._nowhere.use()
+        return capture_job(self._context, self._functions, job)
+
     def compute(self, job: KernelJob) -> Sequence[Written]:
         """Link the job's kernel and run it. Raises ``DriverError``."""
         self._context.clear_errors()  # of a job that broke off
@@ -90,7 +88,8 @@ def _picture(
         _set_state(context, functions, pipeline)
         screen.clear(draw.clear)
         screen.set_blending()
-        _render(context, functions, program, pipeline, draw)
+        with vertices(context, functions, program, pipeline, draw) as array:
+            array.render(MODES[pipeline.primitive], instances=draw.instance_count)
         picture = Picture(draw.width, draw.height, screen.read(pipeline))
     finally:
         screen.release()
@@ -111,29 +110,3 @@ def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeli
     functions.glEnable(GL_FRAMEBUFFER_SRGB)
     names = pipeline.clip_control or OWN_CLIP_CONTROL
     functions.glClipControl(*(CLIP_CONTROL[name] for name in names))
-
-
-def _render(
-    context: moderngl.Context,
-    functions: Functions,
-    program: moderngl.Program,
-    pipeline: Pipeline,
-    draw: Draw,
-) -> None:
-    for name in pipeline.host_uniforms:
-        uniform = program.get(name, None)
-        if isinstance(uniform, moderngl.Uniform):
-            uniform.value = float(draw.height)
-    attributes = [
-        (
-            context.buffer(data),
-            f"{attribute_layout(slot.format)}{RATES[slot.step]}",
-            slot.identifier,
-        )
-        for slot, data in zip(pipeline.inputs, draw.vertices, strict=True)
-        if program.get(slot.identifier, None) is not None
-    ]
-    indices = context.buffer(draw.indices)
-    array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
-    with bound(context, functions, pipeline, draw):
-        array.render(MODES[pipeline.primitive], instances=draw.instance_count)

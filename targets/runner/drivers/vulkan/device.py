@@ -41,6 +41,8 @@ class Gpu:
     """``VkPhysicalDeviceMemoryProperties``."""
     independent_blend: bool
     """Whether each target may have a blend mode of its own."""
+    transform_feedback: bool
+    """Whether vertices can be captured."""
     messages: Messages
     seconds: float
     """How many seconds one submission may take."""
@@ -64,7 +66,8 @@ def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
             raise DriverError(f"{properties.deviceName} has no Vulkan 1.1")
         features = vk.vkGetPhysicalDeviceFeatures(physical)
         family = _graphics_family(physical)
-        device = _device(owned, physical, family, features)
+        captures = _captures(physical)
+        device = _device(owned, physical, family, features, captures=captures)
         return Gpu(
             physical=physical,
             device=device,
@@ -74,6 +77,7 @@ def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
             properties=properties,
             memory=vk.vkGetPhysicalDeviceMemoryProperties(physical),
             independent_blend=bool(features.independentBlend),
+            transform_feedback=captures,
             messages=messages,
             seconds=seconds,
         )
@@ -114,14 +118,27 @@ def _graphics_family(physical: Any) -> int:
     raise DriverError("the device has no queue for graphics")
 
 
-def _device(owned: ExitStack, physical: Any, family: int, offered: Any) -> Any:
+def _captures(physical: Any) -> bool:
+    """Whether the device has the extension by which vertices are captured."""
+    offered = vk.vkEnumerateDeviceExtensionProperties(physical, None)
+    names = {each.extensionName for each in offered}
+    return vk.VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME in names
+
+
+def _device(owned: ExitStack, physical: Any, family: int, offered: Any, *, captures: bool) -> Any:
     queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=family, pQueuePriorities=[1.0])
     features = vk.VkPhysicalDeviceFeatures(
         independentBlend=offered.independentBlend,
         geometryShader=offered.geometryShader,
         tessellationShader=offered.tessellationShader,
     )
-    info = vk.VkDeviceCreateInfo(pQueueCreateInfos=[queue], pEnabledFeatures=features)
+    extended = vk.VkPhysicalDeviceTransformFeedbackFeaturesEXT(transformFeedback=True)
+    info = vk.VkDeviceCreateInfo(
+        pNext=extended if captures else None,
+        pQueueCreateInfos=[queue],
+        pEnabledFeatures=features,
+        ppEnabledExtensionNames=[vk.VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME] if captures else [],
+    )
     device = vk.vkCreateDevice(physical, info, None)
     owned.callback(vk.vkDestroyDevice, device, None)
     return device

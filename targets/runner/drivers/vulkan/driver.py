@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....closing import Closing
-from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
+from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
     from .device import Gpu
@@ -72,6 +72,19 @@ class VulkanDriver(Closing):
         try:
             with errors.explained(gpu.messages):
                 return compute_job(gpu, job)
+        except errors.DeviceLostError:
+            self.close()
+            raise
+
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
+        """The vertices that each draw captures. Raises ``DriverError`` as ``draw`` does."""
+        gpu = self._opened()
+        from . import errors
+        from .capture import capture_job
+
+        try:
+            with errors.explained(gpu.messages):
+                return capture_job(gpu, job)
         except errors.DeviceLostError:
             self.close()
             raise

@@ -164,6 +164,7 @@ def _rasterization(pipeline: Pipeline) -> Any:
         cullMode=CULL[pipeline.cull],
         frontFace=FRONT[pipeline.front_face],
         lineWidth=1.0,
+        rasterizerDiscardEnable=pipeline.stream_output is not None,
     )
 
 

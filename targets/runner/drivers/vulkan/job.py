@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import ExitStack
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, ExitStack, nullcontext
 from typing import Any
 
 import vulkan as vk
@@ -25,16 +25,24 @@ STORAGE = vk.VK_BUFFER_USAGE_STORAGE_BUFFER_BIT
 MESH = vk.VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | vk.VK_BUFFER_USAGE_INDEX_BUFFER_BIT
 
 
+Around = Callable[[Any], AbstractContextManager[None]]
+"""Given the command buffer, records commands before and behind a draw call."""
+
+
+def _nothing(_commands: Any) -> AbstractContextManager[None]:
+    return nullcontext()
+
+
 def draw_job(gpu: Gpu, job: Job) -> list[Picture]:
     """A picture for each draw. Raises ``DriverError``, and ``VkError`` for calls that fail."""
     check(job)
     check_limits(gpu, job)
     with ExitStack() as owned:
-        painter = _Painter(owned, gpu, job)
+        painter = Painter(owned, gpu, job)
         return [painter.draw(draw) for draw in job.draws]
 
 
-class _Painter:
+class Painter:
     """The pipeline and everything that drawing needs; draws often share meshes and textures."""
 
     def __init__(self, owned: ExitStack, gpu: Gpu, job: Job) -> None:
@@ -51,17 +59,21 @@ class _Painter:
 
     def draw(self, draw: Draw) -> Picture:
         """One picture."""
+        return self.render(draw, _nothing).picture()
+
+    def render(self, draw: Draw, around: Around) -> Canvas:
+        """The canvas of one draw; ``around`` records what comes before and behind the draw call."""
         gpu = self._gpu
         self._bindings.bind_blocks(draw.blocks)
         self._bindings.bind_buffers(gpu, [self._buffer(STORAGE, data) for data in draw.buffers])
         self._bindings.bind_textures(gpu, [self._texture(image) for image in draw.textures])
         canvas = self._canvas(draw.width, draw.height)
         with recording(gpu) as commands:
-            self._render(commands, canvas, draw)
+            self._render(commands, canvas, draw, around)
             canvas.read_back(commands)
-        return canvas.picture()
+        return canvas
 
-    def _render(self, commands: Any, canvas: Canvas, draw: Draw) -> None:
+    def _render(self, commands: Any, canvas: Canvas, draw: Draw, around: Around) -> None:
         area = vk.VkRect2D(extent=vk.VkExtent2D(draw.width, draw.height))
         begin = vk.VkRenderPassBeginInfo(
             renderPass=self._render_pass,
@@ -73,10 +85,10 @@ class _Painter:
         view = viewport(self._description, draw.width, draw.height)
         vk.vkCmdSetViewport(commands, 0, 1, [view])
         vk.vkCmdSetScissor(commands, 0, 1, [area])
-        self._draw_mesh(commands, draw)
+        self._draw_mesh(commands, draw, around)
         vk.vkCmdEndRenderPass(commands)
 
-    def _draw_mesh(self, commands: Any, draw: Draw) -> None:
+    def _draw_mesh(self, commands: Any, draw: Draw, around: Around) -> None:
         vk.vkCmdBindPipeline(commands, GRAPHICS, self._pipeline)
         if sets := self._bindings.sets:
             vk.vkCmdBindDescriptorSets(
@@ -87,7 +99,9 @@ class _Painter:
             vk.vkCmdBindVertexBuffers(commands, 0, len(vertices), vertices, offsets)
         indices = self._buffer(MESH, draw.indices).handle
         vk.vkCmdBindIndexBuffer(commands, indices, 0, vk.VK_INDEX_TYPE_UINT32)
-        vk.vkCmdDrawIndexed(commands, len(draw.indices) // INDEX_SIZE, draw.instance_count, 0, 0, 0)
+        count = len(draw.indices) // INDEX_SIZE
+        with around(commands):
+            vk.vkCmdDrawIndexed(commands, count, draw.instance_count, 0, 0, 0)
 
     def _canvas(self, *size: int) -> Canvas:
         width, height = size

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
 from ..checks import check, check_kernel, check_names
-from ..draw import Device, DriverError, Job, KernelJob, Picture, Written
+from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
 
 if TYPE_CHECKING:
     from .device import Gpu
@@ -41,6 +41,10 @@ class Wgpu:
         from .compute import compute_job
 
         return compute_job(gpu, job)
+
+    def capture(self, _job: CaptureJob) -> Sequence[Captured]:
+        """WebGPU has no stream output: kernels capture there. Raises ``DriverError``."""
+        raise DriverError("WebGPU has no stream output")
 
     def _opened(self) -> Gpu:
         if self._gpu is None:

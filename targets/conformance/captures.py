@@ -1,0 +1,147 @@
+"""Judges what passes capture: each value of each vertex has to lie within the reference's bounds.
+
+What a draw captures is compared as a picture of one row is: each vertex is a pixel, and each value
+of it is a target. Which vertices are captured may hang on rounding; then those before the first and
+behind the last such vertex are compared, and their number has to be possible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiler.ir.shader import Shader
+from ...compiler.reference.bounds.errors import Errors
+from ...compiler.reference.capture import Listed, captured
+from ...compiler.reference.picture import Expected, RasterRules, formats
+from ..runner.binding import pipeline
+from ..runner.capturing import Vertices, most, vertices
+from ..runner.codes import Codes
+from ..runner.drivers.draw import CaptureJob, Device
+from ..runner.reference import geometry_for, texels_of, values_for
+from ..runner.routes import Route
+from ..runner.runner import Runner
+from ..runner.scene_state import SceneState
+from ..runner.subject import Subject
+from .cases import Case, Size, series_of
+from .compare import Comparison, compare
+from .plan import bounds_of, summed_up
+from .rows import CaseResult
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+FLOATS = "rgba32f"
+"""The format that holds every value that is compared."""
+
+
+class CapturePlan:
+    """The cases of one material under a pass that captures, which all routes share."""
+
+    def __init__(self, label: str, subject: Subject, seed: int, size: Size) -> None:
+        self.label = label
+        self.subject = subject
+        self._cases = [
+            case
+            for series in series_of(subject.reflection, seed, size)
+            if series.exact
+            for case in series.cases
+        ]
+
+    def results(
+        self, route: Route, device: Device, codes: Codes, runner: Runner
+    ) -> Iterator[CaseResult]:
+        """A result for each case by a route. Raises ``DriverError``."""
+        states = [case.state for case in self._cases]
+        job = CaptureJob(
+            pipeline(self.subject.reflection, route, codes),
+            tuple(state.draw() for state in states),
+            tuple(most(state) for state in states),
+        )
+        program = self.subject.emitted(route.profile)
+        for case, answer in zip(self._cases, runner.capture(route, job), strict=True):
+            got = vertices(self.subject.reflection, answer)
+            yield self._judged(case, got, program, route, device)
+
+    def _judged(
+        self, case: Case, got: Vertices, program: Shader, route: Route, device: Device
+    ) -> CaseResult:
+        found = []
+        for bounds in bounds_of(case.state, route, device):
+            allowed = _listed(program, case.state, bounds.rules, bounds.errors)
+            meant = _listed(self.subject.shader, case.state, bounds.rules, bounds.errors)
+            compared = _Compared.of(allowed, got)
+            targets = [_row(lanes, "value", compared.kept) for lanes in meant.values]
+            steps = [formats.step(FLOATS, values) for values in targets]
+            expected = compared.expected(allowed)
+            comparison = compare(compared.got, expected, targets, steps, bounds.level, None)
+            found.append((comparison, expected, compared.got))
+            if not comparison.wrong:
+                break
+        comparisons: list[Comparison] = [comparison for comparison, *_ in found]
+        return CaseResult(case.name, summed_up(comparisons), tuple(found[-1][2]), found[-1][1])
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Compared:
+    """The vertices that are compared, and what was captured of them."""
+
+    kept: Bools
+    """Which of those that are listed: the ones whose places in the buffer are known."""
+    got: list[Floats]
+    """Of each member a picture of one row; NaN where a wrong number of vertices was captured."""
+
+    @classmethod
+    def of(cls, listed: Listed, got: Vertices) -> _Compared:
+        """What can be compared of a list with what was captured."""
+        tipping = np.flatnonzero(listed.possible & ~listed.certain)
+        place = np.arange(len(listed.certain))
+        first, last = (tipping[0], tipping[-1]) if len(tipping) else (len(place), len(place))
+        before, behind = listed.certain & (place < first), listed.certain & (place > last)
+        is_right = listed.certain.sum() <= got.count <= listed.possible.sum()
+        head, tail = int(before.sum()), int(behind.sum())
+        rows = np.r_[np.arange(head), np.arange(got.count - tail, got.count)]
+        return cls(
+            before | behind,
+            [
+                _padded(values[rows] if is_right else np.full((len(rows), values.shape[1]), np.nan))
+                for values in got.members.values()
+            ],
+        )
+
+    def expected(self, listed: Listed) -> Expected:
+        """The bounds of the vertices that are compared."""
+        values, lows, highs = (
+            tuple(_row(lanes, end, self.kept) for lanes in listed.values)
+            for end in ("value", "low", "high")
+        )
+        everywhere = np.ones(values[0].shape[:2], np.bool_)
+        layers = everywhere.astype(np.int64)
+        return Expected(values, everywhere, ~everywhere, lows, highs, layers)
+
+
+def _listed(shader: Shader, state: SceneState, rules: RasterRules, errors: Errors) -> Listed:
+    return captured(
+        shader,
+        values_for(shader, state.instance),
+        texels_of(state.instance),
+        geometry_for(shader, state.geometry()),
+        errors,
+        rules,
+    )
+
+
+def _row(lanes: tuple[object, ...], end: str, kept: Bools) -> Floats:
+    """One end of a member's lanes as a picture of one row."""
+    columns = [np.asarray(getattr(lane, end))[kept] for lane in lanes]
+    return _padded(np.stack(columns, axis=-1))
+
+
+def _padded(values: NDArray[np.generic]) -> Floats:
+    """Lanes of vertices as a picture of one row with four lanes; of none, one of zeros."""
+    whole = np.zeros((1, max(len(values), 1), 4))
+    whole[0, : len(values), : values.shape[1]] = values
+    return whole

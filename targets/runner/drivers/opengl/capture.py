@@ -1,0 +1,48 @@
+"""Captures the vertices of a job by OpenGL's transform feedback."""
+
+from __future__ import annotations
+
+import moderngl
+
+from ..draw import CORNERS, Captured, CaptureJob, Draw, DriverError, Pipeline
+from .context import Functions
+from .program import link
+from .vertices import MODES, vertices
+
+
+def capture_job(context: moderngl.Context, functions: Functions, job: CaptureJob) -> list[Captured]:
+    """What each draw captures. Raises ``DriverError``."""
+    program = link(context, functions, job.pipeline)
+    try:
+        return [
+            _captured(context, functions, program, job.pipeline, draw, most)
+            for draw, most in zip(job.draws, job.most, strict=True)
+        ]
+    except moderngl.Error as error:
+        raise DriverError(f"OpenGL: {error}") from None
+    finally:
+        program.release()
+
+
+def _captured(
+    context: moderngl.Context,
+    functions: Functions,
+    program: moderngl.Program,
+    pipeline: Pipeline,
+    draw: Draw,
+    most: int,
+) -> Captured:
+    """What one draw captures into a buffer for so many vertices at most."""
+    stream = pipeline.stream_output
+    assert stream is not None
+    context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
+    buffer = context.buffer(reserve=max(most, 1) * stream.stride)
+    counting = context.query(primitives=True)
+    with vertices(context, functions, program, pipeline, draw) as array, counting:
+        array.transform(buffer, MODES[pipeline.primitive], instances=draw.instance_count)
+    count = int(counting.primitives) * CORNERS[stream.primitive]
+    if (error := context.error) != "GL_NO_ERROR":
+        raise DriverError(f"OpenGL reports {error}")
+    if count > most:
+        raise DriverError(f"{count} vertices were captured, and there was room for {most}")
+    return Captured(count, buffer.read(count * stream.stride) if count else b"")

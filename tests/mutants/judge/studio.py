@@ -1,0 +1,116 @@
+"""What compilers make of a material's texts, and whether its pictures are right."""
+
+from __future__ import annotations
+
+import re
+import struct
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from .behaviour import DRAWN, Name, compiled, digest, label, texts
+
+if TYPE_CHECKING:
+    from burnish.api import CompiledMaterial
+    from burnish.targets.runner.runner import Runner
+    from burnish.targets.toolchain import Toolchain
+
+NOTICED = ("differs", "failed")
+SMALL = (36, 28)
+"""The size of the pictures that are drawn first, as most errors show in a small one."""
+PICTURES = 16
+"""So many materials and routes are drawn at most: first each material once, on its first route."""
+LARGE_PICTURES = 2
+"""Of so many of them, large pictures are drawn if small ones are right."""
+
+
+class Studio(ExitStack):
+    """Compilers and drivers, which are started when something is to be drawn."""
+
+    drawn = 0
+    """How many pictures were drawn."""
+
+    @cached_property
+    def _toolchain(self) -> Toolchain:
+        from burnish.targets.toolchain import Toolchain
+
+        return self.enter_context(Toolchain())
+
+    @cached_property
+    def _runner(self) -> Runner:
+        from burnish.targets.runner.routes import ROUTES
+        from burnish.targets.runner.runner import Runner
+
+        return self.enter_context(Runner([ROUTES[name] for name in DRAWN]))
+
+    def code(self, material: CompiledMaterial, route: str) -> object:
+        """What compilers make of a material's texts, without the names in it."""
+        from burnish.targets.runner.codes import compile_one
+        from burnish.targets.runner.routes import ROUTES
+
+        codes = compile_one(ROUTES[route], material.files, self._toolchain)
+        stages = codes.stages.values()
+        return [(code.entry, _plain(code.text), _nameless(code.spirv)) for code in stages]
+
+    def wrong(
+        self, name: Name, material: CompiledMaterial, route: str, known: Mapping[str, str]
+    ) -> str:
+        """How a picture of a material is wrong; empty if it is right, or not drawn because its code
+        is known, or because there are enough pictures already."""
+        from burnish.targets.conformance import cases
+        from burnish.targets.conformance.conform import conform
+        from burnish.targets.runner.codes import CodeError
+        from burnish.targets.runner.routes import ROUTES
+
+        if self.drawn >= PICTURES:
+            return ""
+        place, row = f"{label(name)}, {route}", ROUTES[route]
+        if row.profile in material.lacking:
+            return f"{place}: {material.lacking[row.profile]}"
+        try:
+            code = self.code(material, route)
+        except CodeError:
+            return f"{place}: failed"
+        if known.get(f"{place}: code") == digest((code, material.reflection)):
+            return ""
+        self.drawn += 1
+        whole = cases.SIZE
+        for size in (SMALL, whole)[: 1 + (self.drawn <= LARGE_PICTURES)]:
+            cases.SIZE = size
+            subjects = [(place, material)]
+            (found,) = conform(subjects, [row], self._runner, self._toolchain)
+            cases.SIZE = whole
+            if found.status in NOTICED:
+                return f"{place}: {found.status}"
+        return ""
+
+
+def codes_of(name: Name, studio: Studio) -> Iterator[tuple[str, str]]:
+    """Digests of a material's code and reflection on each route."""
+    material = compiled(name)
+    for route, _ in texts(material):
+        code = studio.code(material, route)
+        yield f"{label(name)}, {route}: code", digest((code, material.reflection))
+
+
+def _plain(text: str) -> str:
+    """A text without comments, and without the white space that only arranges it."""
+    text = re.sub(r"//[^\n]*", "", text)
+    return re.sub(r"\s*([^\w\s])\s*", r"\1", text)
+
+
+NAMES = {3, 4, 5, 6, 7, 8, 317, 330}
+"""The instructions of SPIR-V that only name things: sources, names, lines, and modules."""
+
+
+def _nameless(module: bytes) -> str:
+    """A module of SPIR-V without the instructions that only name things."""
+    words = [word for (word,) in struct.iter_unpack("<I", module)]
+    kept, at = words[:5], 5
+    while at < len(words):
+        length = max(1, words[at] >> 16)
+        if words[at] & 0xFFFF not in NAMES:
+            kept += words[at : at + length]
+        at += length
+    return repr(kept)

@@ -1,0 +1,119 @@
+"""The texts of passes that capture, and what the reflection tells a host of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import burnish
+from burnish.compiled import CompiledMaterial
+from burnish.targets.toolchain import Job, Toolchain
+
+from ..golden import assert_golden
+
+GOLDEN = Path(__file__).parent / "golden" / "captures"
+
+SPARKS = """
+/// Every spark that is young enough becomes two.
+material Sparks {
+    param wind : vec3 = vec3(0.1, 0, 0)
+    attribute age : float
+
+    older : float = @vertex (age + 0.1)
+
+    expand point {
+        points of 2 as i where corner[0].older < 1 {
+            position = inherited.position + wind * float(i)
+            older    = 0.5 * inherited.older
+        }
+    }
+    color = vec3(1)
+}
+
+/// A step in the life of sparks.
+pass Step {
+    capture position : vec3 = position      /// In world space
+    capture age      : float = older
+    capture mark     : uint = primitive_index
+}
+"""
+PLAIN = """
+material Plain { color = vec3(1) }
+pass Step { capture number : int = int(vertex_index)  capture place : vec2 = uv }
+"""
+
+
+def compiled(text: str, profile: str) -> CompiledMaterial:
+    (material,) = burnish.compile(text, profile, pass_="Step", native_stages=True).materials
+    return material
+
+
+@pytest.mark.parametrize("profile", ["glsl:vulkan", "glsl:gl330", "hlsl:sm6"])
+def test_texts_of_points(profile: str) -> None:
+    material = compiled(SPARKS, profile)
+    assert [file.stage for file in material.files] == ["vertex", "geometry"]
+    assert_golden(material.text(profile, "geometry"), GOLDEN / material.files[1].name)
+
+
+@pytest.mark.parametrize("profile", ["glsl:gl450", "hlsl:sm6"])
+def test_texts_of_vertices(profile: str) -> None:
+    material = compiled(PLAIN, profile)
+    assert [file.stage for file in material.files] == ["vertex"]
+    assert_golden(material.text(profile, "vertex"), GOLDEN / material.files[0].name)
+
+
+def test_compilers_accept_them() -> None:
+    """Also a single capture, which is returned as it is in HLSL."""
+    single = "material M { color = vec3(1) } pass Step { capture place : vec3 = position }"
+    with Toolchain() as toolchain:
+        for text in (SPARKS, PLAIN, single):
+            for profile in ("glsl:vulkan", "hlsl:sm6", "glsl:gl330"):
+                jobs = [
+                    Job(checker, {"vertex": "vert", "geometry": "geom"}[stage], file.text, entry)
+                    for file in compiled(text, profile).files
+                    for stage, entry in file.entry_points.items()
+                    for checker in file.checkers
+                ]
+                verdicts = toolchain.check(jobs)
+                assert [(v.job.checker, v.log) for v in verdicts if v.status != "accepted"] == []
+
+
+def test_the_reflection_says_where_values_lie() -> None:
+    reflection = compiled(SPARKS, "hlsl:sm6").reflection
+    capture = reflection["capture"]
+    assert {key: capture[key] for key in ("primitive", "vertices", "stride")} == {
+        "primitive": "point", "vertices": 2, "stride": 20,
+    }  # fmt: skip
+    assert [tuple(row.values()) for row in capture["members"]] == [
+        ("position", "vec3", "vec3", 0, "In world space"),
+        ("age", "float", "float", 12, ""),
+        ("mark", "uint", "uint", 16, ""),
+    ]
+    assert reflection["targets"] == []
+    backend = reflection["backends"]["hlsl:sm6"]
+    assert backend["stream_output"] == "semantics"
+    assert [row["semantic"] for row in backend["captures"].values()] == [
+        "TEXCOORD0", "TEXCOORD1", "TEXCOORD2",
+    ]  # fmt: skip
+
+
+def test_names_are_told_where_the_text_does_not_place_outputs() -> None:
+    backend = compiled(SPARKS, "glsl:gl330").reflection["backends"]["glsl:gl330"]
+    assert backend["stream_output"] == "names"
+    assert [row["identifier"] for row in backend["captures"].values()] == [
+        "v_position", "v_age", "v_mark",
+    ]  # fmt: skip
+
+
+def test_what_is_drawn_has_no_capture() -> None:
+    (material,) = burnish.compile("material M { color = vec3(1) }", "glsl:vulkan").materials
+    assert material.reflection["capture"] is None
+    assert material.reflection["backends"]["glsl:vulkan"]["captures"] == {}
+
+
+def test_more_captures_than_outputs_are_told() -> None:
+    members = " ".join(f"capture c{number} : float = uv.x" for number in range(17))
+    text = f"material M {{ color = vec3(1) }} pass Step {{ {members} }}"
+    with pytest.raises(burnish.CompileError, match="17 varyings of M, but glsl:vulkan has only 16"):
+        compiled(text, "glsl:vulkan")
