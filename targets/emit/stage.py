@@ -20,13 +20,16 @@ from ...compiler.ir.stages import (
     EDGE_LEVEL,
     EVALUATION,
     EXTENT,
+    IMAGE,
     INNER_LEVEL,
     PATCHES,
     STORE,
     TARGET,
+    SystemInput,
+    inputs_of,
 )
 from ...compiler.ir.storage import stored_element
-from ...compiler.ir.types import INT, Array, Struct
+from ...compiler.ir.types import Array, Struct
 from ...frozen import changed
 from ..description.shading_language import FieldRole
 from .comments import comment_line, comment_lines
@@ -103,7 +106,7 @@ class StagePrinter:
         for output in stage.results:
             if output.field is not None:
                 stored.append((self._output(output), output.value))
-            elif output.kind not in (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, STORE):
+            elif output.kind not in (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, IMAGE, STORE):
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
@@ -113,10 +116,12 @@ class StagePrinter:
             outputs=[*self._handed_on(), *(field for field, _ in stored if not field.of_patch)],
             blocks=self._declarations.blocks((stage,)),
             buffers=self._declarations.buffers((stage,)),
+            images=self._declarations.images((stage,)),
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
             stores=[] if stage.emitted else list(self._stores(expressions, stored)),
+            texels=list(self._texels(expressions)),
             position=""
             if stage.emitted
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
@@ -211,19 +216,39 @@ class StagePrinter:
         return self._marks.mark(f"{self._index} >= {expressions.text(extent)}", extent)
 
     def _index_line(self, namer: Namer, expressions: Expressions) -> str:
-        """The statement that gives the number of a kernel's element its name; else nothing."""
-        if self._stage.value_of(EXTENT) is None:
+        """The statement that gives the number of a kernel's element, or the place of its texel,
+        its name; else nothing."""
+        own = self._invocation
+        if own is None:
             return ""
-        read, type_ = self._leaves.input("index")
-        if read == "index":
+        read, type_ = self._leaves.input(own.name)
+        if read == own.name:
             namer.declare(read)
-        self._index = namer.declare("index")
+        self._index = namer.declare(own.name)
         for node in reachable(self._stage.roots):
-            if node.op == "input" and INPUT.data(node).name == "index":
+            if node.op == "input" and INPUT.data(node) == own:
                 expressions.bound[node] = self._index, NAME
-        value = read if type_ == INT else f"{self._types.type(INT)}({read})"
-        typed = self._types.declare(self._index, INT)
+        value = read if type_ == own.type else f"{self._types.type(own.type)}({read})"
+        typed = self._types.declare(self._index, own.type)
         return self._language.forms.let.format(typed=typed, name=self._index, value=value)
+
+    @property
+    def _invocation(self) -> SystemInput | None:
+        """What tells a kernel's invocations apart; ``None`` in other stages."""
+        if self._context.program.work_group is None:
+            return None
+        return inputs_of((self._stage.row,))["texel" if self._stage.images else "index"]
+
+    def _texels(self, expressions: Expressions) -> Iterator[str]:
+        """What is written to the images of a kernel."""
+        for output in self._stage.results:
+            if output.image is not None:
+                text = self._language.forms.store_texel.format(
+                    name=self._names.images[output.image.name],
+                    place=self._index,
+                    value=expressions.text(output.value),
+                )
+                yield self._marks.mark(text, output.value)
 
     def _stores(
         self, expressions: Expressions, stored: Iterable[tuple[FieldView, Node]]
@@ -352,10 +377,10 @@ class StagePrinter:
         return "of patch" if self._stage.row.domain == PATCHES else "varying"
 
     def _supplied(self) -> tuple[str, ...]:
-        """The pipeline's values that the entry point reads; a kernel's always reads its index."""
-        own = self._stage.builtin_inputs
-        is_kernel = self._stage.value_of(EXTENT) is not None
-        return ("index", *own) if is_kernel and "index" not in own else own
+        """The pipeline's values that the entry point reads; a kernel's always reads its place."""
+        own, invocation = self._stage.builtin_inputs, self._invocation
+        missing = invocation is not None and invocation.name not in own
+        return (invocation.name, *own) if invocation and missing else own
 
     def _pipeline_inputs(self) -> list[InputView]:
         inputs = self._context.dialect.inputs
