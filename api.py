@@ -31,6 +31,7 @@ from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
+from .targets.legalise.forms import form_for
 from .targets.legalise.guards import keeps
 from .targets.legalise.legalise import legalise
 from .targets.legalise.limits import excesses, lacks
@@ -189,7 +190,7 @@ def _compiled(
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
     forms = (
-        (staged.form(profile.image_formats), target, profile)
+        (form_for(staged, profile), target, profile)
         for target, profile in chosen
         if full_name(target, profile) not in lacking
     )
@@ -219,7 +220,7 @@ def _lacking(
     places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
         name, report = full_name(target, profile), Report()
-        program = staged.form(profile.image_formats).program
+        program = form_for(staged, profile).program
         for excess in excesses(program, profile):
             report.add(
                 rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),

@@ -22,6 +22,7 @@ from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.emitter import Emission
 from .targets.emit.reflection import backend_table
+from .targets.legalise.forms import form_for
 from .targets.selection import full_name
 
 if TYPE_CHECKING:
@@ -129,7 +130,7 @@ class CompiledMaterial:
 
         for legal, _emission in self._emissions:
             if full_name(legal.language, legal.profile) == profile:
-                form = self._staged.form(legal.profile.image_formats)
+                form = form_for(self._staged, legal.profile)
                 return emitted(form.shader, legal)
         raise KeyError(f"{self.name} has no texts for {profile}")
 

@@ -24,7 +24,7 @@ from .stages import (
     SystemInput,
     inputs_of,
 )
-from .types import BOOL, FLOAT, IVEC2, UINT, VEC4
+from .types import BOOL, FLOAT, IVEC2, UINT, VEC4, width
 
 CORNERS = 3
 """How many vertices a host draws."""
@@ -46,6 +46,22 @@ def without_extent(shader: Shader) -> Shader:
     """
     results = tuple(result for result in shader.results if result.kind != EXTENT)
     return changed(shader, results=results)
+
+
+def whole_texels(shader: Shader) -> Shader:
+    """A kernel with four lanes in each texel of its images, as every API writes these."""
+    results = tuple(
+        changed(result, value=_whole(shader.graph, result.value))
+        if result.kind == IMAGE
+        else result
+        for result in shader.results
+    )
+    return changed(shader, results=results)
+
+
+def _whole(graph: Graph, value: Node) -> Node:
+    missing = (0.0, 0.0, 1.0)[width(value.type) - 1 :]
+    return build.vector(graph, (value, *(build.floating(graph, lane) for lane in missing)))
 
 
 def full_screen(shader: Shader) -> Shader:

@@ -15,6 +15,9 @@ USUAL: Mapping[int, WorkGroup] = {1: (64, 1, 1), 2: (8, 8, 1)}
 """By the number of dimensions that a kernel's results have: a multiple of what all devices execute
 at once, and no more than any of them takes."""
 
+WRITTEN_GROUP = "draw"
+"""The group of the buffers and images that a kernel writes."""
+
 MOST_INVOCATIONS = 1024
 """No API that there is has larger work groups; what a profile has at least is one of its limits."""
 

@@ -19,7 +19,7 @@ from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
 from .shader import Store
-from .stages import IMAGE, VERTICES, Domain, InterpolationMode, StageRow
+from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .storage import stored_type, structs_in
 from .tessellation import Tessellation
 from .types import Struct, Type
@@ -105,6 +105,17 @@ class Interface:
 
 
 @frozen
+class Image:
+    """An image that a kernel writes."""
+
+    name: str
+    format: str
+    """That of its texels, such as ``rgba16f``."""
+    group: str
+    """The group with which a host binds it."""
+
+
+@frozen
 class Output:
     """One value that a stage delivers."""
 
@@ -115,12 +126,14 @@ class Output:
     """Where it goes, for what has a location: a varying, or a render target."""
     store: Store | None = None
     """Where it goes, for what is written to a storage buffer."""
-    format: str = ""
-    """That of the texels, for what is written to an image."""
+    image: Image | None = None
+    """Where it goes, for what is written to a texel of an image."""
 
     @property
     def shown(self) -> str:
         """What people call it."""
+        if self.image is not None:
+            return self.image.name
         if self.store is not None:
             return ".".join([self.store.buffer.name, *map(str, self.store.path)])
         return self.field.name if self.field is not None else self.kind
@@ -364,6 +377,11 @@ class Stage:
         return tuple(output.field for output in self.results if output.field is not None)
 
     @property
+    def images(self) -> tuple[Image, ...]:
+        """The images that it writes."""
+        return tuple(output.image for output in self.results if output.image is not None)
+
+    @property
     def regions(self) -> tuple[Region, ...]:
         """The bodies of its entry point and of its functions."""
         of_groups = (region for group in self.emitted for region in group.regions)
@@ -456,9 +474,9 @@ class Program:
         return frozenset[Buffer]().union(*(stage.written for stage in self.stages))
 
     @property
-    def images(self) -> tuple[Output, ...]:
-        """The images that a kernel writes, each as what is written to one of its texels."""
-        return self.results_of(IMAGE)
+    def images(self) -> tuple[Image, ...]:
+        """The images that a kernel writes."""
+        return tuple(image for stage in self.stages for image in stage.images)
 
     @property
     def structs(self) -> tuple[Struct, ...]:

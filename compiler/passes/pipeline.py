@@ -5,11 +5,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
 from functools import partial
 
 from ...frozen import changed, frozen
-from ..ir.full_screen import full_screen, without_extent, writes_images
+from ..ir.full_screen import full_screen, whole_texels, without_extent, writes_images
 from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
@@ -91,13 +90,10 @@ class Staged:
     full_screen: Form | None = None
     """Of a kernel over images, the pass that draws these."""
 
-    def form(self, formats: Container[str]) -> Form:
-        """The form for a profile whose kernels can write images of some ``formats``."""
-        own = Form(self.shader, self.program, self.undecided)
-        if self.full_screen is None:
-            return own
-        writable = all(image.format in formats for image in self.program.images)
-        return own if writable else self.full_screen
+    @property
+    def own(self) -> Form:
+        """The form with the stages that the shader was made for."""
+        return Form(self.shader, self.program, self.undecided)
 
 
 def stage(shader: Shader, options: Options) -> Staged:
@@ -127,10 +123,11 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = verified("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
     results = tuple(changed(r, value=v) for r, v in zip(results, roots, strict=True))
     made = partial(_form, derived=derived, ranges=ranges if guarding.undecided else None)
-    form = made(changed(shader, results=results))
-    drawn = made(full_screen(form.shader)) if writes_images(shader) else None
+    shader = changed(shader, results=results)
+    form = made(whole_texels(shader))
+    drawn = made(full_screen(shader)) if writes_images(shader) else None
     guards = tuple(guarding.kept.values())
-    return Staged(shader, form.program, derived, guards, evidence, form.undecided, drawn)
+    return Staged(form.shader, form.program, derived, guards, evidence, form.undecided, drawn)
 
 
 def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -> Form:

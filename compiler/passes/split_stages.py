@@ -12,6 +12,7 @@ from itertools import count
 
 from ...frozen import changed, frozen
 from ..ir import build
+from ..ir.kernel import WRITTEN_GROUP
 from ..ir.node import Graph, Node, formals_of
 from ..ir.operations import INPUT
 from ..ir.program import (
@@ -19,6 +20,7 @@ from ..ir.program import (
     EmittedGroup,
     Field,
     Function,
+    Image,
     Interface,
     Output,
     Program,
@@ -110,15 +112,21 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
     locations = count()
     for result in results:
         field = None
-        if result.name and result.store is None:
+        image = _image(result)
+        if result.name and result.store is None and image is None:
             # Whole numbers of a vertex stage's are marked so in ES.
             is_whole = result.kind == CAPTURE and scalar_kind(result.value.type) != "float"
             field = Field(
                 result.name, result.value.type, next(locations),
                 "flat" if is_whole else "perspective", result.doc,
             )  # fmt: skip
-        format_ = result.state.format if result.kind == IMAGE and result.state else ""
-        yield Output(result.kind, result.value, field, result.store, format_)
+        yield Output(result.kind, result.value, field, result.store, image)
+
+
+def _image(result: Result) -> Image | None:
+    if result.kind != IMAGE or result.state is None:
+        return None
+    return Image(result.name, result.state.format, WRITTEN_GROUP)
 
 
 def _crossing_outputs(graph: Graph, varyings: Iterable[Varying]) -> Iterator[Output]:

@@ -71,7 +71,7 @@ def reflect(
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),
-        "targets": list(_target_rows(shader, program)),
+        "targets": list(_target_rows(shader)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
     }
 
@@ -154,19 +154,18 @@ def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:
             }
 
 
-def _target_rows(shader: Shader, program: Program) -> Iterable[dict[str, Any]]:
-    """The render targets of a pass; of a kernel over images, these, which it draws or writes."""
-    kind = IMAGE if program.images else TARGET
-    for result, output in zip(shader.results_of(kind), program.results_of(kind), strict=True):
-        state, field = result.state, output.field
-        assert state is not None and field is not None
+def _target_rows(shader: Shader) -> Iterable[dict[str, Any]]:
+    """The render targets of a pass, or the images of a kernel, which it writes or draws."""
+    written = (*shader.results_of(IMAGE), *shader.results_of(TARGET))
+    for location, result in enumerate(written):
+        assert result.state is not None
         yield {
-            "name": field.name,
-            "representation": str(field.type),
-            "location": field.location,
-            "format": state.format,
-            "blend": state.blend,
-            "doc": field.doc,
+            "name": result.name,
+            "representation": str(result.value.type),
+            "location": location,
+            "format": result.state.format,
+            "blend": result.state.blend,
+            "doc": result.doc,
         }
 
 
@@ -187,6 +186,7 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
             for name, point in table.blocks.items()
         },
         "buffers": {name: _binding_row(point) for name, point in table.buffers.items()},
+        "images": {name: _binding_row(point) for name, point in table.images.items()},
         "textures": {name: _binding_row(point) for name, point in table.textures.items()},
         "samplers": {name: _binding_row(point) for name, point in table.samplers.items()},
         "vertex_inputs": {name: _field_name_row(row) for name, row in table.vertex_inputs.items()},

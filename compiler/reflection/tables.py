@@ -57,6 +57,8 @@ class BackendTable:
     blocks: Mapping[str, BindingPoint] = EMPTY
     """By block name."""
     buffers: Mapping[str, BindingPoint] = EMPTY
+    images: Mapping[str, BindingPoint] = EMPTY
+    """Those that a kernel writes; empty where it is a full-screen pass."""
     textures: Mapping[str, BindingPoint] = EMPTY
     """By texture name; where the profile combines texture and sampler, this is the pair."""
     samplers: Mapping[str, BindingPoint] = EMPTY

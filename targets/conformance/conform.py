@@ -14,8 +14,8 @@ from threading import Event
 from ...compiler.ir.stages import COMPUTED
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
-from ..runner.drivers.draw import DriverError, Job
-from ..runner.kernels import has_images
+from ..runner.drivers.draw import DriverError
+from ..runner.kernels import has_images, pictures_of
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -114,7 +114,7 @@ def _row(
             if interrupted.is_set():
                 break
             shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
-            pictures = runner.draw(route, Job(shader, draws))
+            pictures = pictures_of(route, runner, plan.subject.reflection, shader, draws)
             for result in plan.compared(series, route, device, pictures):
                 results.append(result)
                 if interrupted.is_set():

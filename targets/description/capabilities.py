@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, VERTEX, StageRow
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
-from .profile import Profile
+from .profile import STORABLE, Profile
 
 
 def buffers_of(row: StageRow) -> Need:
@@ -79,6 +79,13 @@ CAPABILITIES: tuple[Capability, ...] = (
         "kernels over buffers",
         "The elements of storage buffers are computed: `kernel` with `result name : T[count] = …`.",
         (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
+    ),
+    Capability(
+        "kernels over images",
+        "Texels of images are computed: `kernel` with `result name : image2d<format>[size] = …`. "
+        "By their own means profiles write at most four images, of the formats "
+        f"{', '.join(f'`{name}`' for name in sorted(STORABLE))}.",
+        (Way((a_stage(COMPUTE),)), Way((), "the kernel is drawn as a full-screen pass")),
     ),
     Capability(
         "storage buffers at fragments",

@@ -72,6 +72,8 @@ class Forms:
     """Where it lands in clip space."""
     position: str = ""
     """What then stands for that."""
+    store_texel: str = ""
+    """Writes a texel of the image ``{name}`` at the ``{place}``, an ``ivec2``."""
     emit_vertex: str = ""
     end_strip: str = ""
 

@@ -30,7 +30,7 @@ FieldRole = Literal["attribute", "varying", "control point", "of patch", "render
 """Vertex input, value between the stages, that of a control point which is handed on to the stage
 after the next, what is the same all over a patch, or render target."""
 
-BindingKind = Literal["block", "buffer", "written", "texture", "sampler"]
+BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
 
 
@@ -51,6 +51,8 @@ class Language:
     extension: str
     types: TypeNames
     textures: TextureNames
+    images: Mapping[str, str] = EMPTY
+    """By format, how the type of an image is written that a kernel writes."""
     profiles: tuple[Profile, ...]
     """The first is the default."""
     unproven: str = ""

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from functools import cached_property
 
 from ...compiler.ir.leaves import Buffer, Resource
-from ...compiler.ir.program import Block, Stage, StoredMember
+from ...compiler.ir.program import Block, Image, Stage, StoredMember
 from ...compiler.ir.storage import stored_type, structs_in
 from ...compiler.ir.types import RuntimeArray, Struct
 from ..description.shading_language import BindingKind
@@ -18,7 +18,7 @@ from ..legalise.bindings import Bindings, BindingSlot
 from ..legalise.resource_arguments import Passed
 from .comments import comment_line
 from .context import Context
-from .views import BlockView, BufferView, MemberView, StructView, TextureView
+from .views import BlockView, BufferView, ImageView, MemberView, StructView, TextureView
 
 
 class Declarations:
@@ -46,6 +46,10 @@ class Declarations:
         """The storage buffers that any of the stages reads."""
         read = {buffer for stage in stages for buffer in stage.buffers}
         return [self._buffers[b.name] for b in self._context.program.buffers if b in read]
+
+    def images(self, stages: Iterable[Stage]) -> list[ImageView]:
+        """The images that any of the stages writes."""
+        return [self._image(image) for stage in stages for image in stage.images]
 
     def textures(self, stages: Iterable[Stage]) -> list[TextureView]:
         """The textures that any of the stages reads, each followed by its sampler."""
@@ -136,6 +140,16 @@ class Declarations:
             register=self._register("written" if is_written else "buffer", slot),
             argument=argument.format(type=element, name=name),
             written=is_written,
+        )
+
+    def _image(self, image: Image) -> ImageView:
+        slot = self._bindings.images[image.name]
+        return ImageView(
+            name=self._names.images[image.name],
+            type=self._context.language.images[image.format],
+            format=image.format,
+            slot=slot,
+            register=self._register("image", slot),
         )
 
     def _texture(self, resource: Resource) -> Iterable[TextureView]:

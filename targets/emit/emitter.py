@@ -21,7 +21,7 @@ from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
 from .templates import renderer
-from .texture_declarations import helpers, opening_lines
+from .texture_declarations import helpers, image_lines, opening_lines
 from .views import EntryView, FileView
 from .wrapping import Breaks, moved, wrapped
 
@@ -144,12 +144,17 @@ class _Emitter:
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
         reads = [read for stage in stages for read in stage.reads]
+        images = self._declarations.images(stages)
         return FileView(
-            opening=opening_lines(self._profile, self._context.textures, reads),
+            opening=[
+                *opening_lines(self._profile, self._context.textures, reads),
+                *image_lines(self._profile, images),
+            ],
             header=self._header(stages),
             structs=self._declarations.structs(stages),
             blocks=self._declarations.blocks(stages),
             buffers=self._declarations.buffers(stages),
+            images=images,
             textures=self._declarations.textures(stages),
             helpers=helpers(self._language, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),

@@ -32,6 +32,7 @@ class Names:
     buffers: Mapping[str, str]
     buffer_blocks: Mapping[str, str]
     """By buffer, the interface block around it, in languages that have one."""
+    images: Mapping[str, str]
     textures: Mapping[str, str]
     samplers: Mapping[str, str]
     """By texture; only textures that are read by a sampler have one."""
@@ -106,6 +107,7 @@ class _Naming:
             name: self._declare(f"{final[:1].upper()}{final[1:]}Buffer")
             for name, final in (buffers if self._language.buffer_blocks else {}).items()
         }
+        images = {image.name: self._declare(image.name) for image in program.images}
         textures = {item.name: self._declare(item.name) for item in program.resources}
         sampled = program.sampled
         samplers = {
@@ -121,6 +123,7 @@ class _Naming:
             structs=structs,
             buffers=buffers,
             buffer_blocks=buffer_blocks,
+            images=images,
             textures=textures,
             samplers=samplers,
             attributes=fields.attributes,

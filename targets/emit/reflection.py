@@ -59,6 +59,13 @@ def backend_table(
             )
             for buffer in program.buffers
         },
+        images={
+            image.name: _point(
+                language, profile,
+                names.images[image.name], bindings.images[image.name], "image",
+            )
+            for image in program.images
+        },
         textures={
             item.name: _point(
                 language, profile,

@@ -11,6 +11,7 @@ from ..description.profile import Profile
 from ..description.shading_language import Language
 from ..description.spellings import TextureNames
 from ..legalise.samplers import sampler_use, texture_type
+from .views import ImageView
 
 
 class TextureSpeller:
@@ -53,6 +54,13 @@ def opening_lines(
         if profile.samplers.precision:
             found[profile.samplers.precision.format(type=textures.combined(read.resource))] = None
     return [line for line in found if line not in profile.preamble]
+
+
+def image_lines(profile: Profile, images: Iterable[ImageView]) -> list[str]:
+    """The first lines of a file that writes images: their precision, where one has to be told."""
+    precision = profile.samplers.precision
+    types = dict.fromkeys(image.type for image in images)
+    return [precision.format(type=type_) for type_ in types] if precision else []
 
 
 def helpers(

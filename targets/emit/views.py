@@ -60,6 +60,18 @@ class BufferView:
 
 
 @frozen
+class ImageView:
+    """An image that a kernel writes."""
+
+    name: str
+    type: str
+    format: str
+    """That of its texels, in Burnish's word."""
+    slot: BindingSlot
+    register: str
+
+
+@frozen
 class TextureView:
     """A texture or a sampler, or both in one."""
 
@@ -166,15 +178,19 @@ class EntryView:
     """What this stage reads of the file's blocks."""
     buffers: list[BufferView]
     """Likewise."""
+    images: list[ImageView]
+    """Those that it writes."""
     textures: list[TextureView]
-    """Likewise."""
+    """What it reads of the file's textures."""
     functions: list[FunctionView]
     lines: list[str]
     stores: list[StoreView]
+    texels: list[str]
+    """The statements that write the texels of images."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
     index: str
-    """The statement that names the number of a kernel's element; empty in other stages."""
+    """The statement that names a kernel's element or texel; empty in other stages."""
     guard: str
     """Where a kernel's invocation has nothing to do; empty in other stages."""
     work_group: tuple[int, ...]
@@ -199,6 +215,7 @@ class FileView:
     structs: list[StructView]
     blocks: list[BlockView]
     buffers: list[BufferView]
+    images: list[ImageView]
     textures: list[TextureView]
     """Each followed by its sampler, if that is an object of its own."""
     helpers: list[str]

@@ -8,11 +8,18 @@ from pathlib import Path
 
 from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, RASTERISED
 from ...compiler.ir.tessellation import Patch, Spacing
-from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4
+from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Framebuffer, Limits, Profile, Samplers, StreamOutput
+from ..description.profile import (
+    STORABLE,
+    Framebuffer,
+    Limits,
+    Profile,
+    Samplers,
+    StreamOutput,
+)
 from ..description.reserved import read_reserved
 from ..description.shading_language import Language
 from ..description.spellings import (
@@ -108,6 +115,7 @@ INPUTS = {
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
     "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
+    "texel": PipelineInput(Vector("uint", 2), "gl_GlobalInvocationID.xy"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
     "patch_weights": PipelineInput(VEC3, "gl_TessCoord"),
     "patch_coordinate": PipelineInput(VEC2, "gl_TessCoord.xy"),
@@ -117,6 +125,7 @@ INPUTS = {
 FORMS = Forms(
     deliver_position="gl_Position = {value};",
     position="gl_Position",
+    store_texel="imageStore({name}, {place}, {value});",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
     edge_level="gl_TessLevelOuter[{number}]",
@@ -287,6 +296,7 @@ LANGUAGE = Language(
     extension="glsl",
     types=TYPES,
     textures=TEXTURES,
+    images=dict.fromkeys(STORABLE, "image2D"),
     forms=FORMS,
     natives=NATIVES,
     primitives=PRIMITIVES,

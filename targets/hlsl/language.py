@@ -9,11 +9,11 @@ from pathlib import Path
 
 from ...compiler.ir.stages import COMPUTED, CONTROL, ENTRY_POINTS, EVALUATION, EXPANDED
 from ...compiler.ir.tessellation import Patch, Spacing
-from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension
+from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile, StreamOutput
+from ..description.profile import STORABLE, Limits, Profile, StreamOutput
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -59,6 +59,7 @@ FORMS = Forms(
     of_patch="patch.{name}",
     edge_level="edge_levels[{number}]",
     inner_level="inner_levels[{number}]",
+    store_texel="{name}[{place}] = {value};",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
@@ -72,6 +73,11 @@ TEXTURES = TextureNames(
     },
     samplers={"filtering": "SamplerState", "comparison": "SamplerComparisonState"},
 )
+
+IMAGES: Mapping[str, str] = {
+    **dict.fromkeys(STORABLE, "RWTexture2D<float4>"),
+    "rgba8": "RWTexture2D<unorm float4>",
+}
 
 NATIVES: Spellings = {
     "mul": Spelling(matrix="mul"),
@@ -161,6 +167,7 @@ INPUTS = {
     "vertex_index": PipelineInput(UINT, "input.{name}", "SV_VertexID"),
     "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
     "index": PipelineInput(UINT, "input.{name}", "SV_DispatchThreadID"),
+    "texel": PipelineInput(Vector("uint", 2), "input.{name}", "SV_DispatchThreadID"),
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
     "patch_weights": PipelineInput(VEC3, "{name}", "SV_DomainLocation"),
     "patch_coordinate": PipelineInput(VEC2, "{name}", "SV_DomainLocation"),
@@ -249,6 +256,7 @@ LANGUAGE = Language(
     name="hlsl",
     registers={
         "block": "b{binding}", "buffer": "t{binding}", "written": "u{binding}",
+        "image": "u{binding}",
         "texture": "t{binding}", "sampler": "s{binding}",
     },
     line_directive='#line {line} "{name}"',
@@ -257,6 +265,7 @@ LANGUAGE = Language(
     extension="hlsl",
     types=TYPES,
     textures=TEXTURES,
+    images=IMAGES,
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,

@@ -38,12 +38,14 @@ class Bindings:
     samplers: Mapping[str, BindingSlot]
     """Of textures that are read by one; the texture's own slot where the profile combines them."""
     buffers: Mapping[str, BindingSlot]
+    images: Mapping[str, BindingSlot]
 
 
 def assign_bindings(program: Program, profile: Profile) -> Bindings:
     """Number the blocks of each group, then its buffers, textures and samplers, group by group."""
     blocks: dict[str, BindingSlot] = {}
     buffers: dict[str, BindingSlot] = {}
+    images: dict[str, BindingSlot] = {}
     textures: dict[str, BindingSlot] = {}
     samplers: dict[str, BindingSlot] = {}
     sampled = program.sampled
@@ -54,6 +56,10 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     else:
         blocks = {name: BindingSlot(place.group, place.binding) for name, place in hosts.items()}
         slots = _SlotsBySet(frozenset(blocks.values()))
+    # First, as devices have fewer places for images than for textures.
+    for image in program.images:
+        set_ = profile.sets.get(image.group, profile.default_set)
+        images[image.name] = slots.free("image", set_)
     for group, owned in _by_group(program).items():
         set_ = profile.sets.get(group, profile.default_set)
         for block in sorted(owned.blocks, key=lambda block: block.derived):
@@ -66,7 +72,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
             if resource in sampled:
                 combined = profile.samplers.combined
                 samplers[resource.name] = texture if combined else slots.free("sampler", set_)
-    return Bindings(blocks, textures, samplers, buffers)
+    return Bindings(blocks, textures, samplers, buffers, images)
 
 
 class _Slots(Protocol):
@@ -89,14 +95,15 @@ class _SlotsBySet:
 
 
 class _SlotsByKind:
-    """A number is used once for each kind. The host's own blocks are numbered like others, and
-    before them, since their places may be the same but for the set."""
+    """A number is used once for each kind; images are textures. The host's own blocks are numbered
+    like others, and before them, since their places may be the same but for the set."""
 
     def __init__(self) -> None:
         self._numbers: defaultdict[BindingKind, Iterator[int]] = defaultdict(count)
 
     def free(self, kind: BindingKind, _set: int) -> BindingSlot:
-        return BindingSlot(0, next(self._numbers[kind]))
+        counted: BindingKind = "texture" if kind == "image" else kind
+        return BindingSlot(0, next(self._numbers[counted]))
 
 
 @frozen(eq=False)

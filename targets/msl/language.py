@@ -19,10 +19,10 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
-from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile
+from ..description.profile import STORABLE, Limits, Profile
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
@@ -62,6 +62,7 @@ FORMS = Forms(
     block_argument="constant {type}& {name}",
     buffer_argument="device const {type}* {name}",
     written_argument="device {type}* {name}",
+    store_texel="{name}.write({value}, uint2({place}));",
 )
 
 TEXTURES = TextureNames(
@@ -186,6 +187,7 @@ INPUTS = {
     "vertex_index": PipelineInput(UINT, "{name}", "vertex_id"),
     "instance_index": PipelineInput(UINT, "{name}", "instance_id"),
     "index": PipelineInput(UINT, "{name}", "thread_position_in_grid"),
+    "texel": PipelineInput(Vector("uint", 2), "{name}", "thread_position_in_grid"),
 }
 
 
@@ -231,6 +233,7 @@ LANGUAGE = Language(
     entry_point="{entry}",
     types=TYPES,
     textures=TEXTURES,
+    images=dict.fromkeys(STORABLE, "texture2d<float, access::write>"),
     literals=Literals(float_suffix="f"),
     helpers=HELPERS,
     forms=FORMS,
@@ -244,6 +247,7 @@ LANGUAGE = Language(
         "block": "buffer({binding})",
         "buffer": "buffer({binding})",
         "written": "buffer({binding})",
+        "image": "texture({binding})",
         "texture": "texture({binding})",
         "sampler": "sampler({binding})",
     },

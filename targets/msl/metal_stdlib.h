@@ -355,7 +355,13 @@ struct gradient2d { gradient2d(float2, float2); };
 struct gradient3d { gradient3d(float3, float3); };
 struct gradientcube { gradientcube(float3, float3); };
 
-template <typename T> struct texture2d {
+enum class access { sample, write };
+
+template <typename T, access = access::sample> struct texture2d;
+template <typename T> struct texture2d<T, access::write> {
+    void write(vec<T, 4>, uint2, uint = 0) const;
+};
+template <typename T> struct texture2d<T, access::sample> {
     vec<T, 4> sample(sampler, float2, int2 = int2(0)) const;
     vec<T, 4> sample(sampler, float2, level, int2 = int2(0)) const;
     vec<T, 4> sample(sampler, float2, gradient2d, int2 = int2(0)) const;

@@ -15,6 +15,7 @@ from .drivers.draw import (
     BufferSlot,
     CapturedOutput,
     Cull,
+    ImageSlot,
     Pipeline,
     Place,
     Primitive,
@@ -79,6 +80,7 @@ def pipeline(
     """
     backend = reflection["backends"][route.profile]
     on_vulkan = EVERY_DRIVER[route.driver].module == "vulkan"
+    images = backend["images"]
     return Pipeline(
         stages=codes.stages,
         inputs=tuple(_input(row, backend) for row in reflection["vertex_inputs"]),
@@ -93,9 +95,15 @@ def pipeline(
             for row in reflection["results" if written else "buffers"]
             if written or row["stages"]
         ),
+        images=tuple(
+            ImageSlot(_place(images[row["name"]]), FORMATS[row["format"]])
+            for row in reflection["targets"]
+            if images
+        ),
         targets=tuple(
             RenderTarget(target_format(row, exact=exact), "none" if exact else row["blend"])
             for row in reflection["targets"]
+            if not images
         ),
         primitive=_primitive(reflection["draw"]),
         patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,

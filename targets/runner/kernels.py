@@ -14,8 +14,10 @@ import numpy as np
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
 from ...frozen import changed
-from .drivers.draw import Dispatch, KernelJob, Pipeline, Written
+from .drivers.draw import Dispatch, Draw, Job, KernelJob, Picture, Pipeline, Written
 from .instances.instance import Instance
+from .routes import Route
+from .runner import Runner
 from .scene_state import CLEAR, Color, SceneState
 
 
@@ -80,6 +82,27 @@ def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
     corners = np.arange(CORNERS)[None]
     cleared = (clear,) * len(reflection["targets"])
     return SceneState(width, height, {}, corners, instance, cleared)
+
+
+def pictures_of(
+    route: Route, runner: Runner, reflection: Mapping[str, Any], pipeline: Pipeline,
+    draws: Sequence[Draw],
+) -> Sequence[Picture]:  # fmt: skip
+    """The images of a kernel as pictures: drawn, or computed where the pipeline writes images.
+
+    Raises ``DriverError``.
+    """
+    if not pipeline.images:
+        return runner.draw(route, Job(pipeline, tuple(draws)))
+    dispatches = [
+        Dispatch((draw.width, draw.height, 1), draw.blocks, draw.textures, draw.buffers)
+        for draw in draws
+    ]
+    written = runner.compute(route, job_of(reflection, pipeline, dispatches))
+    return [
+        Picture(draw.width, draw.height, one.images)
+        for draw, one in zip(draws, written, strict=True)
+    ]
 
 
 def drawable(shader: Shader) -> Shader:

@@ -10,9 +10,8 @@ from ...compiler.reference.picture import RasterRules
 from ..toolchain import Toolchain
 from .binding import pipeline
 from .codes import compile_one
-from .drivers.draw import Job
 from .drivers.readback import arrays
-from .kernels import drawable
+from .kernels import drawable, pictures_of
 from .reference import Progress, expected
 from .routes import Route
 from .runner import Runner
@@ -44,5 +43,6 @@ def by_route(
     codes = compile_one(route, subject.files, toolchain)
     blends = any(row["blend"] != "none" for row in subject.reflection["targets"])
     shader_pipeline = pipeline(subject.reflection, route, codes, exact=not blends)
-    (picture,) = runner.draw(route, Job(shader_pipeline, (state.draw(),)))
+    draws = (state.draw(),)
+    (picture,) = pictures_of(route, runner, subject.reflection, shader_pipeline, draws)
     return arrays(picture)

@@ -46,6 +46,7 @@ FORMS = Forms(
     select="select({otherwise}, {then}, {condition})",
     member="{block}.{name}",
     input="input.{name}",
+    store_texel="textureStore({name}, {place}, {value});",
 )
 
 TEXTURES = TextureNames(
@@ -58,6 +59,13 @@ TEXTURES = TextureNames(
     },
     samplers={"filtering": "sampler", "comparison": "sampler_comparison"},
 )
+
+IMAGES: Mapping[str, str] = {
+    "r32f": "texture_storage_2d<r32float, write>",
+    "rgba8": "texture_storage_2d<rgba8unorm, write>",
+    "rgba16f": "texture_storage_2d<rgba16float, write>",
+    "rgba32f": "texture_storage_2d<rgba32float, write>",
+}
 
 NATIVES: Spellings = {
     "neg": Spelling(matrix="(-1.0 * {0:p})"),
@@ -108,6 +116,7 @@ INPUTS = {
     "vertex_index": PipelineInput(UINT, "input.{name}", "@builtin(vertex_index)"),
     "instance_index": PipelineInput(UINT, "input.{name}", "@builtin(instance_index)"),
     "index": PipelineInput(Vector("uint", 3), "input.{name}.x", "@builtin(global_invocation_id)"),
+    "texel": PipelineInput(Vector("uint", 3), "input.{name}.xy", "@builtin(global_invocation_id)"),
 }
 
 
@@ -150,6 +159,7 @@ LANGUAGE = Language(
     extension="wgsl",
     types=TYPES,
     textures=TEXTURES,
+    images=IMAGES,
     forms=FORMS,
     natives=NATIVES,
     splats=frozenset(

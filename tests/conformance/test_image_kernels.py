@@ -15,7 +15,9 @@ from burnish.targets.runner.routes import ROUTES
 from .kit import Studio
 
 FILE = Path(__file__).with_name("image_kernels.burnish")
-NAMES = ("Bytes", "Few", "Floats", "Alone", "Branches")
+NAMES = ("Bytes", "Few", "Floats", "Stored", "Alone", "Branches")
+WRITTEN = {"Stored", "Alone", "Branches"}
+"""Those whose formats a kernel can write."""
 WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:es310", "chromium:webgl2"}
 
 
@@ -36,6 +38,17 @@ def test_it_agrees(studio: Studio, route: str, name: str) -> None:
         return
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
     assert row.covered > 1000
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_profiles_with_kernels_write_images_where_they_can(name: str) -> None:
+    backends = compiled()[name].reflection["backends"]
+    for profile in ("glsl:vulkan", "hlsl:sm6", "wgsl:webgpu"):
+        stages = [row["stage"] for row in backends[profile]["files"]]
+        assert stages == (["compute"] if name in WRITTEN else ["vertex", "fragment"])
+        assert bool(backends[profile]["images"]) == (name in WRITTEN)
+    stages = [row["stage"] for row in backends.get("glsl:gl330", {"files": ()})["files"]]
+    assert stages == ([] if name == "Floats" else ["vertex", "fragment"])
 
 
 def test_all_kernels_are_run() -> None:

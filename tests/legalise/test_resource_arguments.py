@@ -10,6 +10,7 @@ import pytest
 from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.emit.emitter import Emission, emit
+from burnish.targets.legalise.forms import form_for
 from burnish.targets.legalise.legalise import legalise
 
 from .kit import SINGLE, staged
@@ -24,7 +25,8 @@ TOY = changed(
 
 
 def printed(source: str | Path) -> Emission:
-    return emit(legalise(staged(source).program, TOY, TOY.profiles[0]))
+    profile = TOY.profiles[0]
+    return emit(legalise(form_for(staged(source), profile).program, TOY, profile))
 
 
 def functions(text: str) -> dict[str, tuple[str, str]]:

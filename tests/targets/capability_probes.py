@@ -45,6 +45,12 @@ def calls_no_definition(material: CompiledMaterial) -> bool:
     return not legal.definitions
 
 
+def writes_images(material: CompiledMaterial) -> bool:
+    """Whether a kernel has images of its own, and not render targets."""
+    ((legal, _),) = material._emissions
+    return bool(legal.program.images)
+
+
 EXPANSION = """material M {{
     expand {} {{
         strip of 3 as i like corner[{step} * i] {{
@@ -78,6 +84,10 @@ PROBES: Mapping[str, Probe] = {
     "captures": Probe(CAPTURES.format("0.5"), options={"pass_": "Moved"}),
     "kernels over buffers": Probe(
         "kernel K { param n : int in 0..300 = 200  result r : float[n] = float(index) * 0.5 }"
+    ),
+    "kernels over images": Probe(
+        "kernel K { result i : image2d<rgba8>[ivec2(8, 8)] = vec4(vec2(texel), 0, 1) / 8 }",
+        is_native=writes_images,
     ),
     "storage buffers at fragments": Probe(
         "material M { buffer tints : rgb[]  color = tints[int(uv.x * 4)] }"

@@ -22,6 +22,33 @@ def test_the_text_is_as_it_was(profile: str) -> None:
     assert_golden(file.text, HERE / "golden" / file.name.replace("Swarm", "swarm"))
 
 
+IMAGES = """
+/// Darkens the corners of a picture.
+kernel Vignette {
+    map picture : texture2d                             /// What is darkened
+    param strength : float in 0..1 = 0.5
+
+    place = (2 * vec2(texel) + 1) / vec2(picture.size()) - 1
+
+    /// The picture, and in its alpha how dark it became.
+    result dark   : image2d<rgba16f>[picture.size()] = vec4(picture.load(texel).rgb * light, light)
+    result light_ : image2d<r32f>[picture.size()]    = light
+    light = 1 - strength * dot(place, place)
+}
+"""
+
+
+@pytest.mark.parametrize(
+    "profile", ["glsl:vulkan", "glsl:es310", "hlsl:sm6", "wgsl:webgpu", "msl:metal2", "glsl:es300"]
+)
+def test_the_text_of_a_kernel_over_images_is_as_it_was(profile: str) -> None:
+    (kernel,) = burnish.compile(IMAGES, profile)
+    stages = {stage for file in kernel.files for stage in file.entry_points}
+    assert stages == ({"vertex", "fragment"} if profile == "glsl:es300" else {"compute"})
+    for file in kernel.files:
+        assert_golden(file.text, HERE / "golden" / file.name.replace("Vignette", "vignette"))
+
+
 def test_profiles_without_kernels_say_so() -> None:
     for profile in ("glsl:gl330", "glsl:es300"):
         with pytest.raises(burnish.CompileError) as error:

@@ -17,7 +17,7 @@ from burnish.targets.emit.views import FileView
 from .kit import PROFILES, Selected
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-EMPTY = FileView([], ["first", "second"], [], [], [], [], [], [], [])
+EMPTY = FileView([], ["first", "second"], [], [], [], [], [], [], [], [])
 PROFILE = Profile(name="any", doc="")
 
 

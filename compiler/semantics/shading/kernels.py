@@ -11,6 +11,7 @@ from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...ir import build
+from ...ir.kernel import WRITTEN_GROUP
 from ...ir.leaves import Buffer
 from ...ir.node import Graph, Node, reachable
 from ...ir.shader import BufferInfo, Notes, ParameterInfo, Result, Shader, Store
@@ -26,6 +27,7 @@ from ...ir.types import (
     Struct,
     Type,
     Vector,
+    width,
     with_width,
 )
 from ...syntax import ast
@@ -55,12 +57,6 @@ _KNOWN_TO_HOST = frozenset(
 )
 """Operations by which a host computes how many elements a result has, or of which size it is."""
 
-DIMENSIONS = 1
-"""The elements of buffers are counted by one number."""
-
-WRITTEN_GROUP = "draw"
-"""The group of the buffers that a kernel writes."""
-
 Written = tuple[BufferInfo, Node] | Result
 """A buffer, and the value of one of its elements; or an image."""
 
@@ -88,7 +84,7 @@ def kernel_shader(
     found = [_result(ctx, member, _scope(owner, instance, level))
              for member, owner, level in statements]  # fmt: skip
     check_instance(ctx, instance)
-    group = work_group_of(ctx, record, DIMENSIONS)
+    group = work_group_of(ctx, record, width(ctx.extent.type))
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:

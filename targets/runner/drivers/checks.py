@@ -48,6 +48,9 @@ def check_capture(job: CaptureJob) -> None:
 
 def check_kernel(job: KernelJob) -> None:
     """Raise ``DriverError`` if the bytes of a dispatch do not fit the pipeline."""
+    for written in job.pipeline.images:
+        if written.format not in get_args(TargetFormat):
+            raise DriverError(f"there is no image of the format {written.format!r}")
     for number, dispatch in enumerate(job.dispatches):
         try:
             _same_number("uniform blocks", dispatch.blocks, job.pipeline.blocks)

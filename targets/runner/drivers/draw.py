@@ -144,6 +144,14 @@ class BufferSlot:
 
 
 @dataclass(frozen=True, slots=True)
+class ImageSlot:
+    """An image of the pipeline, which a kernel writes."""
+
+    place: Place
+    format: TargetFormat
+
+
+@dataclass(frozen=True, slots=True)
 class TextureSlot:
     """A texture of the pipeline with the sampler that reads it."""
 
@@ -216,6 +224,7 @@ class Pipeline:
     first_row: Literal["top", "bottom"] = "top"
     """Which row of the picture comes first in the framebuffer's memory."""
     buffers: tuple[BufferSlot, ...] = ()
+    images: tuple[ImageSlot, ...] = ()
     host_uniforms: tuple[str, ...] = ()
     """Single float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
     clip_control: tuple[str, ...] = ()
@@ -329,7 +338,8 @@ class Dispatch:
     """One run of a kernel: the bytes for every slot, and how many elements it computes."""
 
     extent: Sides
-    """The elements along x, y and z; a buffer's stand along x."""
+    """The elements along x, y and z; a buffer's stand along x. Of images, the width, the height and
+    1."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     buffers: tuple[bytes, ...]
@@ -360,6 +370,8 @@ class Written:
     """What a dispatch has written: all bytes of each buffer that the pipeline writes, in order."""
 
     buffers: tuple[bytes, ...]
+    images: tuple[bytes, ...] = ()
+    """The texels of each image, as ``Picture`` has them."""
 
 
 class DriverError(Exception):

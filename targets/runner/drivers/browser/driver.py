@@ -16,6 +16,7 @@ from ..draw import (
     Captured,
     CaptureJob,
     Device,
+    Dispatch,
     Draw,
     DriverError,
     Job,
@@ -70,7 +71,7 @@ class Browser:
         """What each dispatch of the job writes. Raises ``DriverError``."""
         check_kernel(job)
         runs = self._ask("kernel", to_json(job))["written"]
-        return [Written(tuple(map(base64.b64decode, buffers))) for buffers in runs]
+        return [_written(job, *each) for each in zip(job.dispatches, runs, strict=True)]
 
     def capture(self, job: CaptureJob) -> Sequence[Captured]:
         """The vertices that each draw of the job captures. Raises ``DriverError``."""
@@ -112,6 +113,16 @@ class Browser:
 def _picture(pipeline: Pipeline, draw: Draw, targets: Sequence[Mapping[str, str]]) -> Picture:
     """The picture of the texels that the page returns in base64, with their formats."""
     return Picture(draw.width, draw.height, tuple(_floats(pipeline, draw, t) for t in targets))
+
+
+def _written(job: KernelJob, dispatch: Dispatch, run: Mapping[str, Any]) -> Written:
+    """What the page returns in base64, with texels in their formats."""
+    width, height, _ = dispatch.extent
+    images = (
+        to_float(base64.b64decode(texels), slot.format, width, height, "top")
+        for slot, texels in zip(job.pipeline.images, run["images"], strict=True)
+    )
+    return Written(tuple(map(base64.b64decode, run["buffers"])), tuple(images))
 
 
 def _floats(pipeline: Pipeline, draw: Draw, target: Mapping[str, Any]) -> bytes:

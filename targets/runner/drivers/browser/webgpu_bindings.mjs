@@ -20,13 +20,14 @@ export function makeStorage(device, job, values, keep) {
 }
 
 /** The bind groups with everything that a pipeline reads and writes. */
-export function bindGroups(device, job, layouts, values, storages, keep) {
-  const resource = ({ block, storage, texture, sampler, number }) => {
+export function bindGroups(device, job, layouts, values, storages, keep, images = []) {
+  const resource = ({ block, storage, image: written, texture, sampler, number }) => {
     if (block) {
       const data = bytes(values.blocks[number]);
       return { buffer: keep(makeBuffer(device, data, GPUBufferUsage.UNIFORM)) };
     }
     if (storage) return { buffer: storages[number] };
+    if (written) return images[number].createView();
     if (texture) {
       const image = values.textures[number];
       return viewOf(keep(makeTexture(device, image)), image);

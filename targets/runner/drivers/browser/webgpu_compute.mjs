@@ -2,6 +2,7 @@
 
 import { base64, Refusal } from "./answers.mjs";
 import { bindGroups, makeStorage } from "./webgpu_bindings.mjs";
+import { copyBack as copyTexels, withoutPadding } from "./webgpu_draw.mjs";
 import { COMPUTE_STAGE, groupLayouts, makeModule } from "./webgpu_pipeline.mjs";
 
 /** What each dispatch of a job writes. */
@@ -37,22 +38,34 @@ async function run(device, job, pipeline, layouts, groups, dispatch) {
   const keep = (resource) => (resources.push(resource), resource);
   try {
     const buffers = makeStorage(device, job, dispatch, keep);
+    const images = job.images.map(({ format }) => keep(makeImage(device, format, dispatch)));
     const encoder = device.createCommandEncoder();
     const pass = encoder.beginComputePass();
     pass.setPipeline(pipeline);
-    bindGroups(device, job, layouts, dispatch, buffers, keep).forEach((group, at) =>
+    bindGroups(device, job, layouts, dispatch, buffers, keep, images).forEach((group, at) =>
       pass.setBindGroup(at, group),
     );
     pass.dispatchWorkgroups(...groups);
     pass.end();
     const results = buffers.filter((_, at) => job.buffers[at].written);
     const copies = results.map((buffer) => keep(copyBack(device, encoder, buffer)));
+    const texels = images.map((image) => keep(copyTexels(device, encoder, image)));
     device.queue.submit([encoder.finish()]);
-    await Promise.all(copies.map((copy) => copy.mapAsync(GPUMapMode.READ)));
-    return copies.map((copy) => base64(new Uint8Array(copy.getMappedRange())));
+    await Promise.all([...copies, ...texels].map((copy) => copy.mapAsync(GPUMapMode.READ)));
+    return {
+      buffers: copies.map((copy) => base64(new Uint8Array(copy.getMappedRange()))),
+      images: texels.map((copy, at) =>
+        base64(withoutPadding(new Uint8Array(copy.getMappedRange()), images[at])),
+      ),
+    };
   } finally {
     resources.forEach((resource) => resource.destroy());
   }
+}
+
+function makeImage(device, format, { extent }) {
+  const usage = GPUTextureUsage.STORAGE_BINDING | GPUTextureUsage.COPY_SRC;
+  return device.createTexture({ format, size: extent, usage });
 }
 
 function copyBack(device, encoder, buffer) {

@@ -93,7 +93,7 @@ const rowSize = ({ width, format }) => width * TEXEL_SIZES[format];
 const paddedRowSize = (target) => Math.ceil(rowSize(target) / ROW_ALIGNMENT) * ROW_ALIGNMENT;
 
 /** A buffer into which the encoder copies a target, with rows padded as WebGPU requires. */
-function copyBack(device, encoder, target) {
+export function copyBack(device, encoder, target) {
   const bytesPerRow = paddedRowSize(target);
   const buffer = device.createBuffer({
     size: bytesPerRow * target.height,
@@ -106,7 +106,8 @@ function copyBack(device, encoder, target) {
   return buffer;
 }
 
-function withoutPadding(data, target) {
+/** The texels of a target, or of an image that a kernel has written, row by row. */
+export function withoutPadding(data, target) {
   const row = rowSize(target);
   const padded = paddedRowSize(target);
   if (row === padded) return data;

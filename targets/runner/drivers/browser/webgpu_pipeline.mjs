@@ -101,6 +101,7 @@ export function groups(job) {
   };
   job.blocks.forEach((slot, number) => add(slot.place, { block: slot, number }));
   job.buffers.forEach((slot, number) => add(slot.place, { storage: slot, number }));
+  job.images.forEach((slot, number) => add(slot.place, { image: slot, number }));
   job.textures.forEach((slot, number) => {
     add(slot.texture, { texture: slot, number });
     if (slot.sampler) add(slot.sampler, { sampler: slot, number });
@@ -123,6 +124,7 @@ export function groupLayouts(device, job, visibility = BOTH_STAGES) {
             minBindingSize: what.storage.stride,
           },
         }),
+        ...(what.image && { storageTexture: { format: what.image.format } }),
         ...(what.texture && { texture: textureLayout(what.texture) }),
         ...(what.sampler && { sampler: samplerLayout(what.sampler) }),
       })),

@@ -9,6 +9,7 @@ from ..draw import Dispatch, DriverError, KernelJob, Written
 from .bindings import bound
 from .context import Functions
 from .program import link_kernel
+from .written_images import texels, written_images
 
 MOST_GROUPS = "GL_MAX_COMPUTE_WORK_GROUP_COUNT"
 
@@ -32,12 +33,19 @@ def _run(
     job: KernelJob,
     dispatch: Dispatch,
 ) -> Written:
-    with bound(context, functions, job.pipeline, dispatch) as storage:
+    slots = job.pipeline.images
+    with (
+        bound(context, functions, job.pipeline, dispatch) as storage,
+        written_images(context, slots, dispatch.extent) as images,
+    ):
         if all(groups := job.groups(dispatch)):
             program.run(*groups)
         context.memory_barrier()
         pairs = zip(job.pipeline.buffers, storage, strict=True)
-        written = Written(tuple(buffer.read() for slot, buffer in pairs if slot.written))
+        written = Written(
+            tuple(buffer.read() for slot, buffer in pairs if slot.written),
+            tuple(texels(slot, image) for slot, image in zip(slots, images, strict=True)),
+        )
     if (error := context.error) != "GL_NO_ERROR":
         raise DriverError(f"OpenGL reports {error}")
     return written

@@ -94,6 +94,7 @@ def _refuse_strangers(program: Linked, pipeline: Pipeline) -> None:
         if isinstance(member, moderngl.StorageBlock) and member.binding not in places:
             raise DriverError(f"the shader reads storage buffer {name!r}, which nobody binds")
     uniforms = {slot.texture.identifier for slot in pipeline.textures} | {*pipeline.host_uniforms}
+    uniforms |= {slot.place.identifier for slot in pipeline.images}
     _require("uniform", uniforms, _members(program, moderngl.Uniform))
     for name, kind in kinds.items():
         attribute = program.get(name, None)

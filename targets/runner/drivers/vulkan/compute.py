@@ -15,6 +15,7 @@ from .graphics_pipeline import make_layout, make_stage
 from .limits import check_blocks
 from .memory import filled_buffer
 from .texture_images import make_texture
+from .written_images import make_images
 
 COMPUTE = vk.VK_PIPELINE_BIND_POINT_COMPUTE
 STORAGE = vk.VK_BUFFER_USAGE_STORAGE_BUFFER_BIT
@@ -58,10 +59,15 @@ def _run(
         bindings.bind_textures(
             gpu, [make_texture(owned, gpu, image) for image in dispatch.textures]
         )
+        images = make_images(owned, gpu, job.pipeline.images, dispatch.extent)
+        bindings.bind_images(gpu, images.views)
         with recording(gpu) as commands:
+            images.make_writable(commands)
             _record(commands, bindings, layout, pipeline, job.groups(dispatch))
+            images.read_back(commands)
         pairs = zip(job.pipeline.buffers, buffers, strict=True)
-        return Written(tuple(bytes(b.mapped[0 : b.size]) for slot, b in pairs if slot.written))
+        held = tuple(bytes(b.mapped[0 : b.size]) for slot, b in pairs if slot.written)
+        return Written(held, images.texels())
 
 
 def _record(

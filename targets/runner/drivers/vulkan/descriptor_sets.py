@@ -18,6 +18,7 @@ from .texture_images import READ, make_sampler
 STAGES = vk.VK_SHADER_STAGE_ALL
 BLOCK = vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
 STORAGE = vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+IMAGE = vk.VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
 TEXTURE = vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
 SAMPLER = vk.VK_DESCRIPTOR_TYPE_SAMPLER
 COMBINED = vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
@@ -55,6 +56,12 @@ class DescriptorSets:
         for slot, buffer in zip(self.slots.buffers, buffers, strict=True):
             part = vk.VkDescriptorBufferInfo(buffer=buffer.handle, range=buffer.size)
             self._write(gpu, slot.place, STORAGE, pBufferInfo=[part])
+
+    def bind_images(self, gpu: Gpu, views: Sequence[Any]) -> None:
+        """Make the descriptors of the images that a kernel writes refer to these views."""
+        for slot, view in zip(self.slots.images, views, strict=True):
+            info = vk.VkDescriptorImageInfo(imageView=view, imageLayout=vk.VK_IMAGE_LAYOUT_GENERAL)
+            self._write(gpu, slot.place, IMAGE, pImageInfo=[info])
 
     def fill(self, gpu: Gpu) -> None:
         """Make the descriptors that never change refer to the blocks' buffers and the samplers."""
@@ -111,6 +118,8 @@ def _used_descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
         yield block.place, BLOCK
     for buffer in pipeline.buffers:
         yield buffer.place, STORAGE
+    for image in pipeline.images:
+        yield image.place, IMAGE
     for slot in pipeline.textures:
         yield slot.texture, _texture_type(slot)
         if slot.sampler is not None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import wgpu
 
-from ..draw import BlockSlot, BufferSlot, Dispatch, Draw
+from ..draw import BlockSlot, BufferSlot, Dispatch, Draw, ImageSlot
 from .device import Gpu
 from .pipeline import Bound, Groups
 from .textures import make_sampler, make_view
@@ -33,13 +33,14 @@ def bind_groups(
     groups: Groups,
     values: Draw | Dispatch,
     storage: Sequence[Any],
+    images: Sequence[Any] = (),
 ) -> list[Any]:
     """The bind groups with everything that a pipeline reads and writes."""
     return [
         gpu.device.create_bind_group(
             layout=layout,
             entries=[
-                {"binding": at, "resource": _resource(gpu, what, values, storage)}
+                {"binding": at, "resource": _resource(gpu, what, values, storage, images)}
                 for at, what in group.items()
             ],
         )
@@ -47,11 +48,19 @@ def bind_groups(
     ]
 
 
-def _resource(gpu: Gpu, what: Bound, values: Draw | Dispatch, storage: Sequence[Any]) -> Any:
+def _resource(
+    gpu: Gpu,
+    what: Bound,
+    values: Draw | Dispatch,
+    storage: Sequence[Any],
+    images: Sequence[Any],
+) -> Any:
     if isinstance(what.slot, BlockSlot):
         return {"buffer": make_buffer(gpu, values.blocks[what.number], wgpu.BufferUsage.UNIFORM)}
     if isinstance(what.slot, BufferSlot):
         return {"buffer": storage[what.number]}
+    if isinstance(what.slot, ImageSlot):
+        return images[what.number].create_view()
     if what.is_sampler:
         return make_sampler(gpu, what.slot)
     return make_view(gpu, values.textures[what.number])

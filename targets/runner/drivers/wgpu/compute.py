@@ -7,9 +7,10 @@ from typing import Any
 import wgpu
 
 from ..checks import check_groups
-from ..draw import Dispatch, KernelJob, Written
+from ..draw import Dispatch, ImageSlot, KernelJob, Sides, Written
 from .bindings import bind_groups, make_storage
 from .device import Gpu, explained
+from .drawing import read_texels
 from .pipeline import Groups, bound, layout_entries
 
 MOST_GROUPS = "max-compute-workgroups-per-dimension"
@@ -41,15 +42,25 @@ def _run(
     gpu: Gpu, job: KernelJob, pipeline: Any, layouts: list[Any], groups: Groups, dispatch: Dispatch
 ) -> Written:
     storage = make_storage(gpu, job.pipeline.buffers, dispatch.buffers)
+    images = [_image(gpu, slot, dispatch.extent) for slot in job.pipeline.images]
     encoder = gpu.device.create_command_encoder()
     run = encoder.begin_compute_pass()
     run.set_pipeline(pipeline)
-    for number, group in enumerate(bind_groups(gpu, layouts, groups, dispatch, storage)):
+    for number, group in enumerate(bind_groups(gpu, layouts, groups, dispatch, storage, images)):
         run.set_bind_group(number, group)
     run.dispatch_workgroups(*job.groups(dispatch))
     run.end()
     gpu.device.queue.submit([encoder.finish()])
     pairs = zip(job.pipeline.buffers, storage, strict=True)
-    return Written(
-        tuple(bytes(gpu.device.queue.read_buffer(each)) for slot, each in pairs if slot.written)
+    held = tuple(bytes(gpu.device.queue.read_buffer(each)) for slot, each in pairs if slot.written)
+    width, height, _ = dispatch.extent
+    texels = (
+        read_texels(gpu, image, slot.format, (width, height), "top")
+        for slot, image in zip(job.pipeline.images, images, strict=True)
     )
+    return Written(held, tuple(texels))
+
+
+def _image(gpu: Gpu, slot: ImageSlot, size: Sides) -> Any:
+    usage = wgpu.TextureUsage.STORAGE_BINDING | wgpu.TextureUsage.COPY_SRC
+    return gpu.device.create_texture(format=slot.format, size=size, usage=usage)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import wgpu
@@ -51,7 +51,7 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
     drawn.end()
     gpu.device.queue.submit([encoder.finish()])
     lanes = (
-        _read(gpu, target, slot.format, draw, pipeline)
+        read_texels(gpu, target, slot.format, (draw.width, draw.height), pipeline.first_row)
         for target, slot in zip(targets, pipeline.targets, strict=True)
     )
     return Picture(draw.width, draw.height, tuple(lanes))
@@ -82,11 +82,18 @@ def _interleaved(buffer: Buffer, vertices: Sequence[bytes]) -> bytes:
     return np.concatenate(columns, axis=1).tobytes()
 
 
-def _read(gpu: Gpu, target: Any, format: TargetFormat, draw: Draw, pipeline: Pipeline) -> bytes:
-    count, kind = TEXEL_LANES[format]
+def read_texels(
+    gpu: Gpu,
+    target: Any,
+    format: TargetFormat,
+    size: tuple[int, int],
+    first_row: Literal["top", "bottom"],
+) -> bytes:
+    """The texels of a render target, or of an image that a kernel has written, as floats."""
+    (width, height), (count, kind) = size, TEXEL_LANES[format]
     texels = gpu.device.queue.read_texture(
         {"texture": target},
-        {"bytes_per_row": draw.width * count * kind.itemsize, "rows_per_image": draw.height},
-        (draw.width, draw.height, 1),
+        {"bytes_per_row": width * count * kind.itemsize, "rows_per_image": height},
+        (width, height, 1),
     )
-    return to_float(bytes(texels), format, draw.width, draw.height, pipeline.first_row)
+    return to_float(bytes(texels), format, width, height, first_row)

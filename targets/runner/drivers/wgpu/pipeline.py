@@ -14,6 +14,7 @@ from ..draw import (
     BlockSlot,
     BufferSlot,
     DriverError,
+    ImageSlot,
     Pipeline,
     RenderTarget,
     TextureSlot,
@@ -43,11 +44,12 @@ BLENDS: Mapping[Blend, tuple[Factors, Factors]] = {
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """What is bound at one place: a block, a buffer, a texture, or the sampler of a texture."""
+    """What is bound at one place: a block, a buffer, an image, a texture, or the sampler of a
+    texture."""
 
-    slot: BlockSlot | BufferSlot | TextureSlot
+    slot: BlockSlot | BufferSlot | ImageSlot | TextureSlot
     number: int
-    """The slot's place in the pipeline's blocks, buffers or textures."""
+    """The slot's place in the pipeline's blocks, buffers, images or textures."""
     is_sampler: bool = False
 
 
@@ -154,6 +156,8 @@ def bound(pipeline: Pipeline) -> Groups:
         add(block.place.group, block.place.binding, Bound(block, number))
     for number, buffer in enumerate(pipeline.buffers):
         add(buffer.place.group, buffer.place.binding, Bound(buffer, number))
+    for number, image in enumerate(pipeline.images):
+        add(image.place.group, image.place.binding, Bound(image, number))
     for number, slot in enumerate(pipeline.textures):
         add(slot.texture.group, slot.texture.binding, Bound(slot, number))
         if slot.sampler is not None:
@@ -174,6 +178,8 @@ def _entry(what: Bound) -> Mapping[str, Any]:
     if isinstance(slot, BufferSlot):
         kind = "storage" if slot.written else "read-only-storage"
         return {"buffer": {"type": kind, "min_binding_size": slot.stride}}
+    if isinstance(slot, ImageSlot):
+        return {"storage_texture": {"access": "write-only", "format": slot.format}}
     if what.is_sampler:
         return {"sampler": {"type": slot.sampling}}
     return {"texture": {"view_dimension": VIEWS[slot.dimension], "sample_type": slot.sample}}

@@ -1,0 +1,22 @@
+"""Chooses the form in which a profile has a program, where there are several.
+
+``api.py`` asks before anything is legalised: a kernel over images is a compute shader where the
+profile can write these images, and a full-screen pass elsewhere.
+"""
+
+from __future__ import annotations
+
+from ...compiler.ir.stages import COMPUTE
+from ...compiler.passes.pipeline import Form, Staged
+from ..description.profile import Profile
+
+
+def form_for(staged: Staged, profile: Profile) -> Form:
+    """The program as a profile can have it."""
+    images = staged.program.images
+    is_written = (
+        COMPUTE in profile.stages
+        and len(images) <= profile.most_images
+        and all(image.format in profile.image_formats for image in images)
+    )
+    return staged.own if is_written or staged.full_screen is None else staged.full_screen
