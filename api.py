@@ -21,7 +21,7 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
 from .compiler.passes.emit_strips import count_strips
-from .compiler.passes.lower_expansion import lower_expansion
+from .compiler.passes.lower_stages import lower_stages
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
@@ -107,8 +107,8 @@ def compile(
     compiled = []
     for elaborated in shaders:
         # What is captured is emitted by the stage itself.
-        expand = count_strips if native_stages or elaborated.capture else lower_expansion
-        shader = expand(elaborated)
+        lower = count_strips if native_stages or elaborated.capture else lower_stages
+        shader = lower(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:

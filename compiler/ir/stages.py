@@ -94,6 +94,17 @@ OF_PATCH = Crossing(PATCHES, TESSELLATED, "flat")
 SMOOTH_EMITTED = Crossing(EMITTED, FRAGMENTS, "perspective")
 FLAT_EMITTED = Crossing(EMITTED, FRAGMENTS, "flat")
 
+INTO_FRAGMENTS: Mapping[Domain, tuple[Crossing, Crossing]] = {
+    smooth.origin: (smooth, flat)
+    for smooth, flat in (
+        (SMOOTH, FLAT),
+        (SMOOTH_TESSELLATED, FLAT_TESSELLATED),
+        (SMOOTH_EMITTED, FLAT_EMITTED),
+    )
+}
+"""How values get to the fragments from the vertices that the triangles around them have: what is
+interpolated, and all else."""
+
 
 @frozen(key=True)
 class SystemInput:

@@ -11,7 +11,15 @@ from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
-from ..ir.stages import EVALUATION, GEOMETRY, IMAGE, PATCHES, TARGET
+from ..ir.stages import (
+    EDGE_LEVEL,
+    EVALUATION,
+    GEOMETRY,
+    IMAGE,
+    INNER_LEVEL,
+    PATCHES,
+    TARGET,
+)
 from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
@@ -20,6 +28,7 @@ from .captures import capture_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint, FieldName
 from .textures import TextureRows
+from .values import steps
 
 FORMAT = 1
 """Grows when a host that reads the document has to change."""
@@ -104,7 +113,12 @@ def _vertex_input_rows(
 
 
 def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
-    return {"name": mesh.name, "corner": mesh.corner, "is_number": mesh.is_number}
+    return {
+        "name": mesh.name,
+        "corner": mesh.corner,
+        "is_number": mesh.is_number,
+        "is_of_pattern": mesh.is_of_pattern,
+    }
 
 
 def _draw_row(shader: Shader) -> dict[str, Any]:
@@ -118,7 +132,7 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
         row |= {
             "primitive": PATCHES,
             "corners": patches.points,
-            "tessellation": _tessellation_row(patches),
+            "tessellation": _tessellation_row(shader, patches),
         }
     if expansion is not None:
         native = GEOMETRY in shader.chain
@@ -131,12 +145,22 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
     return row
 
 
-def _tessellation_row(patches: Tessellation) -> dict[str, Any]:
+def _tessellation_row(shader: Shader, patches: Tessellation) -> dict[str, Any]:
+    native = EVALUATION in shader.chain
     return {
         "kind": patches.patch,
         "ends": list(patches.ends),
         "spacing": patches.spacing,
-        "divided_by": EVALUATION.name,
+        "divided_by": EVALUATION.name if native else "instances",
+        "levels": None if native else _levels_row(shader),
+    }
+
+
+def _levels_row(shader: Shader) -> dict[str, Any]:
+    """The steps that compute how finely a host divides the edges and the inside of all patches."""
+    return {
+        name: [steps(level.value) for level in shader.levels if level.kind == kind]
+        for name, kind in (("edges", EDGE_LEVEL), ("inside", INNER_LEVEL))
     }
 
 

@@ -200,9 +200,9 @@ def inputs_of_mesh(reflection: Mapping[str, Any]) -> list[Mapping[str, Any]]:
 
 
 def _of_mesh(row: Mapping[str, Any]) -> Mapping[str, Any]:
-    """A vertex input as a mesh has it; nothing, if the host counts it."""
+    """A vertex input as a mesh has it; nothing, if the host counts or makes it."""
     mesh = row["mesh"]
-    if mesh is None or mesh["is_number"]:
+    if mesh is None or mesh["is_number"] or mesh["is_of_pattern"]:
         return {} if mesh else row
     step = PER_INSTANCE if mesh["corner"] is None else VERTICES
     return {**row, "name": mesh["name"], "step": step}

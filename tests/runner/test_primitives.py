@@ -61,7 +61,7 @@ def test_each_primitive_of_each_instance_is_an_instance(primitive: str, last: in
     whole = with_inputs(material.reflection, mesh("cube"), 3)
     assert whole.instance_count == 3
     data = vertex_data(material.reflection, whole)
-    drawn = as_drawn(material.reflection, data, whole)
+    drawn = as_drawn(material.instance(), data, whole)
     corners = primitives(whole, primitive)
     count = len(corners)
     assert drawn.instance_count == 3 * count
@@ -87,4 +87,4 @@ def test_a_mesh_without_primitives_is_refused() -> None:
     (material,) = burnish.compile("material M { expand point { strip of 3 {} } }", "wgsl").materials
     empty = Mesh(SQUARE.channels, np.zeros((0, 3), np.int64))
     with pytest.raises(MeshError, match="the mesh has no point to expand"):
-        as_drawn(material.reflection, {}, empty)
+        as_drawn(material.instance(), {}, empty)

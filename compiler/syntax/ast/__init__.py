@@ -74,6 +74,7 @@ from .members import (
     Strips,
     StripShape,
     Target,
+    Tessellate,
     WorkGroup,
 )
 
@@ -133,6 +134,7 @@ __all__ = [
     "StructDeclaration",
     "StructMember",
     "Target",
+    "Tessellate",
     "Turns",
     "TypeName",
     "TypeParameter",
