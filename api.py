@@ -84,8 +84,9 @@ def compile(
     everything themselves. With ``line_directives``, texts have ``#line`` directives that
     name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
-    and its ``lacking`` says why. With ``native_stages``, a material that expands primitives has
-    the stage for it that a target provides; otherwise each primitive is drawn as an instance.
+    and its ``lacking`` says why. With ``native_stages``, a material that expands primitives or
+    divides patches has the stages for it that a target provides; otherwise each primitive or patch
+    is drawn as an instance.
 
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
@@ -216,7 +217,8 @@ def _lacking(
 ) -> dict[str, tuple[Diagnostic, ...]]:
     """For each profile, the features that it lacks and a shader needs."""
     found = {}
-    expanded = None if shader.expansion is None else shader.expansion.span
+    made_of = shader.expansion or shader.tessellation
+    expanded = None if made_of is None else made_of.span
     places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
         name, report = full_name(target, profile), Report()

@@ -139,7 +139,7 @@ def _stream_output(
 def _primitive(draw: Mapping[str, Any]) -> Primitive:
     """What the vertices of a draw are: triangles where instances stand for another stage."""
     primitive: Primitive = draw["primitive"]
-    if draw["tessellation"] is not None:
+    if draw["tessellation"]:
         return primitive if _divided_natively(draw) else "triangle"
     return primitive if draw["expanded_by"] in (None, GEOMETRY.name) else "triangle"
 
