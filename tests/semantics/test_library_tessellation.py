@@ -18,10 +18,11 @@ from ..passes.test_lower_tessellation import directly
 Floats = NDArray[np.float64]
 
 
-def drawn(mixin: str, value: str, points: Floats, where: Sequence[float]) -> Floats:
+def drawn(mixin: str, value: str, points: Floats, where: Sequence[float] | Floats) -> Floats:
     """What a slot is at a place of a patch, whose control points are given with their normals."""
     (shader,) = elaborated(
-        f"import std.tessellation.{{{mixin}}}\nmaterial M : Surface + {mixin} {{ color = vec3({value}.x, {value}.y, {value}.z) }}"
+        f"import std.tessellation.{{{mixin}}}\n"
+        f"material M : Surface + {mixin} {{ color = vec3({value}.x, {value}.y, {value}.z) }}"
     )
     values = {
         (name, number): tuple(map(float, lanes))
@@ -34,7 +35,7 @@ def drawn(mixin: str, value: str, points: Floats, where: Sequence[float]) -> Flo
     }
     place = Primitive(0, 0, tuple(range(len(points))), values)
     (color,) = shader.results_of(TARGET)
-    return np.array(directly(shader, color.value, place, tuple(where)))[:3]
+    return np.array(directly(shader, color.value, place, tuple(map(float, where))))[:3]
 
 
 def on_a_ball(*directions: Sequence[float]) -> Floats:
