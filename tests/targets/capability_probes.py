@@ -12,7 +12,7 @@ from typing import Any
 
 import burnish
 from burnish.compiled import CompiledMaterial
-from burnish.compiler.ir.stages import COMPUTE, GEOMETRY
+from burnish.compiler.ir.stages import COMPUTE, CONTROL, GEOMETRY
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,11 @@ class Probe:
 def has_geometry_stage(material: CompiledMaterial) -> bool:
     """Whether primitives are emitted by a stage of their own."""
     return GEOMETRY in {stage.row for stage in material.staged.program.stages}
+
+
+def has_tessellation_stages(material: CompiledMaterial) -> bool:
+    """Whether patches are divided by stages of their own."""
+    return CONTROL in {stage.row for stage in material.staged.program.stages}
 
 
 def has_no_kernel(material: CompiledMaterial) -> bool:
@@ -80,6 +85,16 @@ PROBES: Mapping[str, Probe] = {
         EXPANSION.format("triangle", step=1),
         native={"native_stages": True},
         is_native=has_geometry_stage,
+    ),
+    "tessellation": Probe(
+        """material M {
+        tessellate triangle by 3 as at {
+            position = inherited.position + at.x * at.y * inherited.normal
+        }
+        color = vec3(uv, 0)
+    }""",
+        native={"native_stages": True},
+        is_native=has_tessellation_stages,
     ),
     "expansions with adjacency": Probe(
         EXPANSION.format("triangle_adjacency", step=2),

@@ -78,6 +78,7 @@ from .members import (
     Strips,
     StripShape,
     Target,
+    Tessellate,
     WorkGroup,
 )
 
@@ -141,6 +142,7 @@ __all__ = [
     "StructDeclaration",
     "StructMember",
     "Target",
+    "Tessellate",
     "Turns",
     "TypeName",
     "TypeParameter",
