@@ -23,6 +23,7 @@ from burnish.compiler.ir.stages import TESSELLATED_CHAIN
 from burnish.compiler.ir.tessellation import PATCH_KINDS, PatchKind, Spacing
 from burnish.compiler.reference import tessellation as reference
 from burnish.compiler.reference.tessellation import patterns
+from burnish.compiler.reference.tessellation.stitching import between_rings
 from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.description.shading_language import Language
@@ -30,6 +31,7 @@ from burnish.targets.emit.fields import Fields
 from burnish.targets.emit.views import TessellationView
 from burnish.targets.runner import expanding
 from burnish.targets.runner.meshes import Indices, plane
+from burnish.targets.runner.patches import pattern
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
@@ -251,7 +253,7 @@ def _other_edges(patch: pytest.MonkeyPatch) -> None:
 
 def _other_places(patch: pytest.MonkeyPatch) -> None:
     """The pattern has the places of its points in another order."""
-    right = expanding.pattern
+    right = pattern
 
     def wrong(*arguments: Any) -> tuple[Floats, Indices]:
         places, cells = right(*arguments)
@@ -262,7 +264,7 @@ def _other_places(patch: pytest.MonkeyPatch) -> None:
 
 def _other_first_vertex(patch: pytest.MonkeyPatch) -> None:
     """The triangles between two rings of a pattern begin with other vertices."""
-    right = patterns.between_rings
+    right = between_rings
     patch.setattr(patterns, "between_rings", lambda *rows: ((b, c, a) for a, b, c in right(*rows)))
 
 
