@@ -783,6 +783,11 @@ TWO_EXPANSIONS = _error(
 
 # Tessellations
 
+TESSELLATED_AND_CAPTURED = _error(
+    "B0529",
+    "`{name}` captures the vertices of `{material}`, which divides its patches",
+    "Vertices are captured as the mesh or an expansion makes them.",
+)
 TWO_TESSELLATIONS = _error(
     "B0530",
     "`{name}` divides its patches twice",
@@ -792,11 +797,6 @@ TESSELLATED_AND_EXPANDED = _error(
     "B0531",
     "`{name}` divides its patches and expands its primitives",
     "A material does one of the two.",
-)
-TESSELLATED_AND_CAPTURED = _error(
-    "B0529",
-    "`{name}` captures the vertices of `{material}`, which divides its patches",
-    "Vertices are captured as the mesh or an expansion makes them.",
 )
 WRONG_POINTS = _error(
     "B0532",

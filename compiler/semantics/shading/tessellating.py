@@ -71,7 +71,7 @@ def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> In
 def _patch(ctx: Context, member: ast.Tessellate) -> Patch | None:
     if member.patch.text in PATCH_KINDS:
         return cast(Patch, member.patch.text)
-    unknown(ctx, "patch", member.patch.text, member.patch.span, PATCH_KINDS)
+    unknown(ctx, "kind of patch", member.patch.text, member.patch.span, PATCH_KINDS)
     return None
 
 
