@@ -25,6 +25,8 @@ PROFILES = tuple(
 )
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "street": "storage buffers at fragments",
+    "clusters": "storage buffers at fragments",
     "swarm": "kernels over buffers",
 }
 """By example, the capability that it shows, if there are profiles without it."""
