@@ -733,6 +733,13 @@ WORK_GROUP_SIZE = _error(
     "256.",
 )
 
+NOT_SCATTERED = _error(
+    "B0518",
+    "`{name}` cannot be scattered: its elements are of the type {type}",
+    "Only `int` and `uint` come out the same in whatever order invocations add them: count in "
+    "fixed-point steps, or sum by a fold.",
+)
+
 # Expansions
 
 NO_SUCH_CORNER = _error(
@@ -798,6 +805,26 @@ LAYER_WITHIN_STRIP = _error(
     "A strip is drawn to one layer, so `layer` may depend on the strip's number, on "
     "`primitive_index` and on values at corners with a number that is the same for all of the "
     "strip's vertices.",
+)
+
+# Scattering
+
+NO_KERNEL_EXTENT = _error(
+    "B0540",
+    "`{name}` does not say for how many elements it runs",
+    "A result would say it. A kernel that only scatters says it by a member of its own: "
+    "`runs over pixels.count`.",
+)
+WRITTEN_TWICE = _error(
+    "B0541",
+    "`{name}` is both a result and scattered",
+    "Each buffer is written in one way. Scatter to a buffer of its own.",
+)
+NO_SUCH_ELEMENT = _error(
+    "B0542",
+    "there is no element {index} of `{name}`",
+    "Elements are numbered from 0, and the number in brackets behind the type says how many there "
+    "are.",
 )
 
 # Kernels over images

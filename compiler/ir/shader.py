@@ -13,7 +13,7 @@ from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .capture import Capture
 from .expansion import Expansion
-from .kernel import WorkGroup
+from .kernel import ScatterOperator, WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
@@ -97,6 +97,11 @@ class BufferInfo:
     """The parameter that says how many there are."""
     doc: str
     span: Span
+    of_mesh: tuple[tuple[str, AttributeInfo], ...] = ()
+    """Where a kernel captures vertices, the vertex inputs whose values the members of its elements
+    hold, by the members' names."""
+    each: int = 1
+    """How many elements an invocation writes."""
 
 
 @frozen
@@ -133,7 +138,8 @@ class RenderTarget:
 
 @frozen(key=True)
 class Store:
-    """Where a result of the kind ``STORE`` goes: a part of an invocation's element."""
+    """Where a result of the kind ``STORE`` goes: a part of an invocation's element. Or what one of
+    the kind ``SCATTER``, and those beside it, is about: an element of its own choice."""
 
     buffer: Buffer
     path: tuple[str | int, ...] = ()
@@ -142,6 +148,10 @@ class Store:
     """How many stored elements hold one value, as the columns of a matrix do."""
     offset: int = 0
     """Which of them this is."""
+    as_bits: bool = False
+    """Whether the bits of the value are written as a uint, whatever its type."""
+    operator: ScatterOperator | None = None
+    """How a value is joined with what the element has, of what is scattered."""
 
 
 @frozen
@@ -159,7 +169,7 @@ class Result:
     state: RenderTarget | None = None
     """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
-    """For a result of the kind ``STORE``."""
+    """For a result of the kind ``STORE`` or ``SCATTER``, and those beside it."""
 
 
 @record

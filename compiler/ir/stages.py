@@ -53,6 +53,15 @@ STORE = "store"
 """The kind of a result that is written to an element of a storage buffer."""
 IMAGE = "image"
 """The kind of a result that is written to a texel of an image."""
+SCATTER = "scatter"
+"""The kind of a result that is joined with an element that the invocation chooses. Each has results
+of the next three kinds beside it, whose ``store`` is the same."""
+PLACE = "place"
+"""Which element that is."""
+CONDITION = "condition"
+"""Whether anything is joined, and that there is such an element."""
+LENGTH = "length"
+"""How many elements the buffer has; only a host asks for it."""
 EXTENT = "extent"
 """The kind of the result that says for how many elements, or for how many texels in a row and in a
 column, a kernel is run."""
@@ -196,11 +205,11 @@ COMPUTE = StageRow(
     "compute", INVOCATIONS, "comp", "cs_main",
     inputs=(
         # The number of the element that is computed.
-        SystemInput("index", INT, INVOCATIONS),
+        SystemInput("index", INT, INVOCATIONS, most=2**31 - 1),
         # The place of the texel that is computed: from the left, and from the top.
         SystemInput("texel", IVEC2, INVOCATIONS),
     ),
-    delivers=(STORE, IMAGE, EXTENT),
+    delivers=(STORE, SCATTER, PLACE, CONDITION, LENGTH, IMAGE, EXTENT),
 )  # fmt: skip
 
 STAGES: Mapping[str, StageRow] = {

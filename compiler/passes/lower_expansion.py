@@ -27,6 +27,7 @@ from ..ir.operations import CROSS, INPUT
 from ..ir.rewrite import rewrite
 from ..ir.shader import AttributeInfo, MeshInput, Notes, ParameterInfo, Result, Shader
 from ..ir.stages import (
+    CAPTURED,
     CLIP_POSITION,
     EMITTED,
     EMITTING,
@@ -67,6 +68,9 @@ def lower_expansion(shader: Shader) -> Shader:
     placed = [
         _placed(shader, result, drawn) for result in results if result.kind not in (EMITTING, LAYER)
     ]
+    if drawn is not None and shader.capture is not None:
+        # There is no place for a vertex that is not captured, so it has to be left out.
+        placed.append(Result(EMITTING, VERTEX, drawn))
     # What tells the vertices apart stands nowhere, but where the expansion does.
     for node in reachable([result.value for result in placed]):
         if node.id >= before:
@@ -77,7 +81,7 @@ def lower_expansion(shader: Shader) -> Shader:
         attributes=lowering.attributes,
         parameters=lowering.parameters,
         layer=lowering.layer,
-        chain=RASTERISED,
+        chain=RASTERISED if shader.capture is None else CAPTURED,
     )
 
 

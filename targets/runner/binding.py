@@ -83,7 +83,9 @@ def pipeline(
     images = backend["images"]
     return Pipeline(
         stages=codes.stages,
-        inputs=tuple(_input(row, backend) for row in reflection["vertex_inputs"]),
+        inputs=tuple(
+            _input(row, backend) for row in reflection["vertex_inputs"] if row["buffer"] is None
+        ),
         blocks=tuple(
             BlockSlot(_place(backend["blocks"][row["name"]]), row["size"])
             for row in reflection["blocks"]

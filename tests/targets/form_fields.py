@@ -44,6 +44,8 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "block_argument": "type name",
             "buffer_argument": "type name",
             "written_argument": "type name",
+            "atomic": "type",
+            "scatter": "function place value",
             "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",

@@ -190,6 +190,16 @@ class Instance:
         (count,) = derived.compute(steps, derived.Inputs(self._names.shapes, self.values()))
         return max(int(count), 0)
 
+    def counts(self) -> dict[str, int]:
+        """How many elements each buffer has that a kernel writes. Raises
+        ``MissingValuesError``."""
+        inputs = derived.Inputs(self._names.shapes, self.values())
+        found = {}
+        for row in self._reflection["results"]:
+            (count,) = derived.compute(row["count"], inputs)
+            found[row["name"]] = max(int(count), 0)
+        return found
+
     def size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""
         steps = self._reflection["extent"]
