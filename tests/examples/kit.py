@@ -21,6 +21,8 @@ FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "street": "storage buffers at fragments",
+    "clusters": "storage buffers at fragments",
     "cloth": "kernels over buffers",
     "histogram": "kernels over buffers",
     "ray_tracer": "kernels over buffers",
