@@ -26,6 +26,7 @@ PROFILES = tuple(
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
     "cloth": "kernels over buffers",
+    "compaction": "kernels over buffers",
     "histogram": "kernels over buffers",
     "swarm": "kernels over buffers",
 }
