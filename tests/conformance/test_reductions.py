@@ -26,9 +26,9 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 ROUTE = ROUTES["lavapipe:glsl"]
 KERNELS = """
 import std.reductions
-kernel Whole : Sum { }
+kernel Whole : Total { }
 kernel Lowest : Least { }
-kernel Highest : Largest { }
+kernel Highest : Greatest { }
 kernel Blocks : BlockCounts { }
 kernel Before : PrefixSums { }
 """
