@@ -45,6 +45,8 @@ INNER_LEVEL = "inner_level"
 """The kind of those that say the same of the inside: of a quad along u, and then along v."""
 EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
+LAYER = "layer"
+"""The kind of the result that says to which layer of the render targets a strip is drawn."""
 CAPTURE = "capture"
 """The kind of a result that is written to a buffer for each vertex, instead of drawing."""
 STORE = "store"
@@ -184,7 +186,7 @@ STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
 GEOMETRY = StageRow(
     "geometry", EMITTED, "geom", "gs_main",
     inputs=(PRIMITIVE_INDEX,),
-    delivers=(CLIP_POSITION, EMITTING, CAPTURE),
+    delivers=(CLIP_POSITION, LAYER, EMITTING, CAPTURE),
 )  # fmt: skip
 
 FRAGMENT = StageRow(

@@ -33,8 +33,10 @@ def result_rows(shader: Shader) -> Iterator[dict[str, Any]]:
     for info in shader.written:
         operator, count = lengths.get(info.buffer, (None, extents[0].value))
         signed = info.buffer.type.element == INT
+        row = _row(info)
         yield {
-            **_row(info),
+            **row,
+            "stride": row["stride"] * info.each,
             "count": steps(count),
             "scattered": operator,
             "initial": None if operator is None else neutral(operator, signed=signed),

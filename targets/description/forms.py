@@ -72,6 +72,8 @@ class Forms:
     """Where it lands in clip space."""
     position: str = ""
     """What then stands for that."""
+    deliver_layer: str = ""
+    """To which layer of the render targets it belongs."""
     store_texel: str = ""
     """Writes a texel of the image ``{name}`` at the ``{place}``, an ``ivec2``."""
     emit_vertex: str = ""

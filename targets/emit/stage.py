@@ -18,6 +18,7 @@ from ...compiler.ir.stages import (
     DISCARD,
     EXTENT,
     IMAGE,
+    LAYER,
     STORE,
     TARGET,
     SystemInput,
@@ -40,7 +41,7 @@ from .statements import INDENT, Statements
 from .strips import Strips
 from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
 
-_WITHOUT_FIELD = (CLIP_POSITION, DISCARD, EXTENT, IMAGE)
+_WITHOUT_FIELD = (CLIP_POSITION, DISCARD, EXTENT, IMAGE, LAYER)
 """The kinds of results for which skeletons have other places."""
 
 
@@ -129,9 +130,12 @@ class StagePrinter:
         if not self._stage.emitted or expansion is None:
             return None
         primitive = self._language.primitives[expansion.primitive]
+        is_layered = self._stage.value_of(LAYER) is not None
         emitted = self._language.emitted[expansion.emits]
         places = bool(self._stage.results_of(CLIP_POSITION))
-        return ExpansionView(primitive, expansion.corners, emitted, places, expansion.vertices)
+        return ExpansionView(
+            primitive, expansion.corners, emitted, places, expansion.vertices, is_layered
+        )
 
     def _capture_stride(self) -> int:
         """The bytes of each vertex that this stage captures, where the text has to say it."""
@@ -157,6 +161,9 @@ class StagePrinter:
             name = self._field_name(output.field, _role(output))
             yield forms.deliver.format(name=name, value=value)
             return
+        if output.kind == LAYER:
+            yield forms.deliver_layer.format(value=value)
+            return
         position = forms.position
         yield forms.deliver_position.format(value=value)
         if framebuffer.clip_depth == "-1..1":
@@ -181,7 +188,7 @@ class StagePrinter:
             namer.declare(read)
         self._index = namer.declare(own.name)
         for node in reachable(self._stage.roots):
-            if node.op == "input" and INPUT.data(node) == own:
+            if node.op == "input" and INPUT.data(node).name == own.name:
                 expressions.bound[node] = self._index, NAME
         value = read if type_ == own.type else f"{self._types.type(own.type)}({read})"
         typed = self._types.declare(self._index, own.type)

@@ -138,6 +138,8 @@ class ExpansionView:
     """Whether it says where vertices go; those that are captured go nowhere."""
     vertices: int
     """How many it emits at most."""
+    is_layered: bool
+    """Whether it says to which layer of the render targets they belong."""
 
 
 @frozen

@@ -54,6 +54,7 @@ FORMS = Forms(
     deliver="output.{name} = {value};",
     deliver_position="output.clip_position = {value};",
     position="output.clip_position",
+    deliver_layer="output.target_layer = uint({value});",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
     store_texel="{name}[{place}] = {value};",
@@ -231,6 +232,7 @@ AGREES: Mapping[str, Domain] = {
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, *COMPUTED),
+    image_formats=STORABLE,
     stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
@@ -274,6 +276,6 @@ LANGUAGE = Language(
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "primitive_index", *STAGE_STRUCTS,
+        "target_layer", "primitive_index", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

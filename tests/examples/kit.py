@@ -10,37 +10,28 @@ import burnish
 from burnish.api import CompiledMaterial
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.ir.stages import STAGES
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
-from burnish.targets import registry
-from burnish.targets.availability import standings
 from burnish.targets.toolchain import Job
+
+from ..targets.standings import PROFILES, profiles
 
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
-PROFILES = tuple(
-    f"{target.name}:{profile.name}"
-    for target in map(registry.load, registry.names())
-    for profile in target.profiles
-)
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
     "cloth": "kernels over buffers",
     "compaction": "kernels over buffers",
     "histogram": "kernels over buffers",
+    "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",
 }
 """By example, the capability that it shows, if there are profiles without it."""
 LACKING: Mapping[str, frozenset[str]] = {
-    name: frozenset(
-        profile
-        for profile in PROFILES
-        if standings(registry.select(profile)[1])[capability].kind == "absent"
-    )
-    for name, capability in NEEDING.items()
+    name: profiles("absent", capability) for name, capability in NEEDING.items()
 }
 """By example, the profiles that lack what it shows."""
-STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}
 
 
 @dataclass(frozen=True)
@@ -86,4 +77,4 @@ def jobs_of(material: CompiledMaterial) -> Iterator[Job]:
     for file in material.files:
         for stage, entry in file.entry_points.items():
             for checker in file.checkers:
-                yield Job(checker, STAGES[stage], file.text, entry, file.name)
+                yield Job(checker, STAGES[stage].suffix, file.text, entry, file.name)

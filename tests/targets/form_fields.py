@@ -23,6 +23,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "leave": "going",
             "deliver": "name value",
             "deliver_position": "value",
+            "deliver_layer": "value",
             "store_texel": "name place value",
             "corner": "name corner",
             "return_": "value",

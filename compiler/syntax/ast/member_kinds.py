@@ -183,6 +183,17 @@ KINDS: tuple[MemberKind, ...] = (
         doc="where a pass writes nothing",
     ),
     MemberKind(
+        word="layers",
+        node=members.Layers,
+        productions={"layers": members.Layers},
+        opening=("of",),
+        records=("pass",),
+        inheritance="replaced",
+        contribution="result",
+        form="the number of layers is `layers of 6`",
+        doc="how many layers each render target of a pass has",
+    ),
+    MemberKind(
         word="capture",
         node=members.Capture,
         productions={"capture": members.Capture},
@@ -228,8 +239,7 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="replaced",
         contribution="result",
         form="a kernel scatters by `scatter name : uint[count] add value at place where "
-        "condition`, where `min`, `max`, `and` or `or` may stand instead of `add`, and the "
-        "condition is optional",
+        "condition`: by add, min, max, and, or or; the condition is optional",
         doc="what all invocations of a kernel together make of the elements of a storage buffer",
     ),
     MemberKind(

@@ -97,6 +97,14 @@ class Discard:
 
 
 @frozen(eq=False)
+class Layers:
+    """``layers of 6``: how many layers each render target of a pass has."""
+
+    span: Span
+    count: Expression
+
+
+@frozen(eq=False)
 class Capture:
     """``capture place : vec3 = e``: what a pass keeps of each vertex."""
 
@@ -186,7 +194,7 @@ class WorkGroup:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Capture | Expand | Result
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Capture | Expand | Result
     | Scatter | Extent
     | WorkGroup
 )  # fmt: skip

@@ -8,6 +8,7 @@ the compiler. Nothing here imports NumPy.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sized
+from copy import copy
 from typing import TYPE_CHECKING, Any
 
 from ....arguments import expect
@@ -97,6 +98,15 @@ class Instance:
             self._set_buffer(packed(self._buffers[name].layout, value))
         else:
             self._values |= self._changes(name, value)
+
+    def having(self, name: str, value: object) -> Instance:
+        """A copy that differs in one value. Raises ``ParameterError``, as ``set`` does."""
+        made = copy(self)
+        made._values = dict(self._values)
+        made._textures = dict(self._textures)
+        made._buffers = dict(self._buffers)
+        made.set(name, value)
+        return made
 
     def set_text(self, name: str, text: str) -> None:
         """Set a parameter or texture from a text, as on a command line.
