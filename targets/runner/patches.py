@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.tessellation import PATCH_KINDS, Patch, Spacing
-from ...compiler.reference.tessellation import ONE, Pattern, quad, triangle
+from ...compiler.ir.types import width
+from ...compiler.reference.tessellation import ONE, divided
 from .meshes import Indices, Mesh, MeshError
 from .primitives import primitives
 
@@ -42,14 +43,8 @@ def pattern(
     patch: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
 ) -> tuple[NDArray[Any], Indices]:
     """Where the points of a divided patch lie in it, and the triangles between them."""
-    if patch == "triangle":
-        found, lanes = triangle(edges, inside[0], spacing), 3
-    else:
-        found, lanes = quad(edges, inside, spacing), 2
-    return _arrays(found, lanes)
-
-
-def _arrays(found: Pattern, lanes: int) -> tuple[NDArray[Any], Indices]:
+    found = divided(patch, edges, inside, spacing)
+    lanes = width(PATCH_KINDS[patch].coordinate.type)
     places = np.array(found.places, np.float64).reshape(-1, 3)[:, :lanes] / ONE
     return places, np.array(found.cells, np.int64).reshape(-1, 3)
 
