@@ -107,9 +107,7 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        # What is captured is emitted by the stage itself.
-        lower = count_strips if native_stages or elaborated.capture else lower_stages
-        shader = lower(elaborated)
+        shader = count_strips(elaborated) if native_stages else lower_stages(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:
@@ -234,7 +232,8 @@ def _lacking(
             report.add(
                 rules.UNSUPPORTED,
                 expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
-                target=name, feature=lack.feature, hint=way_out(lack.feature, profile),
+                target=name, feature=lack.feature,
+                hint=lack.instead or way_out(lack.feature, profile),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics

@@ -5,21 +5,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from ..ir.node import AGE, Node
 from ..ir.operations import CROSS
 from ..ir.program import Interface, Varying
-from ..ir.shader import Notes
-from ..ir.stages import StageRow
+from ..ir.shader import Notes, Result
+from ..ir.stages import CAPTURE, StageRow
 from .pack_varyings import pack_varyings
 
 
 class Interfaces:
     """What crosses between the stages that are known so far."""
 
-    def __init__(self, notes: Notes) -> None:
+    def __init__(self, notes: Notes, results: Iterable[Result]) -> None:
+        """``results`` are all that the stages deliver besides what crosses."""
         self._notes = notes
+        self._captured = {result.name for result in results if result.kind == CAPTURE}
         self.all: tuple[Interface, ...] = ()
         """In pipeline order."""
         self._onward: Sequence[Node] = ()
@@ -40,7 +42,7 @@ class Interfaces:
         Where this stage hands its vertices on, what the next stage reads of them goes through it.
         That has locations behind those of what this stage itself delivers to the next.
         """
-        taken = {field.name for face in self.all for field in face.fields}
+        taken = {field.name for face in self.all for field in face.fields} | self._captured
         first = len(self.leaving(row)) if row.hands_on else 0
         reading = sorted({*nodes, *self._onward}, key=AGE) if row.hands_on else nodes
         varyings = pack_varyings(reading, self._notes, before.domain, taken, first)

@@ -31,7 +31,7 @@ from ..ir.program import (
 )
 from ..ir.shader import Notes, Result, Shader
 from ..ir.stages import CAPTURE, EDGE_LEVEL, EMITTING, EXTENT, IMAGE, INNER_LEVEL, VARYING, StageRow
-from ..ir.types import scalar_kind
+from ..ir.types import UINT, scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
@@ -52,10 +52,13 @@ def split_stages(
     blocks = _blocks(shader, derived)
     _name_levels(results, shader.notes)
     works: list[_Work] = []
-    interfaces = Interfaces(shader.notes)
+    interfaces = Interfaces(shader.notes, results)
     for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
         own = [result for result in results if result.stage == row]
-        outputs = (*_outputs(own), *_crossing_outputs(shader.graph, interfaces.leaving(row)))
+        outputs = (
+            *_outputs(shader, own),
+            *_crossing_outputs(shader.graph, interfaces.leaving(row)),
+        )
         if not outputs and before is not None:
             continue
         delivered = tuple(output for output in outputs if output.kind != EMITTING)
@@ -116,7 +119,7 @@ def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
     return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
 
-def _outputs(results: Iterable[Result]) -> Iterator[Output]:
+def _outputs(shader: Shader, results: Iterable[Result]) -> Iterator[Output]:
     """The shader's results of one stage; those that a host knows by name get a location each."""
     locations = count()
     for result in results:
@@ -129,7 +132,21 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
                 result.name, result.value.type, next(locations),
                 "flat" if is_whole else "perspective", result.doc,
             )  # fmt: skip
-        yield Output(result.kind, result.value, field, result.store, image)
+        value = result.value
+        if result.store is not None and result.store.as_bits:
+            value = _bits_of(shader, value)
+        yield Output(result.kind, value, field, result.store, image)
+
+
+def _bits_of(shader: Shader, value: Node) -> Node:
+    """A number as it is written where it shares memory with numbers of other types."""
+    kind = scalar_kind(value.type)
+    if kind == "uint":
+        return value
+    name = "bits_of" if kind == "float" else "to_uint"
+    bits = shader.graph.node("native", UINT, (value,), name)
+    shader.notes.follow(value, bits)
+    return bits
 
 
 def _image(result: Result) -> Image | None:

@@ -77,7 +77,10 @@ def reflect(
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
         "capture": None if shader.capture is None else capture_row(shader),
-        "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
+        "vertex_inputs": [
+            *_vertex_input_rows(shader.attributes, program),
+            *_mesh_buffer_rows(shader),
+        ],
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),
         "targets": list(_target_rows(shader)),
@@ -108,8 +111,27 @@ def _vertex_input_rows(
             "step": field.step,
             "column": {"of": info.matrix, "index": info.column} if info.matrix else None,
             "mesh": None if info.mesh is None else _mesh_row(info.mesh),
+            "buffer": None,
             "doc": info.doc,
         }
+
+
+def _mesh_buffer_rows(shader: Shader) -> Iterator[dict[str, Any]]:
+    """What a kernel that captures reads of the mesh: vertex inputs that are storage buffers."""
+    for info in shader.buffers:
+        for member, read in info.of_mesh:
+            leaf = read.attribute
+            yield {
+                "name": leaf.name,
+                "type": read.declared_type,
+                "representation": str(leaf.type),
+                "location": None,
+                "step": leaf.step,
+                "column": {"of": read.matrix, "index": read.column} if read.matrix else None,
+                "mesh": None if read.mesh is None else _mesh_row(read.mesh),
+                "buffer": {"name": info.buffer.name, "member": member},
+                "doc": read.doc,
+            }
 
 
 def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
@@ -126,7 +148,7 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
     expansion, patches = shader.expansion, shader.tessellation
     row: dict[str, Any] = {
         "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
-        "tessellation": None,
+        "tessellation": None, "layers": _layers_row(shader),
     }  # fmt: skip
     if patches is not None:
         row |= {
@@ -162,6 +184,14 @@ def _levels_row(shader: Shader) -> dict[str, Any]:
         name: [steps(level.value) for level in shader.levels if level.kind == kind]
         for name, kind in (("edges", EDGE_LEVEL), ("inside", INNER_LEVEL))
     }
+
+
+def _layers_row(shader: Shader) -> dict[str, Any] | None:
+    """How many layers the render targets have, and what a host sets if it draws to one of them at a
+    time."""
+    if not shader.layers:
+        return None
+    return {"count": shader.layers, "parameter": shader.layer and shader.layer.name}
 
 
 def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
-from ...compiler.ir.program import Function, Output, Stage
+from ...compiler.ir.program import Function, Output, Scattered, Stage
 from ...compiler.ir.shader import Store
 from ...compiler.ir.stages import (
     CLIP_POSITION,
@@ -19,6 +19,7 @@ from ...compiler.ir.stages import (
     EXTENT,
     IMAGE,
     INNER_LEVEL,
+    LAYER,
     STORE,
     SystemInput,
     inputs_of,
@@ -40,8 +41,8 @@ from .strips import Strips
 from .views import EntryView, ExpansionView, FunctionView, InputView, StoreView
 
 LEVELS = (EDGE_LEVEL, INNER_LEVEL)
-PLACED = (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, IMAGE, STORE)
-"""The kinds of results that need no output of their own."""
+PLACED = (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, IMAGE, LAYER)
+"""The kinds of results for which skeletons have other places than outputs."""
 
 
 class StagePrinter:
@@ -89,7 +90,7 @@ class StagePrinter:
             strips = Strips(self._context, expressions, namer, self._marks)
             lines = strips.lines_of(stage.emitted, self._delivered)
         for output in stage.results:
-            if output.field is None and output.kind not in PLACED:
+            if output.field is None and output.store is None and output.kind not in PLACED:
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
@@ -105,6 +106,9 @@ class StagePrinter:
             lines=lines,
             stores=[] if stage.emitted else list(self._stores(expressions)),
             texels=list(self._texels(expressions)),
+            scattered=[
+                line for each in stage.scattered for line in self._scattered(expressions, each)
+            ],
             position=""
             if stage.emitted
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
@@ -123,9 +127,12 @@ class StagePrinter:
         if not self._stage.emitted or expansion is None:
             return None
         primitive = self._language.primitives[expansion.primitive]
+        is_layered = self._stage.value_of(LAYER) is not None
         emitted = self._language.emitted[expansion.emits]
         places = bool(self._stage.results_of(CLIP_POSITION))
-        return ExpansionView(primitive, expansion.corners, emitted, places, expansion.vertices)
+        return ExpansionView(
+            primitive, expansion.corners, emitted, places, expansion.vertices, is_layered
+        )
 
     def _delivered(self, output: Output, value: str) -> Iterator[str]:
         """The lines that give an emitted vertex one of its outputs."""
@@ -133,6 +140,9 @@ class StagePrinter:
         if output.field is not None:
             name = self._fields.name_of(output)
             yield forms.deliver.format(name=name, value=value)
+            return
+        if output.kind == LAYER:
+            yield forms.deliver_layer.format(value=value)
             return
         position = forms.position
         yield forms.deliver_position.format(value=value)
@@ -158,7 +168,7 @@ class StagePrinter:
             namer.declare(read)
         self._index = namer.declare(own.name)
         for node in reachable(self._stage.roots):
-            if node.op == "input" and INPUT.data(node) == own:
+            if node.op == "input" and INPUT.data(node).name == own.name:
                 expressions.bound[node] = self._index, NAME
         value = read if type_ == own.type else f"{self._types.type(own.type)}({read})"
         typed = self._types.declare(self._index, own.type)
@@ -192,7 +202,7 @@ class StagePrinter:
             for number, output in enumerate(self._stage.results_of(kind)):
                 yield StoreView(form.format(number=number), self._value(expressions, output.value))
         for output in self._stage.results:
-            if output.store is not None:
+            if output.store is not None and output.kind == STORE:
                 yield self._store(expressions, output.store, output.value)
 
     def _store(self, expressions: Expressions, store: Store, value: Node) -> StoreView:
@@ -212,6 +222,25 @@ class StagePrinter:
                 text = f"{text}.{self._names.member(owner.name, step)}"
                 owner = owner.member(step)
         return StoreView(text, self._value(expressions, value))
+
+    def _scattered(self, expressions: Expressions, scattered: Scattered) -> Iterator[str]:
+        """The lines that join a value with an element of the invocation's choice."""
+        language, store = self._language, scattered.store
+        assert store.operator is not None
+        name = self._names.buffers[store.buffer.name]
+        line = language.forms.scatter.format(
+            function=language.atomics[store.operator],
+            place=f"{name}[{expressions.text(scattered.place)}]",
+            value=expressions.text(scattered.value),
+        )
+        joined = self._marks.mark(line, scattered.value)
+        if scattered.condition.op == "constant":
+            yield from [joined] if scattered.condition.data else []
+            return
+        test = language.forms.if_.format(condition=expressions.text(scattered.condition))
+        yield self._marks.mark(test, scattered.condition)
+        yield INDENT + joined
+        yield language.forms.end
 
     def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
         if condition is None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, RASTERISED
 from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4, Vector
@@ -125,6 +126,7 @@ INPUTS = {
 FORMS = Forms(
     deliver_position="gl_Position = {value};",
     position="gl_Position",
+    deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
@@ -133,6 +135,14 @@ FORMS = Forms(
 )
 
 EMITTED = {"point": "points", "triangle": "triangle_strip"}
+
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
 
 PRIMITIVES = {
     "point": "points",
@@ -303,6 +313,7 @@ LANGUAGE = Language(
     patches=PATCHES,
     spacings=SPACINGS,
     emitted=EMITTED,
+    atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),

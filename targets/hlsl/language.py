@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, CONTROL, ENTRY_POINTS, EVALUATION, EXPANDED
 from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension, Vector
@@ -54,6 +55,7 @@ FORMS = Forms(
     deliver="output.{name} = {value};",
     deliver_position="output.clip_position = {value};",
     position="output.clip_position",
+    deliver_layer="output.target_layer = uint({value});",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
     of_patch="patch.{name}",
@@ -252,6 +254,14 @@ SM6 = Profile(
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "InterlockedAdd",
+    "min": "InterlockedMin",
+    "max": "InterlockedMax",
+    "and": "InterlockedAnd",
+    "or": "InterlockedOr",
+}
+
 LANGUAGE = Language(
     name="hlsl",
     registers={
@@ -269,6 +279,7 @@ LANGUAGE = Language(
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
@@ -280,8 +291,8 @@ LANGUAGE = Language(
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "primitive_index", "patch", "patch_weights", "patch_coordinate", "patch_index",
-        "point_index", "edge_levels", "inner_levels", "levels_of_patch", "PatchInput",
-        "PatchOutput", *STAGE_STRUCTS,
+        "target_layer", "primitive_index", "patch", "patch_weights", "patch_coordinate",
+        "patch_index", "point_index", "edge_levels", "inner_levels", "levels_of_patch",
+        "PatchInput", "PatchOutput", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

@@ -244,8 +244,9 @@ def _own(name: str) -> str:
 def is_instanced(reflection: Mapping[str, Any]) -> bool:
     """Whether a shader distinguishes instances of the mesh."""
     rows = reflection["vertex_inputs"]
-    of_mesh = [row["mesh"] for row in rows if row["mesh"] is not None]
-    if of_mesh:  # A draw of instances stands for another stage.
+    draw = reflection["draw"]
+    if "instances" in (draw["expanded_by"], (draw["tessellation"] or {}).get("divided_by")):
+        of_mesh = (row["mesh"] for row in rows)
         return any(row["corner"] is None and not row["is_of_pattern"] for row in of_mesh)
     return any("instance_index" in read for read in reflection["pipeline_inputs"].values()) or any(
         row["step"] == "instance" for row in rows
