@@ -189,6 +189,7 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 VULKAN = Profile(
     name="vulkan",
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
+    image_formats=STORABLE,
     stream_output=StreamOutput("text"),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
@@ -242,6 +243,7 @@ OPENGL = Profile(
 OPENGL_4 = Profile(
     name="gl450",
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
+    image_formats=STORABLE,
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
     stream_output=StreamOutput("text"),
@@ -283,6 +285,7 @@ ES = Profile(
 ES_31 = Profile(
     name="es310",
     stages=(*RASTERISED, *COMPUTED),
+    image_formats=STORABLE,
     doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
     stream_output=StreamOutput("names", indexed=False),
     preamble=("#version 310 es", *ES_PRECISIONS),

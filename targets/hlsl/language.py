@@ -246,6 +246,7 @@ SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     patch_winding="cw",
+    image_formats=STORABLE,
     stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,

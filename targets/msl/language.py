@@ -212,6 +212,7 @@ def is_float(facts: tuple[Fact, ...]) -> bool:
 METAL2 = Profile(
     name="metal2",
     stages=(*RASTERISED, *COMPUTED),
+    image_formats=STORABLE,
     doc="Metal 2, to be compiled without fast maths; never compiled by Apple's compiler.",
     preamble=(
         "// Never compiled by Apple's compiler: only type-checked by clang.",

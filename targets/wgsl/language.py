@@ -12,7 +12,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile
+from ..description.profile import STORABLE, Limits, Profile
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, Language
 from ..description.spellings import (
@@ -147,6 +147,7 @@ too; but the SPIR-V that naga makes of them leaves it open again.)"""
 WEBGPU = Profile(
     name="webgpu",
     stages=(*RASTERISED, *COMPUTED),
+    image_formats=STORABLE,
     doc="WGSL as browsers and wgpu take it.",
     agrees=AGREES,
     single_file=True,
