@@ -102,6 +102,12 @@ CAPABILITIES: tuple[Capability, ...] = (
         (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
     ),
     Capability(
+        "scatter",
+        "The invocations of a kernel join integers with elements that they choose, by atomics: "
+        "`scatter name : uint[count] add value at place`.",
+        (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
+    ),
+    Capability(
         "kernels over images",
         "Texels of images are computed: `kernel` with `result name : image2d<format>[size] = …`. "
         "By their own means profiles write at most four images, of the formats "

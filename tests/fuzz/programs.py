@@ -107,7 +107,7 @@ class _Program:
         usable = (*callables, *(signature for signature, _ in terms))
         materials = list(self._materials(replace(outside, callables=usable)))
         passes = [self._pass(usable)] if writer.maybe(0.3) else []
-        rigs = [declarations.rig(writer, own=own_light)]
+        rigs = [declarations.rig(writer, own=own_light, any_number=self.has_buffers)]
         imports = [Node(f"import {path}", optional=True) for path in dict.fromkeys(self.imports)]
         items = [*imports, *self.file, *materials, *passes, *rigs]
         if writer.maybe(0.1):
@@ -290,6 +290,11 @@ class _Program:
         for node, reference in declarations.parameters(writer, "r", 1):
             items.append(node)
             scope = scope.having(reference)
+        if writer.maybe(0.2):
+            # What the color follows from cannot follow from the color.
+            before = replace(scope, leaves=scope.leaves[2:])
+            items += expansion(writer, before, layers=writer.chance.choice((0, 2, 3)))
+            scope = scope.having(SPREAD)
         for number in range(writer.chance.randint(0, 2)):
             type_ = writer.chance.choice([*FORMATS])
             value = self._tamed(writer.expression(type_, scope, FUEL // 2))

@@ -251,14 +251,15 @@ class RigEntry:
     span: Span
     """Of the name."""
     record: Record
-    kind: Literal["single", "array"]
+    kind: Literal["single", "array", "buffer"]
     parameters: tuple[Parameter, ...]
-    """Single: one for each ``param``. Array: the array of structs."""
+    """Single: one for each ``param``. Array: the array of structs. Buffer: none, as the lights are
+    the elements of the only one of ``buffers``."""
     resources: tuple[Resource, ...]
     buffers: tuple[Buffer, ...] = ()
     bound: int = 1
     count: Parameter | None = None
-    """Of ``[<= N]``: the run-time count."""
+    """Of ``[<= N]`` and ``[]``: the run-time count."""
     replaced: Mapping[str, Replacement] = fresh(factory=dict)
 
     @property
