@@ -16,6 +16,7 @@ from .options import (
     check_device,
     device_option,
     hoist_option,
+    native_stages_option,
     pass_option,
     pixel,
     rig_option,
@@ -54,6 +55,7 @@ class Request(NamedTuple):
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+    native_stages: bool
 
 
 @click.command()
@@ -87,6 +89,7 @@ class Request(NamedTuple):
 @pass_option
 @search_option
 @hoist_option
+@native_stages_option
 def conform(**chosen: Any) -> None:
     """Draw each FILE with every route, and compare the pictures with the reference.
 
@@ -103,6 +106,9 @@ def conform(**chosen: Any) -> None:
     --explain shows the way of the error at one pixel: its value and its bounds, what each route has
     drawn, which operations contribute how much, and where precision is lost. Pixels are counted
     from 0,0 in the upper left corner.
+
+    With --native-stages, routes draw with the stages that their target has for primitives, and what
+    the reference draws is the same: a route whose target has no such stage is not run.
 
     \b
     Example:
@@ -184,11 +190,15 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
     ):
         if request.device:
             _check_named_device(runner, routes)
-        subjects = _subjects(request, routes)
+        subjects = _subjects(request, routes, native_stages=False)
+        drawn = subjects
+        if request.native_stages:
+            drawn = _subjects(request, routes, native_stages=True)
         # Processes take a while to start, which pays off for several materials.
         with References(os.cpu_count() or 1 if len(subjects) >= SEVERAL else 0) as references:
             rows = run(
-                subjects, routes, runner, toolchain, seed=request.seed, draw=references.expected,
+                drawn, routes, runner, toolchain, seed=request.seed, draw=references.expected,
+                meant=dict(subjects),
                 done=lambda done, total: progress.tell(done / total),
             )  # fmt: skip
     return subjects, rows
@@ -237,10 +247,11 @@ def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Ro
     return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
 
 
-def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
+def _subjects(request: Request, routes: Sequence[Route], *, native_stages: bool) -> Subjects:
     """Every material with every rig and pass, each with the label that the table shows.
 
-    Raises ``CompileError`` with the errors of all files.
+    With ``native_stages``, only routes can draw what has such stages. Raises ``CompileError`` with
+    the errors of all files.
     """
     from ..compiler.diagnostics.diagnostic import CompileError
 
@@ -251,7 +262,7 @@ def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
     for path in request.files:
         try:
             for variant in _variants(path, request):
-                for result in _compiled(path, variant, request, profiles):
+                for result in _compiled(path, variant, request, profiles, native_stages):
                     warnings += result.diagnostics
                     for material in result.materials:
                         label = _label(path, request.files, material.name, variant)
@@ -260,12 +271,17 @@ def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
             errors += error.diagnostics
     if errors:
         raise CompileError(errors)
-    show(warnings)
+    if not native_stages:  # The same is said of both forms.
+        show(warnings)
     return found
 
 
 def _compiled(
-    path: Path, variant: Variant, request: Request, profiles: Sequence[str]
+    path: Path,
+    variant: Variant,
+    request: Request,
+    profiles: Sequence[str],
+    native_stages: bool,
 ) -> list[CompileResult]:
     """The materials of a file with a rig and a pass, without those that lack a slot for the pass.
 
@@ -279,6 +295,7 @@ def _compiled(
         return api.compile(
             path, profiles, material=material, rig=variant[0], pass_=pass_,
             search_path=request.search_path, hoist=request.hoist, partial=True,
+            native_stages=native_stages,
         )  # fmt: skip
 
     try:
