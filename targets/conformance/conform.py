@@ -51,7 +51,8 @@ def conform(
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
-    programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes use of several processors.
+    programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes
+    use of several processors.
     """
     store = Store(STORE) if keep else Store(STORE, limit=0)
     plans = [

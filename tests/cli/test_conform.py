@@ -459,7 +459,9 @@ def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
 EXPANDED = """
 material Sprites {
     expand point {
-        strip of 4 as i { position = corner[0].position + 0.1 * vec3(float(i mod 2), float(i / 2), 0) }
+        strip of 4 as i {
+            position = corner[0].position + 0.1 * vec3(float(i mod 2), float(i / 2), 0)
+        }
     }
     color = 0.5 + 0.5 * normal
 }
