@@ -125,6 +125,9 @@ class Builder:
     ) -> ast.Strips:
         return ast.Strips(span, shape, count, vertex, turns, condition, like, equations)
 
+    def ends(self, _: Span, *numbers: Expression) -> tuple[Expression, ...]:
+        return numbers
+
     def shape(self, _: Span, word: Token) -> str:
         return word.text
 

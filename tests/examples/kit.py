@@ -24,6 +24,7 @@ NEEDING: Mapping[str, str] = {
     "street": "storage buffers at fragments",
     "clusters": "storage buffers at fragments",
     "cloth": "kernels over buffers",
+    "compaction": "kernels over buffers",
     "histogram": "kernels over buffers",
     "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",

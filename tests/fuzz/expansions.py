@@ -11,7 +11,7 @@ from .tree import Node, listed
 
 CORNERS = {"point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_adjacency": 6}
 SPREAD = variable("spread", "float")
-"""The slot that only an expansion sets."""
+"""The slot that only an expansion or a tessellation sets."""
 
 
 def expansion(writer: Writer, scope: Scope, *, layers: int = 0) -> Iterator[Node]:

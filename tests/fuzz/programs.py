@@ -23,6 +23,7 @@ from .scope import (
     Signature,
     variable,
 )
+from .tessellations import tessellation
 from .textures import DEFAULTS, KINDS, SETTINGS, settings_of
 from .tree import Node, expression, listed
 
@@ -160,8 +161,9 @@ class _Program:
         items += self._overrides()
         items += self._places(scope)
         items += self._slots(scope, "s", most=3)[1]
-        if writer.maybe(0.12):
-            items += expansion(writer, scope)
+        if writer.maybe(0.2):
+            made = writer.chance.choice((expansion, expansion, tessellation))
+            items += made(writer, scope)
             scope = scope.having(SPREAD)
         below = scope.having(*_OWN)
         last_scope, slots = self._slots(below, "c", most=1)

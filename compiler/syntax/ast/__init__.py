@@ -79,6 +79,7 @@ from .members import (
     Strips,
     StripShape,
     Target,
+    Tessellate,
     WorkGroup,
 )
 
@@ -143,6 +144,7 @@ __all__ = [
     "StructDeclaration",
     "StructMember",
     "Target",
+    "Tessellate",
     "Turns",
     "TypeName",
     "TypeParameter",
