@@ -21,6 +21,7 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
 from .compiler.passes.emit_strips import count_strips
+from .compiler.passes.lower_capture import lower_capture
 from .compiler.passes.lower_expansion import lower_expansion
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
@@ -106,9 +107,7 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        # What is captured is emitted by the stage itself.
-        expand = count_strips if native_stages or elaborated.capture else lower_expansion
-        shader = expand(elaborated)
+        shader = count_strips(elaborated) if native_stages else _lowered(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:
@@ -182,6 +181,11 @@ def _opened(
     return frontend, frontend.open_file(Path(source))
 
 
+def _lowered(shader: Shader) -> Shader:
+    """The shader without the stages that not every target has."""
+    return lower_capture(lower_expansion(shader))
+
+
 def _compiled(
     shader: Shader,
     staged: Staged,
@@ -232,7 +236,8 @@ def _lacking(
             report.add(
                 rules.UNSUPPORTED,
                 expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
-                target=name, feature=lack.feature, hint=way_out(lack.feature, profile),
+                target=name, feature=lack.feature,
+                hint=lack.instead or way_out(lack.feature, profile),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics

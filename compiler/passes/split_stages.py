@@ -31,7 +31,7 @@ from ..ir.program import (
 )
 from ..ir.shader import Notes, Result, Shader
 from ..ir.stages import CAPTURE, EMITTING, EXTENT, IMAGE, VARYING, StageRow
-from ..ir.types import scalar_kind
+from ..ir.types import UINT, scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
@@ -55,7 +55,7 @@ def split_stages(
     for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
         own = [result for result in results if result.stage == row]
         leaving = tuple(v for f in interfaces if f.origin == row.domain for v in f.varyings)
-        outputs = (*_outputs(own), *_crossing_outputs(shader.graph, leaving))
+        outputs = (*_outputs(shader, own), *_crossing_outputs(shader.graph, leaving))
         if not outputs and before is not None:
             continue
         delivered = tuple(output for output in outputs if output.kind != EMITTING)
@@ -64,7 +64,7 @@ def split_stages(
         if before is None:
             inputs = _attributes(shader, nodes)
         else:
-            varyings = pack_varyings(nodes, shader.notes, _taken(interfaces))
+            varyings = pack_varyings(nodes, shader.notes, _taken(interfaces, results))
             interfaces.insert(0, Interface(before.domain, row.domain, varyings))
             inputs = interfaces[0].fields
         stage = _stage(row, shader, blocks, inputs, delivered, groups, nodes)
@@ -105,8 +105,10 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
     return [node for group in groups for node in (group.emitted, *group.delivered)]
 
 
-def _taken(interfaces: Iterable[Interface]) -> set[str]:
-    return {field.name for interface in interfaces for field in interface.fields}
+def _taken(interfaces: Iterable[Interface], results: Iterable[Result]) -> set[str]:
+    """The names of what leaves the stages."""
+    crossing = {field.name for interface in interfaces for field in interface.fields}
+    return crossing | {result.name for result in results if result.kind == CAPTURE}
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
@@ -116,7 +118,7 @@ def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
     return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
 
-def _outputs(results: Iterable[Result]) -> Iterator[Output]:
+def _outputs(shader: Shader, results: Iterable[Result]) -> Iterator[Output]:
     """The shader's results of one stage; those that a host knows by name get a location each."""
     locations = count()
     for result in results:
@@ -129,7 +131,21 @@ def _outputs(results: Iterable[Result]) -> Iterator[Output]:
                 result.name, result.value.type, next(locations),
                 "flat" if is_whole else "perspective", result.doc,
             )  # fmt: skip
-        yield Output(result.kind, result.value, field, result.store, image)
+        value = result.value
+        if result.store is not None and result.store.as_bits:
+            value = _bits_of(shader, value)
+        yield Output(result.kind, value, field, result.store, image)
+
+
+def _bits_of(shader: Shader, value: Node) -> Node:
+    """A number as it is written where it shares memory with numbers of other types."""
+    kind = scalar_kind(value.type)
+    if kind == "uint":
+        return value
+    name = "bits_of" if kind == "float" else "to_uint"
+    bits = shader.graph.node("native", UINT, (value,), name)
+    shader.notes.follow(value, bits)
+    return bits
 
 
 def _image(result: Result) -> Image | None:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..ir.capture import NUMBER_SIZE
 from ..ir.expansion import EmittedStrips, Expansion
 from ..ir.leaves import Attribute, Resource
 from ..ir.node import Node, reachable
@@ -29,9 +30,11 @@ from ..ir.stages import (
     STRIP,
     STRIP_VERTEX,
 )
+from ..ir.types import width
 from .bounds import Bounded, Bounds, Errors, exact, hull
 from .evaluate import Evaluator
 from .held_values import HeldValues, as_rounded
+from .kernel import computed
 from .namespace import Lanes
 from .picture.sampler import TextureReader
 from .picture.scene import Geometry, RasterRules, Texels
@@ -76,6 +79,30 @@ def captured(
         if shader.expansion is None:
             return capturing.of_vertices()
         return capturing.of_emitted(shader.expansion)
+
+
+def captured_by_kernel(
+    shader: Shader,
+    values: Mapping[str, Any],
+    textures: Mapping[str, Texels],
+    count: int,
+    errors: Errors,
+    rules: RasterRules,
+) -> Listed:
+    """What a kernel captures that stands for a stream output, of so many vertices."""
+    assert shader.capture is not None
+    lengths = {info.buffer.name: count for info in shader.written}
+    lanes = computed(shader, values, textures, count, lengths, errors, rules)
+    by_place = {lane.store.offset: Bounded(lane.value, lane.low, lane.high) for lane in lanes}
+    everywhere = np.ones(count, np.bool_)
+    there = by_place.get(shader.capture.numbers)
+    ends = (everywhere,) * 3 if there is None else (there.low, there.high, there.value)
+    certain, possible, meant = (np.asarray(end) != 0 for end in ends)
+    found = [
+        tuple(by_place[member.offset // NUMBER_SIZE + lane] for lane in range(width(member.type)))
+        for member in shader.capture.members
+    ]
+    return Listed(tuple(found), certain, possible, meant)
 
 
 class _Capturing:

@@ -11,10 +11,14 @@ def capture_row(shader: Shader) -> dict[str, Any]:
     """What a host has to know of the buffer into which a pass captures."""
     capture, expansion = shader.capture, shader.expansion
     assert capture is not None
+    written = next(iter(shader.written), None)
+    is_told = written is not None and written.each > capture.numbers
     return {
         "primitive": "triangle" if expansion is None else expansion.emits,
         "vertices": 3 if expansion is None else expansion.listed,
         "stride": capture.stride,
+        "buffer": None if written is None else written.buffer.name,
+        "there": capture.stride if is_told else None,
         "members": [
             {
                 "name": member.name,

@@ -67,7 +67,10 @@ def reflect(
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
         "capture": None if shader.capture is None else capture_row(shader),
-        "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
+        "vertex_inputs": [
+            *_vertex_input_rows(shader.attributes, program),
+            *_mesh_buffer_rows(shader),
+        ],
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),
         "targets": list(_target_rows(shader)),
@@ -98,8 +101,27 @@ def _vertex_input_rows(
             "step": field.step,
             "column": {"of": info.matrix, "index": info.column} if info.matrix else None,
             "mesh": None if info.mesh is None else _mesh_row(info.mesh),
+            "buffer": None,
             "doc": info.doc,
         }
+
+
+def _mesh_buffer_rows(shader: Shader) -> Iterator[dict[str, Any]]:
+    """What a kernel that captures reads of the mesh: vertex inputs that are storage buffers."""
+    for info in shader.buffers:
+        for member, read in info.of_mesh:
+            leaf = read.attribute
+            yield {
+                "name": leaf.name,
+                "type": read.declared_type,
+                "representation": str(leaf.type),
+                "location": None,
+                "step": leaf.step,
+                "column": {"of": read.matrix, "index": read.column} if read.matrix else None,
+                "mesh": None if read.mesh is None else _mesh_row(read.mesh),
+                "buffer": {"name": info.buffer.name, "member": member},
+                "doc": read.doc,
+            }
 
 
 def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
@@ -109,15 +131,28 @@ def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
 def _draw_row(shader: Shader) -> dict[str, Any]:
     """What a host draws: the triangles of a mesh, or what its primitives turn into."""
     expansion = shader.expansion
+    layers = _layers_row(shader)
     if expansion is None:
-        return {"primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None}
+        return {
+            "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
+            "layers": layers,
+        }  # fmt: skip
     native = GEOMETRY in shader.chain
     return {
         "primitive": expansion.primitive,
         "corners": expansion.corners,
         "expanded_by": GEOMETRY.name if native else "instances",
         "vertices": expansion.vertices if native else expansion.listed,
+        "layers": layers,
     }
+
+
+def _layers_row(shader: Shader) -> dict[str, Any] | None:
+    """How many layers the render targets have, and what a host sets if it draws to one of them at a
+    time."""
+    if not shader.layers:
+        return None
+    return {"count": shader.layers, "parameter": shader.layer and shader.layer.name}
 
 
 def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:

@@ -14,13 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.shader import Shader
+from ...compiler.ir.stages import COMPUTED
 from ...compiler.reference.bounds.errors import Errors
-from ...compiler.reference.capture import Listed, captured
+from ...compiler.reference.capture import Listed, captured, captured_by_kernel
 from ...compiler.reference.picture import Expected, RasterRules, formats
 from ..runner.binding import pipeline
-from ..runner.capturing import Vertices, most, vertices
+from ..runner.capturing import Vertices, captured_by
 from ..runner.codes import Codes
-from ..runner.drivers.draw import CaptureJob, Device
+from ..runner.drivers.draw import Device
 from ..runner.reference import geometry_for, texels_of, values_for
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -56,14 +57,10 @@ class CapturePlan:
     ) -> Iterator[CaseResult]:
         """A result for each case by a route. Raises ``DriverError``."""
         states = [case.state for case in self._cases]
-        job = CaptureJob(
-            pipeline(self.subject.reflection, route, codes),
-            tuple(state.draw() for state in states),
-            tuple(most(state) for state in states),
-        )
+        bound = pipeline(self.subject.reflection, route, codes)
         program = self.subject.emitted(route.profile)
-        for case, answer in zip(self._cases, runner.capture(route, job), strict=True):
-            got = vertices(self.subject.reflection, answer)
+        found = captured_by(route, bound, states, runner)
+        for case, got in zip(self._cases, found, strict=True):
             yield self._judged(case, got, program, route, device)
 
     def _judged(
@@ -124,14 +121,12 @@ class _Compared:
 
 
 def _listed(shader: Shader, state: SceneState, rules: RasterRules, errors: Errors) -> Listed:
-    return captured(
-        shader,
-        values_for(shader, state.instance),
-        texels_of(state.instance),
-        geometry_for(shader, state.geometry()),
-        errors,
-        rules,
-    )
+    values, texels = values_for(shader, state.instance), texels_of(state.instance)
+    if shader.chain == COMPUTED:
+        count = state.instance.extent()
+        return captured_by_kernel(shader, values, texels, count, errors, rules)
+    geometry = geometry_for(shader, state.geometry())
+    return captured(shader, values, texels, geometry, errors, rules)
 
 
 def _row(lanes: tuple[object, ...], end: str, kept: Bools) -> Floats:

@@ -79,10 +79,10 @@ def _plan(
 ) -> Plan | KernelPlan | CapturePlan | tuple[str, str]:
     """The plan of a material or a kernel; or its label, and the reason why nothing can draw it."""
     try:
-        if subject.shader.chain == COMPUTED and not has_images(subject.reflection):
-            return KernelPlan(label, subject, seed)
         if subject.shader.capture is not None:
             return CapturePlan(label, subject, seed, size)
+        if subject.shader.chain == COMPUTED and not has_images(subject.reflection):
+            return KernelPlan(label, subject, seed)
         return Plan(label, subject, seed, store, size, draw)
     except ValueError as error:
         return label, str(error)

@@ -46,6 +46,8 @@ ELEMENTS_ELSEWHERE = (
 )
 AS_INSTANCES = "each primitive is drawn as an instance"
 
+BY_KERNEL = "a kernel captures the vertices"
+
 CAPABILITIES: tuple[Capability, ...] = (
     Capability(
         "drawing",
@@ -71,10 +73,22 @@ CAPABILITIES: tuple[Capability, ...] = (
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
     ),
     Capability(
+        "layers",
+        "A pass draws to several layers of its render targets: `layers of 6`. Where this is "
+        "lowered, each layer is a draw of its own.",
+        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+    ),
+    Capability(
         "captures",
         "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = "
         "…`.",
-        (Way((STREAM_OUTPUT,)),),
+        (Way((STREAM_OUTPUT,)), Way((a_stage(COMPUTE),), BY_KERNEL)),
+    ),
+    Capability(
+        "numbers of captured vertices",
+        "What is captured depends on `vertex_index`.",
+        (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)), Way((a_stage(COMPUTE),), BY_KERNEL)),
+        "give the number as a vertex input: `attribute number : uint`",
     ),
     Capability(
         "kernels over buffers",

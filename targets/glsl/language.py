@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
 from ...compiler.ir.types import BOOL, INT, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
@@ -121,12 +122,21 @@ INPUTS = {
 FORMS = Forms(
     deliver_position="gl_Position = {value};",
     position="gl_Position",
+    deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
 )
 
 EMITTED = {"point": "points", "triangle": "triangle_strip"}
+
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
 
 PRIMITIVES = {
     "point": "points",
@@ -290,6 +300,7 @@ LANGUAGE = Language(
     natives=NATIVES,
     primitives=PRIMITIVES,
     emitted=EMITTED,
+    atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
@@ -53,6 +54,7 @@ FORMS = Forms(
     deliver="output.{name} = {value};",
     deliver_position="output.clip_position = {value};",
     position="output.clip_position",
+    deliver_layer="output.target_layer = uint({value});",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
     store_texel="{name}[{place}] = {value};",
@@ -239,6 +241,14 @@ SM6 = Profile(
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "InterlockedAdd",
+    "min": "InterlockedMin",
+    "max": "InterlockedMax",
+    "and": "InterlockedAnd",
+    "or": "InterlockedOr",
+}
+
 LANGUAGE = Language(
     name="hlsl",
     registers={
@@ -256,6 +266,7 @@ LANGUAGE = Language(
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
@@ -265,6 +276,6 @@ LANGUAGE = Language(
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "primitive_index", *STAGE_STRUCTS,
+        "target_layer", "primitive_index", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

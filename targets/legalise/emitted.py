@@ -45,7 +45,10 @@ def _values(shader: Shader, stage: Stage) -> Iterator[tuple[Result, Node]]:
     delivered = [result for result in results if result.kind != EMITTING]
     outputs = [output.value for output in stage.results if output.kind != VARYING]
     yield from zip(emitting, stage.emitting, strict=True)
-    yield from zip(delivered, outputs, strict=True)
+    for result, value in zip(delivered, outputs, strict=True):
+        # Where bits are written, they are those of a number.
+        is_number = value.type != result.value.type and result.store and result.store.as_bits
+        yield result, value.operands[0] if is_number else value
 
 
 class _Writing:

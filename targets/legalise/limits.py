@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...compiler.ir.kernel import invocations
+from ...compiler.ir.node import Node
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
 from ...compiler.ir.stages import CAPTURE, TARGET
 from ...compiler.ir.types import Texture, width
@@ -58,6 +59,8 @@ class Lack:
     """The id of a node that needs it."""
     of_expansion: bool = False
     """Whether it is what the material turns its primitives into that needs it."""
+    instead: str = ""
+    """What a user can do, if it is no matter of other profiles alone."""
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
@@ -152,12 +155,19 @@ BY_CORNER = (
 )
 
 
+WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captures the vertices"
+
+
 def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     """What a program uses and the profile has not got."""
     for stage in program.stages:
         if stage.row not in profile.stages:
             node = stage.roots[0].id
-            yield Lack(feature_of_stage(stage.row), node, of_expansion=bool(stage.emitted))
+            captures = program.capture is not None and STREAM_OUTPUT.is_met(profile)
+            instead = WITH_STREAM_OUTPUT if captures and not stage.emitted else ""
+            yield Lack(
+                feature_of_stage(stage.row), node, of_expansion=bool(stage.emitted), instead=instead
+            )
         need = buffers_of(stage.row)
         if stage.buffers and stage.row in profile.stages and not need.is_met(profile):
             yield Lack(need.feature, _first_use(stage))
@@ -165,8 +175,8 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     if captured and not STREAM_OUTPUT.is_met(profile):
         yield Lack(STREAM_OUTPUT.feature, captured[0].value.id)
     elif captured and not NUMBERED_CAPTURES.is_met(profile):
-        numbers = _numbers_of_vertices(program)
-        yield from (Lack(NUMBERED_CAPTURES.feature, number) for number in numbers)
+        reading = _reading_numbers(program)
+        yield from (Lack(NUMBERED_CAPTURES.feature, root.id) for root in reading[:1])
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield Lack(feature_of_builtin(native.builtin), native.node)
@@ -178,12 +188,15 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
 
 
-def _numbers_of_vertices(program: Program) -> list[int]:
-    """The ids of the nodes that read the number of a vertex."""
+def _reading_numbers(program: Program) -> list[Node]:
+    """What the first stage delivers that depends on the number of a vertex."""
     stage = program.stages[0]
     (number, *_) = stage.row.inputs
-    nodes = visible(stage.roots, into_bodies=True)
-    return [node.id for node in nodes if node.op == "input" and node.data == number]
+    return [
+        root
+        for root in stage.roots
+        if any(n.op == "input" and n.data == number for n in visible((root,), into_bodies=True))
+    ]
 
 
 def _first_use(stage: Stage) -> int:

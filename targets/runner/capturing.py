@@ -6,17 +6,19 @@ mesh of them, which is drawn like any other.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import VERTICES
 from ..toolchain import Toolchain
 from .binding import pipeline
 from .codes import compile_one
-from .drivers.draw import Captured, CaptureJob, DriverError
+from .drivers.draw import Captured, CaptureJob, DriverError, Pipeline, Written
+from .kernels import dispatch_of, elements_of, job_of
 from .meshes import Mesh, MeshError
 from .routes import Route
 from .runner import Runner
@@ -67,9 +69,69 @@ def capture(
     if reflection["capture"] is None:
         raise DriverError(f"{subject.name} is drawn by a pass that captures nothing")
     codes = compile_one(route, subject.files, toolchain)
-    job = CaptureJob(pipeline(reflection, route, codes), (state.draw(),), (most(state),))
-    (captured,) = runner.capture(route, job)
-    return vertices(reflection, captured)
+    (found,) = captured_by(route, pipeline(reflection, route, codes), [state], runner)
+    return found
+
+
+def captured_by(
+    route: Route, bound: Pipeline, states: Sequence[SceneState], runner: Runner
+) -> list[Vertices]:
+    """What a route captures of each state, by a stream output or by a kernel.
+
+    All states are of one material. Raises ``DriverError``.
+    """
+    reflection = states[0].instance.reflection
+    if reflection["capture"]["buffer"] is None:
+        draws = tuple(state.draw() for state in states)
+        answers = runner.capture(route, CaptureJob(bound, draws, tuple(map(most, states))))
+        return [vertices(reflection, answer) for answer in answers]
+    for state in states:
+        give_mesh(state)
+    dispatches = [dispatch_of(state.instance) for state in states]
+    written = runner.compute(route, job_of(reflection, bound, dispatches))
+    found = map(_compacted, states, written)
+    return [vertices(reflection, captured) for captured in found]
+
+
+def give_mesh(state: SceneState) -> None:
+    """Set the storage buffer of which a kernel reads the mesh."""
+    reflection = state.instance.reflection
+    rows = [row for row in reflection["vertex_inputs"] if row["buffer"] is not None]
+    values = {row["buffer"]["member"]: _of_elements(row, state) for row in rows}
+    fields = [
+        (name, KINDS[row["representation"][0]], each.shape[1:] if each.shape[1] > 1 else ())
+        for row, (name, each) in zip(rows, values.items(), strict=True)
+    ]
+    elements = np.zeros(len(next(iter(values.values()))), fields)
+    for name, each in values.items():
+        elements[name] = each if each.shape[1] > 1 else each[:, 0]
+    state.instance.set(rows[0]["buffer"]["name"], elements)
+
+
+def _of_elements(row: Mapping[str, Any], state: SceneState) -> NDArray[Any]:
+    """The values of a vertex input for each element: a vertex, or a primitive that is expanded."""
+    reflection, copies = state.instance.reflection, state.instance_count
+    if reflection["draw"]["expanded_by"] is not None:
+        return state.attributes[row["name"]]
+    drawn = state.triangles.reshape(-1)
+    if row["mesh"] is not None and row["mesh"]["is_number"]:
+        is_vertex = row["step"] == VERTICES
+        numbers = np.tile(drawn, copies) if is_vertex else np.repeat(np.arange(copies), len(drawn))
+        return numbers[:, None]
+    values = state.attributes[row["name"]]
+    if row["step"] == VERTICES:
+        return np.tile(values[drawn], (copies, 1))
+    return np.repeat(values, len(drawn), axis=0)
+
+
+def _compacted(state: SceneState, written: Written) -> Captured:
+    """What a kernel has written, without the vertices that are not there."""
+    row = state.instance.reflection["capture"]
+    data = elements_of(state.instance, written)[row["buffer"]]
+    words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
+    if row["there"] is not None:
+        words = words[words[:, row["there"]] != 0, : row["stride"]]
+    return Captured(len(words), words.tobytes())
 
 
 def most(state: SceneState) -> int:

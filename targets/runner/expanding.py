@@ -27,7 +27,8 @@ class Drawn:
     attributes: Values
     """By vertex input, of shape (vertices or instances, lanes)."""
     corners: Indices
-    """The vertices of each primitive, (primitives, corners)."""
+    """The vertices of each primitive, (primitives, corners); of each instance, where one stands for
+    a primitive that is expanded."""
     instance_count: int
 
 
@@ -44,8 +45,10 @@ def as_drawn(reflection: Mapping[str, Any], data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     rows = reflection["vertex_inputs"]
     attributes = {row["name"]: _values(row["mesh"], data, corners, copies) for row in rows}
-    triangles = np.arange(draw["vertices"]).reshape(-1, 3)
-    return Drawn(attributes, triangles, copies * len(corners))
+    captured = reflection["capture"]
+    emits_points = captured is not None and captured["primitive"] == "point"
+    listed = np.arange(draw["vertices"]).reshape(-1, 1 if emits_points else 3)
+    return Drawn(attributes, listed, copies * len(corners))
 
 
 def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int) -> NDArray[Any]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
@@ -47,6 +48,8 @@ FORMS = Forms(
     member="{block}.{name}",
     input="input.{name}",
     store_texel="textureStore({name}, {place}, {value});",
+    atomic="atomic<{type}>",
+    scatter="{function}(&{place}, {value});",
 )
 
 TEXTURES = TextureNames(
@@ -153,6 +156,14 @@ WEBGPU = Profile(
     checkers=("naga", "tint"),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
+
 LANGUAGE = Language(
     name="wgsl",
     title="WGSL",
@@ -162,6 +173,7 @@ LANGUAGE = Language(
     textures=TEXTURES,
     images=IMAGES,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     splats=frozenset(
         {"clamp", "max", "min", "pow", "shift_left", "shift_right", "smoothstep", "step"}

@@ -1,6 +1,7 @@
-"""Every route that has a stream output captures what the reference computes.
+"""Every route captures what the reference computes, by a stream output or by a kernel.
 
-And what is captured is a mesh again, which is drawn like any other.
+Both forms are two ways to one list of vertices: where nothing is rounded, they are the same to the
+last bit. And what is captured is a mesh again, which is drawn like any other.
 """
 
 from __future__ import annotations
@@ -32,21 +33,38 @@ PLAIN = (
 """The routes with a stream output."""
 EXPANDED = PLAIN[:4]
 """Those with a geometry stage as well."""
+KERNELS = (
+    "lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga",
+    "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgpu",
+)  # fmt: skip
+"""The routes that run kernels."""
+NAMES = ("Plain", "Tent", "Sparks")
 WORK = [
     *(("Plain", route) for route in PLAIN),
     *((name, route) for name in ("Tent", "Sparks") for route in EXPANDED),
 ]
 
 
-@lru_cache(maxsize=1)
-def compiled() -> burnish.CompileResult:
-    profiles = sorted({ROUTES[route].profile for route in PLAIN})
-    return burnish.compile(FILE, profiles, pass_="Captured", partial=True, native_stages=True)
+@lru_cache(maxsize=2)
+def compiled(*, native: bool) -> burnish.CompileResult:
+    profiles = sorted({ROUTES[route].profile for route in (PLAIN if native else KERNELS)})
+    return burnish.compile(FILE, profiles, pass_="Captured", partial=True, native_stages=native)
 
 
 @pytest.mark.parametrize(("name", "route"), WORK)
-def test_it_agrees(studio: Studio, name: str, route: str) -> None:
-    (row,) = conform([(name, compiled()[name])], [ROUTES[route]], studio.runner, studio.toolchain)
+def test_stream_outputs_agree(studio: Studio, name: str, route: str) -> None:
+    agrees(studio, compiled(native=True)[name], route)
+
+
+@pytest.mark.parametrize("route", KERNELS)
+@pytest.mark.parametrize("name", NAMES)
+def test_kernels_agree(studio: Studio, name: str, route: str) -> None:
+    agrees(studio, compiled(native=False)[name], route)
+
+
+def agrees(studio: Studio, material: CompiledMaterial, route: str) -> None:
+    work = [(material.name, material)]
+    (row,) = conform(work, [ROUTES[route]], studio.runner, studio.toolchain)
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
     assert row.proven > 1000
 
@@ -63,6 +81,54 @@ def captured(studio: Studio, text: str, route: str = "lavapipe:glsl", **options:
     return capture(material, state, ROUTES[route], studio.runner, studio.toolchain)
 
 
+EXACT = {
+    "as they are": "",
+    "a long strip": """expand point { strip of 6 as i where primitive_index mod 2u == 0u {
+        position = corner[0].position + 0.0625 * vec3(float(i), float(i mod 2) * 2, float(i))
+        mark     = i
+    } }""",
+    "groups": """expand triangle {
+        strip of 3 as i { mark = 1 }
+        list of 6 as i for s in 0..count where corner[s].uv.x > 0.4 like corner[i mod 3] {
+            position = inherited.position + vec3(0.125, 0.25, 0.5) * float(s + i / 3)
+            mark     = 10 * s + i
+        }
+    }""",
+    "points": """expand line {
+        points of 1 as i for s in 0..count like corner[1] { mark = s }
+        points of 3 as i where corner[0].uv.y < 0.4 like corner[i mod 2] { mark = 100 + i }
+    }""",
+}
+"""Expansions whose numbers are small multiples of powers of two."""
+TEXT = """
+material M {{
+    param count : int in 0..2 = 2
+    attribute bend : mat2 per instance
+    mark : int = 0
+    {}
+    color = vec3(1)
+}}
+pass Moved {{
+    capture mark     : int = mark
+    capture position : vec3 = position
+    capture number   : uvec2 = uvec2(vertex_index, instance_index)
+    capture corner   : vec2 = bend * uv
+}}
+"""
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_both_forms_capture_the_same(studio: Studio, name: str) -> None:
+    """Of a mesh that is drawn in several instances, too."""
+    text = TEXT.format(EXACT[name])
+    native = captured(studio, text, native_stages=True)
+    lowered = captured(studio, text)
+    assert native.count == lowered.count > 20
+    for member, values in native.members.items():
+        assert (values == lowered.members[member]).all(), member
+    assert len(np.unique(native.members["number"][:, 1])) > 1
+
+
 def test_points_come_in_the_order_of_the_mesh_and_only_where_they_are_emitted(
     studio: Studio,
 ) -> None:
@@ -74,8 +140,9 @@ def test_points_come_in_the_order_of_the_mesh_and_only_where_they_are_emitted(
     }  color = vec3(1) }
     pass Moved { capture number : uint = number }
     """
-    for route in EXPANDED:
-        found = captured(studio, text, route, native_stages=True)
+    forms = [*((route, True) for route in EXPANDED), ("lavapipe:wgsl-naga", False)]
+    for route, is_native in forms:
+        found = captured(studio, text, route, native_stages=is_native)
         assert found.primitive == "point"
         assert found.members["number"].tolist() == [[10], [11], [40], [41], [70], [71]], route
 
@@ -87,8 +154,9 @@ def test_triangles_are_captured_corner_by_corner(studio: Studio) -> None:
     pass Moved { capture number : int = int(vertex_index)  capture corner : vec2 = uv }
     """
     whole = plane(2).triangles.reshape(-1)
-    for route in ("lavapipe:glsl", "lavapipe:hlsl-dxc", "llvmpipe:gl330", "llvmpipe:gl450"):
-        found = captured(studio, text, route)
+    native = ("lavapipe:glsl", "lavapipe:hlsl-dxc", "llvmpipe:gl330", "llvmpipe:gl450")
+    for route, is_native in [*((name, True) for name in native), ("lavapipe:wgsl-naga", False)]:
+        found = captured(studio, text, route, native_stages=is_native)
         assert found.count == len(whole)
         assert found.members["number"][:, 0].tolist() == whole.tolist()
         assert (found.members["corner"] == plane(2).channels["uv"][whole]).all()
@@ -101,7 +169,7 @@ def test_what_is_captured_is_drawn_again(studio: Studio) -> None:
     pass Moved { capture position : vec3 = position  capture heat : float = hot }
     """
     profile = ROUTES["llvmpipe:gl450"].profile
-    (material,) = burnish.compile(text, profile, pass_="Moved").materials
+    (material,) = burnish.compile(text, profile, pass_="Moved", native_stages=True).materials
     first = with_inputs(material.reflection, cube())
     before = first
     for step in range(3):

@@ -179,7 +179,7 @@ PLANTED = {
         "triangle", _replaced(EmittedNumbers, "_strip", lambda numbers, _group: numbers._number(0))
     ),
     "every strip is drawn": (
-        "triangle", _replaced(_Lowering, "emitted", lambda _lowering, _values: None)
+        "triangle", _replaced(_Lowering, "drawn", lambda _lowering, _results: None)
     ),
     "groups begin elsewhere": ("groups", _replaced(Expansion, "starts", property(_too_early))),
     "each vertex is like the first corner": ("a list", _form(corner="{name}[0]")),

@@ -10,6 +10,7 @@ import burnish
 from burnish.api import CompiledMaterial
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.ir.stages import STAGES
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 from burnish.targets import registry
@@ -25,6 +26,8 @@ PROFILES = tuple(
 )
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "cloth": "kernels over buffers",
+    "histogram": "kernels over buffers",
     "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",
 }
@@ -38,7 +41,6 @@ LACKING: Mapping[str, frozenset[str]] = {
     for name, capability in NEEDING.items()
 }
 """By example, the profiles that lack what it shows."""
-STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}
 
 
 @dataclass(frozen=True)
@@ -84,4 +86,4 @@ def jobs_of(material: CompiledMaterial) -> Iterator[Job]:
     for file in material.files:
         for stage, entry in file.entry_points.items():
             for checker in file.checkers:
-                yield Job(checker, STAGES[stage], file.text, entry, file.name)
+                yield Job(checker, STAGES[stage].suffix, file.text, entry, file.name)

@@ -12,7 +12,7 @@ from typing import Any
 
 import burnish
 from burnish.compiled import CompiledMaterial
-from burnish.compiler.ir.stages import GEOMETRY
+from burnish.compiler.ir.stages import COMPUTE, GEOMETRY
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,11 @@ class Probe:
 def has_geometry_stage(material: CompiledMaterial) -> bool:
     """Whether primitives are emitted by a stage of their own."""
     return GEOMETRY in {stage.row for stage in material.staged.program.stages}
+
+
+def has_no_kernel(material: CompiledMaterial) -> bool:
+    """Whether the pipeline that draws does the work."""
+    return COMPUTE not in {stage.row for stage in material.staged.program.stages}
 
 
 def calls_no_definition(material: CompiledMaterial) -> bool:
@@ -81,7 +86,29 @@ PROBES: Mapping[str, Probe] = {
         native={"native_stages": True},
         is_native=has_geometry_stage,
     ),
-    "captures": Probe(CAPTURES.format("0.5"), options={"pass_": "Moved"}),
+    "layers": Probe(
+        """material M { color = vec3(uv, 0) }
+        pass P : Forward {
+            layers of 3
+            layer : int
+            expand triangle { strip of 3 as i for s in 0..3 { layer = s } }
+        }""",
+        options={"pass_": "P"},
+        native={"native_stages": True},
+        is_native=has_geometry_stage,
+    ),
+    "captures": Probe(
+        CAPTURES.format("0.5"),
+        options={"pass_": "Moved"},
+        native={"native_stages": True},
+        is_native=has_no_kernel,
+    ),
+    "numbers of captured vertices": Probe(
+        CAPTURES.format("float(vertex_index)"),
+        options={"pass_": "Moved"},
+        native={"native_stages": True},
+        is_native=has_no_kernel,
+    ),
     "kernels over buffers": Probe(
         "kernel K { param n : int in 0..300 = 200  result r : float[n] = float(index) * 0.5 }"
     ),

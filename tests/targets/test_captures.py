@@ -63,6 +63,56 @@ def test_texts_of_vertices(profile: str) -> None:
     assert_golden(material.text(profile, "vertex"), GOLDEN / material.files[0].name)
 
 
+@pytest.mark.parametrize("profile", ["wgsl:webgpu", "hlsl:sm6"])
+def test_texts_of_kernels(profile: str) -> None:
+    (material,) = burnish.compile(SPARKS, profile, pass_="Step").materials
+    assert [file.stage for file in material.files] == ["compute"]
+    assert_golden(material.text(profile, "compute"), GOLDEN / material.files[0].name)
+
+
+def test_what_a_kernel_reads_and_writes_is_told() -> None:
+    (material,) = burnish.compile(SPARKS, "wgsl:webgpu", pass_="Step").materials
+    reflection = material.reflection
+    assert {key: reflection["capture"][key] for key in ("buffer", "there", "stride")} == {
+        "buffer": "captured", "there": 20, "stride": 20,
+    }  # fmt: skip
+    assert [row["stride"] for row in reflection["results"]] == [24]
+    assert {row["name"]: row["buffer"] for row in reflection["vertex_inputs"]} == {
+        "corner0.vertex_position": {"name": "mesh", "member": "corner0_vertex_position"},
+        "corner0.age": {"name": "mesh", "member": "corner0_age"},
+    }
+    assert reflection["draw"]["primitive"] == "point"
+
+
+def test_names_that_the_material_has_are_left_to_it() -> None:
+    text = """
+    struct MeshVertex { a : float }
+    material M { param mesh : MeshVertex  buffer captured : float[]
+        color = vec3(mesh.a, captured[0], 1) }
+    pass Step { capture tint : vec3 = color * uv.x }
+    """
+    (material,) = burnish.compile(text, "glsl:vulkan", pass_="Step").materials
+    assert "MeshVertex_ mesh_[]" in material.text("glsl:vulkan", "compute")
+    assert "uint captured_[]" in material.text("glsl:vulkan", "compute")
+
+
+def test_profiles_without_kernels_say_what_would_work() -> None:
+    for profile in ("glsl:es300", "glsl:gl330"):
+        with pytest.raises(burnish.CompileError) as caught:
+            burnish.compile(PLAIN, profile, pass_="Step")
+        (found,) = caught.value.diagnostics
+        assert found.message == f"{profile} has no compute stage"
+        assert str(found.hint).startswith("compile with `--native-stages`")
+
+
+def test_numbers_of_vertices_are_not_captured_in_es() -> None:
+    with pytest.raises(burnish.CompileError) as caught:
+        compiled(PLAIN, "glsl:es300")
+    (found,) = caught.value.diagnostics
+    assert found.message == "glsl:es300 has no `vertex_index` where vertices are captured"
+    assert found.span is not None and "vertex_index" in found.span.text
+
+
 def test_compilers_accept_them() -> None:
     """Also a single capture, which is returned as it is in HLSL."""
     single = "material M { color = vec3(1) } pass Step { capture place : vec3 = position }"

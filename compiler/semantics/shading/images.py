@@ -5,6 +5,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...diagnostics import rules
 from ...ir.node import Node
 from ...ir.shader import RenderTarget, Result
@@ -17,8 +19,8 @@ from ..types.typenames import IMAGE_TYPE
 from .formats import texel_value
 
 
-def is_image(member: ast.Result) -> bool:
-    """Whether a result is an image; else it is a buffer."""
+def is_image(member: ast.Result | ast.Scatter) -> bool:
+    """Whether a result is an image; else it is a buffer, as all is that is scattered to."""
     return member.type.name.text == IMAGE_TYPE
 
 
@@ -46,7 +48,7 @@ def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | Non
     return Result(IMAGE, COMPUTE, value, member.name.text, member.doc, state)
 
 
-def mixed(ctx: Context, members: list[ast.Result]) -> bool:
+def mixed(ctx: Context, members: Sequence[ast.Result | ast.Scatter]) -> bool:
     """Whether a kernel writes both images and buffers, which is reported."""
     others = [member for member in members if is_image(member) != is_image(members[0])]
     for member in others:

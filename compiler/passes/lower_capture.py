@@ -1,0 +1,221 @@
+"""Captures without a stream output: a kernel writes the vertices, one by each invocation.
+
+``api.py`` calls ``lower_capture`` before all passes, when expansions have been lowered. What the
+mesh has is read from one storage buffer. Each of its elements is a vertex that is drawn or, where
+primitives are expanded, a primitive with what is read of its corners. The numbers of a vertex are
+written as they lie in the buffer of a stream output, each as the 32 bits that it has. A vertex that
+no strip emits is written, too: one more number says of each vertex whether it is there, and a host
+leaves the others out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ...frozen import changed
+from ..diagnostics.source import Span
+from ..ir import build
+from ..ir.capture import NUMBER_SIZE
+from ..ir.kernel import USUAL
+from ..ir.leaves import MOST_ELEMENTS, Attribute, Buffer, Parameter
+from ..ir.node import Graph, Node, reachable
+from ..ir.rewrite import rewrite
+from ..ir.shader import AttributeInfo, BufferInfo, MeshInput, ParameterInfo, Result, Shader, Store
+from ..ir.stages import CAPTURE, COMPUTE, COMPUTED, EMITTING, EXTENT, STORE, VERTEX, SystemInput
+from ..ir.types import INT, UINT, RuntimeArray, Struct, Type, Vector, width
+
+MESH = "mesh"
+"""The buffer that is read."""
+VERTEX_STRUCT, PRIMITIVE_STRUCT = "MeshVertex", "MeshPrimitive"
+"""What its elements are."""
+CAPTURED = "captured"
+"""The buffer that is written."""
+GROUP = "draw"
+
+VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
+INDEX = changed(next(row for row in COMPUTE.inputs if row.type == INT), most=int(MOST_ELEMENTS) - 1)
+
+
+def lower_capture(shader: Shader) -> Shader:
+    """The shader with a kernel instead of the vertex stage; itself if it captures nothing.
+
+    Expansions have been lowered before.
+    """
+    if shader.capture is None:
+        return shader
+    reading = _Reading(shader)
+    values = rewrite(
+        shader.graph, shader.roots, reading.rule, shader.notes.follow, ("attribute", "input")
+    )
+    lowered = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
+    written = _written(shader, reading.span)
+    return changed(
+        shader,
+        results=(Result(EXTENT, COMPUTE, reading.extent), *_stores(shader, written, lowered)),
+        parameters=(*shader.parameters, reading.mesh.count),
+        attributes=(),
+        buffers=(*shader.buffers, reading.mesh),
+        written=(written,),
+        chain=COMPUTED,
+        work_group=USUAL[1],
+    )
+
+
+class _Reading:
+    """Reads of a buffer what vertices read of the mesh."""
+
+    def __init__(self, shader: Shader) -> None:
+        self._graph: Graph = shader.graph
+        self._notes = shader.notes
+        self._is_expanded = shader.expansion is not None
+        self._listed = 1 if shader.expansion is None else shader.expansion.listed
+        """How many vertices come of each element of the buffer."""
+        self.span = next(iter(shader.notes.spans.values()))
+        infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
+        self._members = {info.attribute: _member_name(info.attribute) for info in infos}
+        self.mesh = _mesh(shader, infos, self._members, is_primitive=self._is_expanded)
+        """The buffer."""
+        index = shader.graph.node("input", INT, (), INDEX)
+        self._vertex = self._element = index
+        if self._is_expanded:
+            listed = build.constant(self._graph, INT, self._listed)
+            self._element = self._call(INT, "div", index, listed)
+            self._vertex = self._call(INT, "mod", index, listed)
+            self._notes.names.setdefault(self._element.id, "primitive")
+            self._notes.names.setdefault(self._vertex.id, "number")
+
+    @property
+    def extent(self) -> Node:
+        """How many vertices are written."""
+        count = self._graph.node("parameter", INT, (), self.mesh.buffer.count)
+        if self._listed == 1:
+            return count
+        vertices = self._call(INT, "mul", count, build.constant(self._graph, INT, self._listed))
+        self._notes.names.setdefault(vertices.id, "vertices")
+        return vertices
+
+    def rule(self, _graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
+        """What stands for a vertex input, or for a number that the pipeline supplies."""
+        leaf = node.data
+        if isinstance(leaf, SystemInput):
+            if self._is_expanded:
+                number = self._vertex if leaf.name == VERTEX_INDEX.name else self._element
+                return self._call(UINT, "to_uint", number)
+            leaf = _as_attribute(leaf)
+        assert isinstance(leaf, Attribute)
+        buffer = self.mesh.buffer
+        # There are as many invocations as the elements ask for, so none is beyond the last one.
+        element = build.index(
+            self._graph, self._graph.node("buffer", buffer.type, (), buffer), self._element
+        )
+        return build.member(self._graph, element, self._members[leaf])
+
+    def _infos(self, shader: Shader) -> Iterator[AttributeInfo]:
+        """The inputs that are read, in the order of their declaration."""
+        read = {node.data for node in reachable(shader.roots) if node.op in ("attribute", "input")}
+        yield from (info for info in shader.attributes if info.attribute in read)
+        if not self._is_expanded:
+            yield from (self._counted(row) for row in VERTEX.inputs if row in read)
+
+    def _counted(self, row: SystemInput) -> AttributeInfo:
+        """A number that the host counts."""
+        mesh = MeshInput(row.name, 0 if self._is_expanded else None, is_number=True)
+        return AttributeInfo(_as_attribute(row), str(row.type), "", self.span, mesh=mesh)
+
+    def _call(self, type_: Type, name: str, *operands: Node) -> Node:
+        return self._graph.node("call", type_, operands, name)
+
+
+def _as_attribute(row: SystemInput) -> Attribute:
+    return Attribute(row.name, row.type, row.domain)
+
+
+def _member_name(leaf: Attribute) -> str:
+    return leaf.name.replace(".", "_")
+
+
+def _mesh(
+    shader: Shader,
+    infos: Iterable[AttributeInfo],
+    members: dict[Attribute, str],
+    *,
+    is_primitive: bool,
+) -> BufferInfo:
+    """The buffer that has the inputs of a vertex, or of a primitive, in each element."""
+    rows = [(members[info.attribute], info) for info in infos]
+    taken = {name for info in shader.buffers for name in _structs_of(info.buffer.type)}
+    taken |= {name for info in shader.parameters for name in _structs_of(info.parameter.type)}
+    struct = Struct(
+        _free(PRIMITIVE_STRUCT if is_primitive else VERTEX_STRUCT, taken),
+        tuple((name, info.attribute.type) for name, info in rows),
+    )
+    span = rows[0][1].span
+    # A mesh's values are taken as they are: what a type says beyond its numbers is not checked.
+    described = tuple(
+        ParameterInfo(Parameter(name, type_, ""), str(type_), None, None, info.doc, span)
+        for (name, type_), (_, info) in zip(struct.members, rows, strict=True)
+    )
+    buffer = Buffer(_free(MESH, _names(shader)), RuntimeArray(struct), GROUP)
+    element = ParameterInfo(Parameter("", struct, ""), struct.name, None, None, "", span, described)
+    return changed(_info(buffer, element, span), of_mesh=tuple(rows))
+
+
+def _written(shader: Shader, span: Span) -> BufferInfo:
+    """The buffer of which each invocation writes the numbers of a vertex."""
+    assert shader.capture is not None
+    buffer = Buffer(_free(CAPTURED, _names(shader)), RuntimeArray(UINT), GROUP)
+    element = ParameterInfo(Parameter("", UINT, ""), str(UINT), None, None, "", span)
+    conditions = shader.results_of(EMITTING)
+    return changed(_info(buffer, element, span), each=shader.capture.numbers + len(conditions))
+
+
+def _info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInfo:
+    doc = f"How many elements `{buffer.name}` has"
+    limits = (0.0, buffer.count.fact.hi)
+    count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
+    return BufferInfo(buffer, element, count, "", span)
+
+
+def _structs_of(type_: Type) -> Iterator[str]:
+    """The name of the structure that a parameter or a buffer consists of, if it does."""
+    while not isinstance(type_, Struct) and hasattr(type_, "element"):
+        type_ = type_.element
+    if isinstance(type_, Struct):
+        yield type_.name
+
+
+def _names(shader: Shader) -> set[str]:
+    """What parameters, textures and buffers are called."""
+    return {
+        *(info.parameter.name for info in shader.parameters),
+        *(info.resource.name for info in shader.resources),
+        *(info.buffer.name for info in shader.buffers),
+    }
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """A name like this that nothing has."""
+    while name in taken:
+        name += "_"
+    return name
+
+
+def _stores(shader: Shader, written: BufferInfo, results: Iterable[Result]) -> Iterator[Result]:
+    """A result for each number of a vertex; the last one says whether it is there."""
+    graph, notes, capture = shader.graph, shader.notes, shader.capture
+    assert capture is not None
+    for result in results:
+        if result.kind == EMITTING:
+            one, zero = (build.constant(graph, UINT, number) for number in (1, 0))
+            lanes, first = [graph.node("select", UINT, (result.value, one, zero))], capture.numbers
+        else:
+            assert result.kind == CAPTURE, result
+            first = capture.member(result.name).offset // NUMBER_SIZE
+            lanes = [result.value]
+            if isinstance(result.value.type, Vector):
+                count = width(result.value.type)
+                lanes = [build.swizzle(graph, result.value, (lane,)) for lane in range(count)]
+        for number, lane in enumerate(lanes, first):
+            notes.spans.setdefault(lane.id, notes.spans.get(result.value.id, written.span))
+            store = Store(written.buffer, (), written.each, number, as_bits=True)
+            yield Result(STORE, COMPUTE, lane, store=store)
