@@ -20,12 +20,14 @@ from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
+from .compiler.ir.stages import COMPUTED
 from .compiler.passes.emit_strips import count_strips
 from .compiler.passes.lower_capture import lower_capture
 from .compiler.passes.lower_expansion import lower_expansion
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
+from .frozen import changed
 from .garbage import seldom_collected
 from .targets.availability import way_out, with_as_many
 from .targets.description.profile import Profile
@@ -193,6 +195,9 @@ def _compiled(
     chosen: list[tuple[Language, Profile]],
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
+    if shader.chain == COMPUTED:
+        # What a kernel writes has its first row at the top, also where a pass draws it.
+        emit_options = changed(emit_options, flip_y=False)
     forms = (
         (form_for(staged, profile), target, profile)
         for target, profile in chosen
