@@ -30,16 +30,15 @@ from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
+from ..targets.standings import routes
 from .kit import Floats, Studio
 
-ON = (
-    "lavapipe:glsl",
-    "lavapipe:hlsl-glslang",
-    "lavapipe:hlsl-dxc",
-    "llvmpipe:gl330",
-    "llvmpipe:gl450",
+ON = tuple(
+    name
+    for name in sorted(routes("native", "expansions"))
+    if ROUTES[name].driver in ("lavapipe", "llvmpipe")
 )
-"""The routes with a geometry stage."""
+"""The routes with a geometry stage: SwiftShader has none, whatever the profile."""
 PROFILES = tuple(sorted({ROUTES[name].profile for name in ON}))
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE = (64, 48)

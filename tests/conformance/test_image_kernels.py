@@ -12,6 +12,7 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
+from ..targets.standings import routes
 from .kit import Studio
 from .planted import in_image_kernels
 from .planted.planting import Planted
@@ -20,7 +21,7 @@ FILE = Path(__file__).with_name("image_kernels.burnish")
 NAMES = ("Bytes", "Few", "Floats", "Stored", "Alone", "Branches")
 WRITTEN = {"Stored", "Alone", "Branches"}
 """Those whose formats a kernel can write."""
-WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:es310", "chromium:webgl2"}
+WITHOUT_BUFFERS = routes("absent", "storage buffers at fragments")
 
 
 @lru_cache(maxsize=1)

@@ -14,8 +14,6 @@ import burnish
 from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.types import BOOL
 from burnish.frozen import changed
-from burnish.targets import registry
-from burnish.targets.availability import standings
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import stage
@@ -24,14 +22,11 @@ from burnish.targets.runner.drivers.draw import Dispatch, KernelJob, Pipeline
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.routes import ROUTES
 
+from ..targets.standings import routes
 from .kit import Studio
 
 FILE = Path(__file__).with_name("kernels.burnish")
-ROUTES_WITHOUT = {
-    name
-    for name, route in ROUTES.items()
-    if standings(registry.select(route.profile)[1])["kernels over buffers"].kind == "absent"
-}
+ROUTES_WITHOUT = routes("absent", "kernels over buffers")
 NAMES = ("Structures", "Numbers", "Vectors", "Sums", "Fixed", "Scattered", "Bits")
 
 

@@ -27,7 +27,8 @@ from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import SceneState, set_up
 
 from ..conformance import subjects
-from ..examples.kit import EXAMPLES, NEEDING, PROFILES
+from ..examples.kit import EXAMPLES, NEEDING
+from ..targets.standings import PROFILES
 
 DRAWN = tuple(path for path in EXAMPLES if NEEDING.get(path.stem) != "kernels over buffers")
 """Not kernels over buffers, of which ``tests/conformance/test_kernels.py`` asks the same."""
