@@ -27,7 +27,6 @@ from .compiler.passes.lower_expansion import lower_expansion
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
-from .frozen import changed
 from .garbage import seldom_collected
 from .targets.availability import way_out, with_as_many
 from .targets.description.profile import Profile
@@ -197,7 +196,8 @@ def _compiled(
 ) -> CompiledMaterial:
     if shader.chain == COMPUTED:
         # What a kernel writes has its first row at the top, also where a pass draws it.
-        emit_options = changed(emit_options, flip_y=False)
+        given = emit_options
+        emit_options = EmitOptions(False, given.single_file, given.line_directives)
     forms = (
         (form_for(staged, profile), target, profile)
         for target, profile in chosen
