@@ -46,6 +46,10 @@ HANGS_ON_SINES = {"mixins"}
 """Examples whose vertices are where a sine is: it hangs on the sine's error which side of an edge
 many pixels are on."""
 
+CROWDED = {"particles"}
+"""Examples of many small triangles, one before the other: WebGL 2 tells so little of how it rounds
+that which of them is seen is undecided at most pixels."""
+
 CASES = [
     pytest.param(
         (variant, material, route),
@@ -90,7 +94,9 @@ def test_it_agrees(rows: Callable[[Path], dict[Key, Row]], key: Key) -> None:
     if ROUTES[key[2]].profile in key[0].lacking:
         assert row.status == "not run", row.status
         return
-    if key[0].path.stem in HANGS_ON_SINES and ROUTES[key[2]].driver in ROUGH_SINES:
+    stem, driver = key[0].path.stem, ROUTES[key[2]].driver
+    is_crowded = stem in CROWDED and driver == "webgl2"
+    if is_crowded or (stem in HANGS_ON_SINES and driver in ROUGH_SINES):
         assert row.status in {"agrees", "proves little"}, "\n".join(details(row)) or row.status
         return
     assert row.status == "agrees", "\n".join(details(row)) or row.status
