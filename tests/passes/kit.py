@@ -33,6 +33,7 @@ from burnish.compiler.ir.types import (
 from burnish.compiler.passes import pipeline
 from burnish.compiler.passes.checkpoint import verified
 from burnish.compiler.passes.hoist import Derived
+from burnish.compiler.passes.lower_capture import lower_capture
 from burnish.compiler.passes.lower_expansion import lower_expansion
 from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
@@ -72,7 +73,7 @@ def elaborated(
 
 def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
     """The same in the form that the other passes take."""
-    return [lower_expansion(found) for found in elaborated(source, rig, pass_)]
+    return [lower_capture(lower_expansion(found)) for found in elaborated(source, rig, pass_)]
 
 
 def shader(source: str) -> Shader:
