@@ -157,9 +157,9 @@ def _render(request: Request) -> None:
         found = subjects(request, drivers)
         _refuse_kernels(found)
         _tell_lacking_features(found, drivers)
-        _check_total(len(found) * len(routes), _largest(request, found))
+        _check_total(len(found) * len(routes), _largest(found))
         drawn = list(panels(found, routes, request.target, runner, progress))
-    _save(drawn, len(routes), request.output, _largest(request, found))
+    _save(drawn, len(routes), request.output, _largest(found))
     click.echo(f"{'; '.join(subject.label for subject in found)}: {request.output}")
     _tell_failures(drawn)
 
@@ -218,9 +218,9 @@ def _refuse_kernels(subjects: Sequence[Subject]) -> None:
                  "`burnish conform` runs it")  # fmt: skip
 
 
-def _largest(request: Request, subjects: Sequence[Subject]) -> tuple[int, int]:
+def _largest(subjects: Sequence[Subject]) -> tuple[int, int]:
     """The size of a place on a sheet. The images of kernels have sizes of their own."""
-    sizes = [request.size, *((each.state.width, each.state.height) for each in subjects)]
+    sizes = [(each.state.width, each.state.height) for each in subjects]
     return max(width for width, _ in sizes), max(height for _, height in sizes)
 
 

@@ -733,6 +733,13 @@ WORK_GROUP_SIZE = _error(
     "256.",
 )
 
+NOT_SCATTERED = _error(
+    "B0518",
+    "`{name}` cannot be scattered: its elements are of the type {type}",
+    "Only `int` and `uint` come out the same in whatever order invocations add them: count in "
+    "fixed-point steps, or sum by a fold.",
+)
+
 # Expansions
 
 NO_SUCH_CORNER = _error(
@@ -780,6 +787,45 @@ TWO_EXPANSIONS = _error(
     "A record has one expansion, with as many groups of strips as it needs. Two mixins that each "
     "have one cannot be combined.",
 )
+NOT_SO_MANY_LAYERS = _error(
+    "B0528",
+    "render targets have 1 to {most} layers, and not {count}",
+    "`layers of 6` says how many layers each render target of a pass has. More than 256 are not "
+    "guaranteed to exist.",
+)
+NO_LAYER = _error(
+    "B0529",
+    "`{name}` draws into layers, but nothing says into which",
+    "An expansion of the pass or of its material says to which layer a strip is drawn: it sets "
+    "their slot `layer : int`. The nearest layer counts.",
+)
+LAYER_WITHIN_STRIP = _error(
+    "B0530",
+    "vertices of one strip have different layers",
+    "A strip is drawn to one layer, so `layer` may depend on the strip's number, on "
+    "`primitive_index` and on values at corners with a number that is the same for all of the "
+    "strip's vertices.",
+)
+
+# Scattering
+
+NO_KERNEL_EXTENT = _error(
+    "B0540",
+    "`{name}` does not say for how many elements it runs",
+    "A result would say it. A kernel that only scatters says it by a member of its own: "
+    "`runs over pixels.count`.",
+)
+WRITTEN_TWICE = _error(
+    "B0541",
+    "`{name}` is both a result and scattered",
+    "Each buffer is written in one way. Scatter to a buffer of its own.",
+)
+NO_SUCH_ELEMENT = _error(
+    "B0542",
+    "there is no element {index} of `{name}`",
+    "Elements are numbered from 0, and the number in brackets behind the type says how many there "
+    "are.",
+)
 
 # Kernels over images
 
@@ -800,7 +846,8 @@ NO_FORMAT = _error(
 CAPTURES_AND_DRAWS = _error(
     "B0560",
     "`{name}` captures vertices, so it draws nothing",
-    "A pass that captures has no render targets and discards nothing. Draw in another pass.",
+    "A pass that captures has no render targets, no layers of them, and discards nothing. Draw in "
+    "another pass.",
 )
 CANNOT_CAPTURE = _error(
     "B0561",

@@ -1,12 +1,13 @@
-"""Which invocations of a kernel run together: its work groups.
+"""Which invocations of a kernel run together, its work groups; and how they share elements.
 
-Semantics says how large they are, by the kernel's own word or by ``USUAL``. The texts declare it,
-and a host needs it to know how many work groups it has to run.
+Semantics says how large work groups are, by the kernel's own word or by ``USUAL``. The texts
+declare it, and a host needs it to know how many work groups it has to run.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal
 
 WorkGroup = tuple[int, int, int]
 """How many invocations stand side by side along x, y and z."""
@@ -18,6 +19,9 @@ at once, and no more than any of them takes."""
 WRITTEN_GROUP = "draw"
 """The group of the buffers and images that a kernel writes."""
 
+ScatterOperator = Literal["add", "min", "max", "and", "or"]
+"""How a scattered value is joined with what an element has: in any order with the same result."""
+
 MOST_INVOCATIONS = 1024
 """No API that there is has larger work groups; what a profile has at least is one of its limits."""
 
@@ -26,3 +30,10 @@ def invocations(group: WorkGroup) -> int:
     """How many invocations a work group has."""
     x, y, z = group
     return x * y * z
+
+
+def neutral(operator: ScatterOperator, *, signed: bool) -> int:
+    """What an element has before anything is scattered to it: joining that changes nothing."""
+    lowest, highest = (-(2**31), 2**31 - 1) if signed else (0, 2**32 - 1)
+    ones = -1 if signed else highest
+    return {"add": 0, "or": 0, "and": ones, "min": highest, "max": lowest}[operator]

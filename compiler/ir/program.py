@@ -19,7 +19,15 @@ from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
 from .shader import Store
-from .stages import VERTICES, Domain, InterpolationMode, StageRow
+from .stages import (
+    CONDITION,
+    PLACE,
+    SCATTER,
+    VERTICES,
+    Domain,
+    InterpolationMode,
+    StageRow,
+)
 from .storage import stored_type, structs_in
 from .tessellation import Tessellation
 from .types import Struct, Type
@@ -335,6 +343,16 @@ def native_uses(nodes: Iterable[Node]) -> tuple[NativeUse, ...]:
 
 
 @frozen
+class Scattered:
+    """A value that a stage joins with an element of its own choice."""
+
+    store: Store
+    value: Node
+    place: Node
+    condition: Node
+
+
+@frozen
 class Stage:
     """One shader stage."""
 
@@ -391,6 +409,18 @@ class Stage:
     def written(self) -> frozenset[Buffer]:
         """The storage buffers that it writes."""
         return frozenset(output.store.buffer for output in self.results if output.store)
+
+    @property
+    def scattered(self) -> tuple[Scattered, ...]:
+        """What it joins with elements of its own choice."""
+        found: dict[Store, dict[str, Node]] = {}
+        for output in self.results:
+            if output.store is not None and output.store.operator is not None:
+                found.setdefault(output.store, {})[output.kind] = output.value
+        return tuple(
+            Scattered(store, values[SCATTER], values[PLACE], values[CONDITION])
+            for store, values in found.items()
+        )
 
     def value_of(self, kind: str) -> Node | None:
         """The value of the result of a kind of which there is one at most."""
@@ -459,6 +489,12 @@ class Program:
     def written(self) -> frozenset[Buffer]:
         """The storage buffers that some stage writes."""
         return frozenset[Buffer]().union(*(stage.written for stage in self.stages))
+
+    @property
+    def scattered(self) -> frozenset[Buffer]:
+        """Those of them with whose elements values are joined."""
+        scattered = (each for stage in self.stages for each in stage.scattered)
+        return frozenset(each.store.buffer for each in scattered)
 
     @property
     def images(self) -> tuple[Image, ...]:

@@ -13,7 +13,7 @@ from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .capture import Capture
 from .expansion import Expansion
-from .kernel import WorkGroup
+from .kernel import ScatterOperator, WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
@@ -126,6 +126,9 @@ class RenderTarget:
     format: str
     blend: str
     """``none``, ``alpha``, ``add`` …: what the hardware does behind the shader."""
+    layers: int = 0
+    """How many it has; 0 where it is a single picture and no array of them. All targets of a shader
+    have equally many."""
 
     @property
     def fixed_point(self) -> bool:
@@ -135,7 +138,8 @@ class RenderTarget:
 
 @frozen(key=True)
 class Store:
-    """Where a result of the kind ``STORE`` goes: a part of an invocation's element."""
+    """Where a result of the kind ``STORE`` goes: a part of an invocation's element. Or what one of
+    the kind ``SCATTER``, and those beside it, is about: an element of its own choice."""
 
     buffer: Buffer
     path: tuple[str | int, ...] = ()
@@ -146,6 +150,8 @@ class Store:
     """Which of them this is."""
     as_bits: bool = False
     """Whether the bits of the value are written as a uint, whatever its type."""
+    operator: ScatterOperator | None = None
+    """How a value is joined with what the element has, of what is scattered."""
 
 
 @frozen
@@ -163,7 +169,7 @@ class Result:
     state: RenderTarget | None = None
     """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
-    """For a result of the kind ``STORE``."""
+    """For a result of the kind ``STORE`` or ``SCATTER``, and those beside it."""
 
 
 @record
@@ -256,6 +262,9 @@ class Shader:
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None
     """What each primitive of the mesh turns into, whichever stage does it."""
+    layer: Parameter | None = None
+    """Where render targets have layers and each of these has a draw of its own: what says for which
+    one a draw is."""
     capture: Capture | None = None
     """What is written of each vertex instead of drawing, by a stream output or by a kernel."""
     tessellation: Tessellation | None = None
@@ -267,6 +276,11 @@ class Shader:
     def roots(self) -> Roots:
         """The values of all results: what passes and walks over the graph start from."""
         return Roots([result.value for result in self.results])
+
+    @property
+    def layers(self) -> int:
+        """How many layers each render target has; 0 where they are single pictures."""
+        return max((r.state.layers for r in self.results if r.state is not None), default=0)
 
     def results_of(self, kind: str) -> tuple[Result, ...]:
         """The results of one kind, in order."""

@@ -45,12 +45,23 @@ INNER_LEVEL = "inner_level"
 """The kind of those that say the same of the inside: of a quad along u, and then along v."""
 EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
+LAYER = "layer"
+"""The kind of the result that says to which layer of the render targets a strip is drawn."""
 CAPTURE = "capture"
 """The kind of a result that is written to a buffer for each vertex, instead of drawing."""
 STORE = "store"
 """The kind of a result that is written to an element of a storage buffer."""
 IMAGE = "image"
 """The kind of a result that is written to a texel of an image."""
+SCATTER = "scatter"
+"""The kind of a result that is joined with an element that the invocation chooses. Each has results
+of the next three kinds beside it, whose ``store`` is the same."""
+PLACE = "place"
+"""Which element that is."""
+CONDITION = "condition"
+"""Whether anything is joined, and that there is such an element."""
+LENGTH = "length"
+"""How many elements the buffer has; only a host asks for it."""
 EXTENT = "extent"
 """The kind of the result that says for how many elements, or for how many texels in a row and in a
 column, a kernel is run."""
@@ -175,7 +186,7 @@ STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
 GEOMETRY = StageRow(
     "geometry", EMITTED, "geom", "gs_main",
     inputs=(PRIMITIVE_INDEX,),
-    delivers=(CLIP_POSITION, EMITTING, CAPTURE),
+    delivers=(CLIP_POSITION, LAYER, EMITTING, CAPTURE),
 )  # fmt: skip
 
 FRAGMENT = StageRow(
@@ -194,11 +205,11 @@ COMPUTE = StageRow(
     "compute", INVOCATIONS, "comp", "cs_main",
     inputs=(
         # The number of the element that is computed.
-        SystemInput("index", INT, INVOCATIONS),
+        SystemInput("index", INT, INVOCATIONS, most=2**31 - 1),
         # The place of the texel that is computed: from the left, and from the top.
         SystemInput("texel", IVEC2, INVOCATIONS),
     ),
-    delivers=(STORE, IMAGE, EXTENT),
+    delivers=(STORE, SCATTER, PLACE, CONDITION, LENGTH, IMAGE, EXTENT),
 )  # fmt: skip
 
 STAGES: Mapping[str, StageRow] = {

@@ -4,26 +4,28 @@
 emits at most, as a list of triangles, and a vertex knows by its number in which group, strip and
 triangle it is. What the mesh has at the corners of the primitive are vertex inputs per instance,
 one for each corner that is read. A strip that is not emitted has all its vertices in one place,
-beyond the picture. The result is the same, as are the order of triangles and the vertex that each
-begins with: triangle ``t`` of a strip has the vertices ``t``, ``t + 1 + t mod 2`` and
-``t + 2 - t mod 2``, as in Vulkan.
+beyond the picture. Where render targets have layers, each of these is a draw of its own, in which
+the strips of all others are not emitted. The result is the same, as are the order of triangles and
+the vertex that each begins with: triangle ``t`` of a strip has the vertices ``t``,
+``t + 1 + t mod 2`` and ``t + 2 - t mod 2``, as in Vulkan.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
+from functools import partial, reduce
+from itertools import count
 from operator import itemgetter
 
 from ...frozen import changed
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.expansion import Expansion
-from ..ir.leaves import Attribute
+from ..ir.leaves import Attribute, Parameter
 from ..ir.node import Graph, Node, Roots, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.rewrite import rewrite
-from ..ir.shader import AttributeInfo, MeshInput, Notes, Result, Shader
+from ..ir.shader import AttributeInfo, MeshInput, Notes, ParameterInfo, Result, Shader
 from ..ir.stages import (
     CAPTURED,
     CLIP_POSITION,
@@ -33,6 +35,7 @@ from ..ir.stages import (
     GEOMETRY,
     GROUP,
     INSTANCES,
+    LAYER,
     PRIMITIVE_INDEX,
     RASTERISED,
     SMOOTH,
@@ -48,6 +51,10 @@ NOWHERE = (0.0, 0.0, -1.0, 1.0)
 
 VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
 
+LAYER_OF_DRAW = "draw.layer"
+"""What the parameter is called that says for which layer a draw is; with ``_`` behind it if a light
+has a parameter of this name."""
+
 
 def lower_expansion(shader: Shader) -> Shader:
     """The shader with vertices instead of emitted vertices; itself if it expands nothing."""
@@ -57,11 +64,13 @@ def lower_expansion(shader: Shader) -> Shader:
     lowering = _Lowering(shader, shader.expansion)
     values = lowering.lowered([result.value for result in shader.results])
     results = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
-    emitted = lowering.emitted([r.value for r in results if r.kind == EMITTING])
-    placed = [_placed(shader, result, emitted) for result in results if result.kind != EMITTING]
-    if emitted is not None and shader.capture is not None:
+    drawn = lowering.drawn(results)
+    placed = [
+        _placed(shader, result, drawn) for result in results if result.kind not in (EMITTING, LAYER)
+    ]
+    if drawn is not None and shader.capture is not None:
         # There is no place for a vertex that is not captured, so it has to be left out.
-        placed.append(Result(EMITTING, VERTEX, emitted))
+        placed.append(Result(EMITTING, VERTEX, drawn))
     # What tells the vertices apart stands nowhere, but where the expansion does.
     for node in reachable([result.value for result in placed]):
         if node.id >= before:
@@ -70,18 +79,20 @@ def lower_expansion(shader: Shader) -> Shader:
         shader,
         results=tuple(placed),
         attributes=lowering.attributes,
+        parameters=lowering.parameters,
+        layer=lowering.layer,
         chain=RASTERISED if shader.capture is None else CAPTURED,
     )
 
 
-def _placed(shader: Shader, result: Result, emitted: Node | None) -> Result:
+def _placed(shader: Shader, result: Result, drawn: Node | None) -> Result:
     """A result of the geometry stage as one of the vertices."""
     if result.stage != GEOMETRY:
         return result
     value = result.value
-    if result.kind == CLIP_POSITION and emitted is not None:
+    if result.kind == CLIP_POSITION and drawn is not None:
         nowhere = build.constant(shader.graph, VEC4, NOWHERE)
-        value = shader.graph.node("select", VEC4, (emitted, result.value, nowhere))
+        value = shader.graph.node("select", VEC4, (drawn, result.value, nowhere))
         shader.notes.names.setdefault(value.id, "placed")
     return changed(result, stage=VERTEX, value=value)
 
@@ -92,7 +103,11 @@ class _Lowering:
     def __init__(self, shader: Shader, expansion: Expansion) -> None:
         self._graph: Graph = shader.graph
         self._notes: Notes = shader.notes
+        self._expansion = expansion
         self._corners = expansion.corners
+        self._parameters = shader.parameters
+        self.layer: Parameter | None = None
+        """What says for which layer of the render targets a draw is, if they have any."""
         self._infos = [*shader.attributes, *map(partial(_info, expansion.span), VERTEX.inputs)]
         """The inputs of the mesh's vertices, with the numbers that they have in it."""
         self._place = {info.attribute: place for place, info in enumerate(self._infos)}
@@ -107,11 +122,31 @@ class _Lowering:
         """The values at the vertices, and of the fragments."""
         return rewrite(self._graph, roots, self._rule, self._notes.follow, ("cross", "input"))
 
-    def emitted(self, values: Sequence[Node]) -> Node | None:
-        """Whether the strip of a vertex is emitted; ``None`` if all of them are."""
-        if all(value.op == "constant" and value.data for value in values):
+    def drawn(self, results: Sequence[Result]) -> Node | None:
+        """Whether the strip of a vertex is there in this draw; ``None`` if all of them are."""
+        values = [result.value for result in results if result.kind == EMITTING]
+        layers = [result.value for result in results if result.kind == LAYER]
+        found = [] if all(map(_is_true, values)) else [self._numbers.by_group(values)]
+        found += [self._is_drawn(layer) for layer in layers]
+        if not found:
             return None
-        return self._numbers.by_group(values)
+        return reduce(lambda one, other: self._graph.node("call", BOOL, (one, other), "and"), found)
+
+    def _is_drawn(self, layer: Node) -> Node:
+        """Whether a draw is for this layer; the host tells for which one it is."""
+        taken = {info.parameter.name for info in self._parameters}
+        names = (LAYER_OF_DRAW + "_" * number for number in count())
+        self.layer = Parameter(next(n for n in names if n not in taken), INT, "draw")
+        drawn = self._graph.node("parameter", INT, (), self.layer)
+        return self._graph.node("call", BOOL, (layer, drawn), "eq")
+
+    @property
+    def parameters(self) -> tuple[ParameterInfo, ...]:
+        """The parameters, and what the host sets for each of several draws."""
+        if self.layer is None:
+            return self._parameters
+        doc, span = "The layer of the render targets that is drawn", self._expansion.span
+        return (*self._parameters, ParameterInfo(self.layer, str(INT), None, 0, doc, span))
 
     @property
     def attributes(self) -> tuple[AttributeInfo, ...]:
@@ -177,6 +212,10 @@ class _Lowering:
         info = _info(self._infos[-1].span, PRIMITIVE_INDEX)
         self._infos.append(changed(info, attribute=changed(info.attribute, step=INSTANCES)))
         return self._input(len(self._infos) - 1, 0)
+
+
+def _is_true(value: Node) -> bool:
+    return value.op == "constant" and bool(value.data)
 
 
 def _info(span: Span, row: SystemInput) -> AttributeInfo:

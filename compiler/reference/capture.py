@@ -91,7 +91,8 @@ def captured_by_kernel(
 ) -> Listed:
     """What a kernel captures that stands for a stream output, of so many vertices."""
     assert shader.capture is not None
-    lanes = computed(shader, values, textures, count, errors, rules)
+    lengths = {info.buffer.name: count for info in shader.written}
+    lanes = computed(shader, values, textures, count, lengths, errors, rules)
     by_place = {lane.store.offset: Bounded(lane.value, lane.low, lane.high) for lane in lanes}
     everywhere = np.ones(count, np.bool_)
     there = by_place.get(shader.capture.numbers)

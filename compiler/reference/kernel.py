@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..ir.leaves import Resource
 from ..ir.node import Node
 from ..ir.shader import Shader, Store
-from ..ir.stages import COMPUTED, STORE
+from ..ir.stages import COMPUTED, CONDITION, PLACE, SCATTER, STORE
 from .bounds import Bounded, Bounds, Errors, exact
 from .evaluate import Evaluator
 from .held_values import HeldValues, as_rounded
@@ -24,6 +24,7 @@ from .namespace import Lanes
 from .picture.sampler import TextureReader
 from .picture.scene import RasterRules, Texels
 from .picture.texels import Image
+from .scattering import joined
 
 Array = NDArray[Any]
 
@@ -46,13 +47,15 @@ def computed(
     values: Mapping[str, Any],
     textures: Mapping[str, Texels],
     count: int,
+    lengths: Mapping[str, int],
     errors: Errors,
     rules: RasterRules,
 ) -> Sequence[Lane]:
     """The lanes of every part that the kernel writes, in the order of its results.
 
-    ``values`` are those of parameters and buffers by name. Raises ``ValueError`` for a shader that
-    is no kernel, and where a value is missing.
+    ``values`` are those of parameters and buffers by name, ``count`` is how many invocations there
+    are, and ``lengths`` says how many elements each buffer has that is written. Raises
+    ``ValueError`` for a shader that is no kernel, and where a value is missing.
     """
     if shader.chain != COMPUTED:
         raise ValueError(f"{shader.name} is no kernel.")
@@ -75,12 +78,30 @@ def computed(
         return made
 
     evaluator = Evaluator(leaves, Bounds(errors), rounded_constants)
+
+    def of_all(node: Node) -> list[Bounded]:
+        lanes = evaluator.value(node)
+        bounded = (lane if isinstance(lane, Bounded) else exact(lane) for lane in lanes)
+        return [lane.spread((count,)) for lane in bounded]
+
     found: list[Lane] = []
     with np.errstate(all="ignore"):
         for result in shader.results_of(STORE):
             assert result.store is not None
-            for number, lane in enumerate(evaluator.value(result.value)):
-                whole = (lane if isinstance(lane, Bounded) else exact(lane)).spread((count,))
+            for number, whole in enumerate(of_all(result.value)):
                 arrays = (np.asarray(whole.value), np.asarray(whole.low), np.asarray(whole.high))
                 found.append(Lane(result.store, number, whole.kind, *arrays))
+        for store, rows in _scattered(shader).items():
+            value, place, condition = (of_all(rows[k])[0] for k in (SCATTER, PLACE, CONDITION))
+            length = lengths[store.buffer.name]
+            found.append(Lane(store, 0, "i", *joined(store, length, value, place, condition)))
+    return found
+
+
+def _scattered(shader: Shader) -> Mapping[Store, Mapping[str, Node]]:
+    """For each buffer that is scattered to, what its results are by their kinds."""
+    found: dict[Store, dict[str, Node]] = {}
+    for result in shader.results:
+        if result.store is not None and result.store.operator is not None:
+            found.setdefault(result.store, {})[result.kind] = result.value
     return found

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from ..ir.kernel import neutral
 from ..ir.program import Program
 from ..ir.shader import BufferInfo, Shader
-from ..ir.stages import EXTENT
+from ..ir.stages import EXTENT, LENGTH
 from ..ir.storage import stored_type, structs_in
+from ..ir.types import INT
 from ..packing import element_packing
 from .bytes import layout_row, struct_row
 from .parameters import member_rows
@@ -25,9 +27,20 @@ def buffer_rows(infos: Sequence[BufferInfo], program: Program) -> Iterator[dict[
 
 def result_rows(shader: Shader) -> Iterator[dict[str, Any]]:
     """A row for each buffer that a kernel writes."""
+    extents = shader.results_of(EXTENT)
+    scattered = {r.store: r.value for r in shader.results_of(LENGTH) if r.store is not None}
+    lengths = {store.buffer: (store.operator, length) for store, length in scattered.items()}
     for info in shader.written:
+        operator, count = lengths.get(info.buffer, (None, extents[0].value))
+        signed = info.buffer.type.element == INT
         row = _row(info)
-        yield {**row, "stride": row["stride"] * info.each}
+        yield {
+            **row,
+            "stride": row["stride"] * info.each,
+            "count": steps(count),
+            "scattered": operator,
+            "initial": None if operator is None else neutral(operator, signed=signed),
+        }
 
 
 def extent_steps(shader: Shader) -> list[dict[str, Any]] | None:

@@ -131,15 +131,28 @@ def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
 def _draw_row(shader: Shader) -> dict[str, Any]:
     """What a host draws: the triangles of a mesh, or what its primitives turn into."""
     expansion = shader.expansion
+    layers = _layers_row(shader)
     if expansion is None:
-        return {"primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None}
+        return {
+            "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
+            "layers": layers,
+        }  # fmt: skip
     native = GEOMETRY in shader.chain
     return {
         "primitive": expansion.primitive,
         "corners": expansion.corners,
         "expanded_by": GEOMETRY.name if native else "instances",
         "vertices": expansion.vertices if native else expansion.listed,
+        "layers": layers,
     }
+
+
+def _layers_row(shader: Shader) -> dict[str, Any] | None:
+    """How many layers the render targets have, and what a host sets if it draws to one of them at a
+    time."""
+    if not shader.layers:
+        return None
+    return {"count": shader.layers, "parameter": shader.layer and shader.layer.name}
 
 
 def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:

@@ -131,6 +131,9 @@ class Builder:
     def repeated(self, _: Span, variable: Name, over: Range, most: Expression | None) -> ast.Turns:
         return ast.Turns(variable, *over, most)
 
+    def scattering(self, _: Span, word: Token) -> str:
+        return word.text
+
     def likeness(self, _: Span, number: Expression) -> Expression:
         return number
 

@@ -165,6 +165,8 @@ class _Parser:
         following = self._tokens[index + 1 : index + 3]
         second = FOLDS.get(self._tokens[index].text)
         if second is not None:
+            if self._machine.accepts(self._tokens[index].text) > self._machine.accepts("NAME"):
+                return False  # where no expression begins, as behind `scatter bins : uint[256]`
             return [t.kind for t in following[:1]] != ["NAME"] or following[-1].text != second
         return bool(following) and following[0].kind in ("=", ":")
 

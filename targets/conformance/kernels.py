@@ -53,8 +53,8 @@ class Run:
 
     @property
     def width(self) -> int:
-        """The elements, as a picture's pixels."""
-        return max(self.count, 1)
+        """The elements of the longest buffer, as a picture's pixels."""
+        return max(1, *self.instance.counts().values())
 
     @property
     def count(self) -> int:
@@ -95,13 +95,13 @@ class KernelPlan:
         self, run: Run, written: Written, program: Program, route: Route, device: Device
     ) -> CaseResult:
         found = []
-        data = elements_of(self.subject.reflection, run.dispatch, written)
+        data = elements_of(run.instance, written)
         for bounds in bounds_of(run, route, device):
             low_high = self._computed(program, run, bounds)
             meant = self._computed(self._source, run, bounds)
-            got = _got(low_high, data)
+            got = _got(low_high, data, run.width)
             expected = _expected(low_high, run.width)
-            targets = [_target([lane.value for lane in part]) for part in _parts(meant)]
+            targets = [_target([lane.value for lane in part], run.width) for part in _parts(meant)]
             steps = [formats.step(FLOATS, values) for values in targets]
             comparison = compare(got, expected, targets, steps, bounds.level, None)
             found.append((comparison, expected))
@@ -128,7 +128,7 @@ def _run(name: str, subject: Subject, seed: int) -> Run:
 
 def _lanes(shader: Shader, run: Run, rules: RasterRules, errors: Errors) -> Sequence[Lane]:
     values, texels = values_for(shader, run.instance), texels_of(run.instance)
-    return computed(shader, values, texels, run.count, errors, rules)
+    return computed(shader, values, texels, run.count, run.instance.counts(), errors, rules)
 
 
 def _parts(lanes: Sequence[Lane]) -> list[list[Lane]]:
@@ -139,9 +139,9 @@ def _parts(lanes: Sequence[Lane]) -> list[list[Lane]]:
     return list(found.values())
 
 
-def _target(lanes: Sequence[NDArray[np.generic]]) -> Floats:
+def _target(lanes: Sequence[NDArray[np.generic]], width: int) -> Floats:
     """Lanes of all elements as a picture of one row; what is missing is zero."""
-    whole = np.zeros((1, max(len(lanes[0]), 1), 4))
+    whole = np.zeros((1, width, 4))
     for number, lane in enumerate(lanes):
         whole[0, : len(lane), number] = lane
     return whole
@@ -150,14 +150,14 @@ def _target(lanes: Sequence[NDArray[np.generic]]) -> Floats:
 def _expected(lanes: Sequence[Lane], width: int) -> Expected:
     parts = _parts(lanes)
     values, lows, highs = (
-        tuple(_target([getattr(lane, end) for lane in part]) for part in parts)
+        tuple(_target([getattr(lane, end) for lane in part], width) for part in parts)
         for end in ("value", "low", "high")
     )
     everywhere = np.ones((1, width), np.bool_)
     return Expected(values, everywhere, ~everywhere, lows, highs, everywhere.astype(np.int64))
 
 
-def _got(lanes: Sequence[Lane], data: Mapping[str, bytes]) -> list[Floats]:
+def _got(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> list[Floats]:
     """What was written to each part."""
     found = []
     for part in _parts(lanes):
@@ -171,5 +171,5 @@ def _got(lanes: Sequence[Lane], data: Mapping[str, bytes]) -> list[Floats]:
             np.ascontiguousarray(words[:, start + 4 * n : start + 4 * n + 4]).view(kind)[:, 0]
             for n in range(len(part))
         ]
-        found.append(_target(columns))
+        found.append(_target(columns, width))
     return found

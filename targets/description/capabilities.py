@@ -35,6 +35,7 @@ NUMBERED_CAPTURES = Need(
     "`vertex_index` where vertices are captured",
     lambda profile: profile.stream_output is None or profile.stream_output.indexed,
 )
+IMAGES = Need("images that kernels write", lambda profile: bool(profile.image_formats))
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
 
 BIT_COUNTS = ("count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit")
@@ -72,6 +73,12 @@ CAPABILITIES: tuple[Capability, ...] = (
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
     ),
     Capability(
+        "layers",
+        "A pass draws to several layers of its render targets: `layers of 6`. Where this is "
+        "lowered, each layer is a draw of its own.",
+        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+    ),
+    Capability(
         "captures",
         "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = "
         "…`.",
@@ -93,7 +100,7 @@ CAPABILITIES: tuple[Capability, ...] = (
         "Texels of images are computed: `kernel` with `result name : image2d<format>[size] = …`. "
         "By their own means profiles write at most four images, of the formats "
         f"{', '.join(f'`{name}`' for name in sorted(STORABLE))}.",
-        (Way((a_stage(COMPUTE),)), Way((), "the kernel is drawn as a full-screen pass")),
+        (Way((a_stage(COMPUTE), IMAGES)), Way((), "the kernel is drawn as a full-screen pass")),
     ),
     Capability(
         "storage buffers at fragments",

@@ -159,9 +159,9 @@ class Profile:
     """Those that it has, in any order."""
     stream_output: StreamOutput | None = None
     """How vertices are captured, if they can be, that the last stage before the fragments makes."""
-    image_formats: frozenset[str] = STORABLE
-    """The formats of images that kernels can write, if there are any. Those of other formats are
-    drawn: a kernel over them is a full-screen pass."""
+    image_formats: frozenset[str] = frozenset()
+    """The formats of images that kernels can write. Those of other formats are drawn: a kernel over
+    them is a full-screen pass."""
     most_images: int = 4
     """How many images a kernel can write; one that has more is drawn, too."""
     single_file: bool = False

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import STAGES
 from ...compiler.ir.types import Dimension
 from ...frozen import EMPTY, frozen
@@ -77,6 +78,8 @@ class Language:
     """What it calls the streams of points and of triangles that it emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
+    atomics: Mapping[ScatterOperator, str] = EMPTY
+    """The functions by which kernels scatter."""
     registers: Mapping[BindingKind, str] = EMPTY
     """What the language calls a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
     them."""

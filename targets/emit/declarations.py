@@ -131,6 +131,9 @@ class Declarations:
         assert isinstance(stored, RuntimeArray)
         element = self._types.type(stored.element)
         forms, is_written = self._context.language.forms, buffer in self._context.program.written
+        is_scattered = buffer in self._context.program.scattered
+        if is_scattered:
+            element = forms.atomic.format(type=element)
         argument = forms.written_argument if is_written else forms.buffer_argument
         return BufferView(
             name=name,
@@ -140,6 +143,7 @@ class Declarations:
             register=self._register("written" if is_written else "buffer", slot),
             argument=argument.format(type=element, name=name),
             written=is_written,
+            scattered=is_scattered,
         )
 
     def _image(self, image: Image) -> ImageView:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
-from ...compiler.ir.program import Field, Function, Output, Stage
+from ...compiler.ir.program import Field, Function, Output, Scattered, Stage
 from ...compiler.ir.shader import Store
 from ...compiler.ir.stages import (
     CAPTURE,
@@ -18,6 +18,7 @@ from ...compiler.ir.stages import (
     DISCARD,
     EXTENT,
     IMAGE,
+    LAYER,
     STORE,
     TARGET,
     SystemInput,
@@ -39,6 +40,9 @@ from .precedence import NAME
 from .statements import INDENT, Statements
 from .strips import Strips
 from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
+
+_WITHOUT_FIELD = (CLIP_POSITION, DISCARD, EXTENT, IMAGE, LAYER)
+"""The kinds of results for which skeletons have other places."""
 
 
 class StagePrinter:
@@ -90,7 +94,7 @@ class StagePrinter:
         for output in stage.results:
             if output.field is not None:
                 stored.append((self._output(output), output.value))
-            elif output.kind not in (CLIP_POSITION, DISCARD, EXTENT, IMAGE, STORE):
+            elif output.store is None and output.kind not in _WITHOUT_FIELD:
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
@@ -106,6 +110,9 @@ class StagePrinter:
             lines=lines,
             stores=[] if stage.emitted else list(self._stores(expressions, stored)),
             texels=list(self._texels(expressions)),
+            scattered=[
+                line for each in stage.scattered for line in self._scattered(expressions, each)
+            ],
             position=""
             if stage.emitted
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
@@ -123,9 +130,12 @@ class StagePrinter:
         if not self._stage.emitted or expansion is None:
             return None
         primitive = self._language.primitives[expansion.primitive]
+        is_layered = self._stage.value_of(LAYER) is not None
         emitted = self._language.emitted[expansion.emits]
         places = bool(self._stage.results_of(CLIP_POSITION))
-        return ExpansionView(primitive, expansion.corners, emitted, places, expansion.vertices)
+        return ExpansionView(
+            primitive, expansion.corners, emitted, places, expansion.vertices, is_layered
+        )
 
     def _capture_stride(self) -> int:
         """The bytes of each vertex that this stage captures, where the text has to say it."""
@@ -150,6 +160,9 @@ class StagePrinter:
         if output.field is not None:
             name = self._field_name(output.field, _role(output))
             yield forms.deliver.format(name=name, value=value)
+            return
+        if output.kind == LAYER:
+            yield forms.deliver_layer.format(value=value)
             return
         position = forms.position
         yield forms.deliver_position.format(value=value)
@@ -206,7 +219,7 @@ class StagePrinter:
         for field, node in stored:
             yield StoreView(field.name, self._value(expressions, node))
         for output in self._stage.results:
-            if output.store is not None:
+            if output.store is not None and output.kind == STORE:
                 yield self._store(expressions, output.store, output.value)
 
     def _store(self, expressions: Expressions, store: Store, value: Node) -> StoreView:
@@ -226,6 +239,25 @@ class StagePrinter:
                 text = f"{text}.{self._names.member(owner.name, step)}"
                 owner = owner.member(step)
         return StoreView(text, self._value(expressions, value))
+
+    def _scattered(self, expressions: Expressions, scattered: Scattered) -> Iterator[str]:
+        """The lines that join a value with an element of the invocation's choice."""
+        language, store = self._language, scattered.store
+        assert store.operator is not None
+        name = self._names.buffers[store.buffer.name]
+        line = language.forms.scatter.format(
+            function=language.atomics[store.operator],
+            place=f"{name}[{expressions.text(scattered.place)}]",
+            value=expressions.text(scattered.value),
+        )
+        joined = self._marks.mark(line, scattered.value)
+        if scattered.condition.op == "constant":
+            yield from [joined] if scattered.condition.data else []
+            return
+        test = language.forms.if_.format(condition=expressions.text(scattered.condition))
+        yield self._marks.mark(test, scattered.condition)
+        yield INDENT + joined
+        yield language.forms.end
 
     def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
         if condition is None:

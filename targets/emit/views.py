@@ -57,6 +57,8 @@ class BufferView:
     """The buffer as a parameter of a function."""
     written: bool
     """Whether a kernel writes it; all others are only read."""
+    scattered: bool
+    """Whether it does so by joining values with elements that are there already."""
 
 
 @frozen
@@ -136,6 +138,8 @@ class ExpansionView:
     """Whether it says where vertices go; those that are captured go nowhere."""
     vertices: int
     """How many it emits at most."""
+    is_layered: bool
+    """Whether it says to which layer of the render targets they belong."""
 
 
 @frozen
@@ -160,6 +164,8 @@ class EntryView:
     stores: list[StoreView]
     texels: list[str]
     """The statements that write the texels of images."""
+    scattered: list[str]
+    """Lines that join values with elements of a kernel's choice."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
     index: str

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
 from ...compiler.ir.types import BOOL, INT, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
@@ -121,12 +122,21 @@ INPUTS = {
 FORMS = Forms(
     deliver_position="gl_Position = {value};",
     position="gl_Position",
+    deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
 )
 
 EMITTED = {"point": "points", "triangle": "triangle_strip"}
+
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
 
 PRIMITIVES = {
     "point": "points",
@@ -166,6 +176,7 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 VULKAN = Profile(
     name="vulkan",
     stages=(*EXPANDED, *COMPUTED),
+    image_formats=STORABLE,
     stream_output=StreamOutput("text"),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
@@ -218,6 +229,7 @@ OPENGL = Profile(
 OPENGL_4 = Profile(
     name="gl450",
     stages=(*EXPANDED, *COMPUTED),
+    image_formats=STORABLE,
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
     stream_output=StreamOutput("text"),
@@ -259,6 +271,7 @@ ES = Profile(
 ES_31 = Profile(
     name="es310",
     stages=(*RASTERISED, *COMPUTED),
+    image_formats=STORABLE,
     doc="GLSL ES 3.10 for OpenGL ES 3.1: like es300, but everything placed explicitly.",
     stream_output=StreamOutput("names", indexed=False),
     preamble=("#version 310 es", *ES_PRECISIONS),
@@ -287,6 +300,7 @@ LANGUAGE = Language(
     natives=NATIVES,
     primitives=PRIMITIVES,
     emitted=EMITTED,
+    atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),

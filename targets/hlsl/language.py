@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
@@ -53,6 +54,7 @@ FORMS = Forms(
     deliver="output.{name} = {value};",
     deliver_position="output.clip_position = {value};",
     position="output.clip_position",
+    deliver_layer="output.target_layer = uint({value});",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
     store_texel="{name}[{place}] = {value};",
@@ -230,6 +232,7 @@ AGREES: Mapping[str, Domain] = {
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, *COMPUTED),
+    image_formats=STORABLE,
     stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
@@ -237,6 +240,14 @@ SM6 = Profile(
     limits=Limits(varyings=31, block_bytes=65536, work_group=1024),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
+
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "InterlockedAdd",
+    "min": "InterlockedMin",
+    "max": "InterlockedMax",
+    "and": "InterlockedAnd",
+    "or": "InterlockedOr",
+}
 
 LANGUAGE = Language(
     name="hlsl",
@@ -255,6 +266,7 @@ LANGUAGE = Language(
     helpers=HELPERS,
     literals=LITERALS,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
@@ -264,6 +276,6 @@ LANGUAGE = Language(
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "primitive_index", *STAGE_STRUCTS,
+        "target_layer", "primitive_index", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

@@ -18,6 +18,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
@@ -63,6 +64,8 @@ FORMS = Forms(
     buffer_argument="device const {type}* {name}",
     written_argument="device {type}* {name}",
     store_texel="{name}.write({value}, uint2({place}));",
+    atomic="atomic_{type}",
+    scatter="{function}(&{place}, {value}, memory_order_relaxed);",
 )
 
 TEXTURES = TextureNames(
@@ -209,6 +212,7 @@ def is_float(facts: tuple[Fact, ...]) -> bool:
 METAL2 = Profile(
     name="metal2",
     stages=(*RASTERISED, *COMPUTED),
+    image_formats=STORABLE,
     doc="Metal 2, to be compiled without fast maths; never compiled by Apple's compiler.",
     preamble=(
         "// Never compiled by Apple's compiler: only type-checked by clang.",
@@ -224,6 +228,14 @@ METAL2 = Profile(
     checkers=("clang-msl",),
 )
 
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomic_fetch_add_explicit",
+    "min": "atomic_fetch_min_explicit",
+    "max": "atomic_fetch_max_explicit",
+    "and": "atomic_fetch_and_explicit",
+    "or": "atomic_fetch_or_explicit",
+}
+
 LANGUAGE = Language(
     name="msl",
     title="Metal Shading Language",
@@ -237,6 +249,7 @@ LANGUAGE = Language(
     literals=Literals(float_suffix="f"),
     helpers=HELPERS,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     splats=frozenset(
         {"clamp", "max", "min", "mix", "pow", "step", "smoothstep", "shift_left", "shift_right"}

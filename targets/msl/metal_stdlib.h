@@ -440,4 +440,22 @@ template <typename T> struct depthcube {
     uint get_num_mip_levels() const;
 };
 
+// --- atomic operations --------------------------------------------------------------------------
+
+enum memory_order { memory_order_relaxed };
+
+template <typename T> struct atomic { T value; };
+typedef atomic<int> atomic_int;
+typedef atomic<uint> atomic_uint;
+
+#define ATOMIC(name) \
+    int atomic_fetch_##name##_explicit(device atomic_int*, int, memory_order); \
+    uint atomic_fetch_##name##_explicit(device atomic_uint*, uint, memory_order);
+
+ATOMIC(add)
+ATOMIC(min)
+ATOMIC(max)
+ATOMIC(and)
+ATOMIC(or)
+
 } // namespace metal

@@ -107,6 +107,7 @@ def pipeline(
             for row in reflection["targets"]
             if not images
         ),
+        layers=_layers(reflection["draw"]["layers"]),
         primitive=_primitive(reflection["draw"]),
         cull=cull,
         flip_y=backend["flip_y"],
@@ -141,6 +142,11 @@ def _primitive(draw: Mapping[str, Any]) -> Primitive:
     """What the vertices of a draw are: triangles where instances stand for a geometry stage."""
     primitive: Primitive = draw["primitive"]
     return primitive if draw["expanded_by"] in (None, GEOMETRY.name) else "triangle"
+
+
+def _layers(row: Mapping[str, Any] | None) -> int:
+    """To how many layers a single draw reaches; 0 if there are none, or a draw for each."""
+    return 0 if row is None or row["parameter"] is not None else row["count"]
 
 
 def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:

@@ -17,7 +17,7 @@ from ...compiler.ir.stages import VERTICES
 from ..toolchain import Toolchain
 from .binding import pipeline
 from .codes import compile_one
-from .drivers.draw import Captured, CaptureJob, Dispatch, DriverError, Pipeline, Written
+from .drivers.draw import Captured, CaptureJob, DriverError, Pipeline, Written
 from .kernels import dispatch_of, elements_of, job_of
 from .meshes import Mesh, MeshError
 from .routes import Route
@@ -89,8 +89,8 @@ def captured_by(
         give_mesh(state)
     dispatches = [dispatch_of(state.instance) for state in states]
     written = runner.compute(route, job_of(reflection, bound, dispatches))
-    pairs = zip(dispatches, written, strict=True)
-    return [vertices(reflection, _compacted(reflection, *pair)) for pair in pairs]
+    found = map(_compacted, states, written)
+    return [vertices(reflection, captured) for captured in found]
 
 
 def give_mesh(state: SceneState) -> None:
@@ -124,12 +124,11 @@ def _of_elements(row: Mapping[str, Any], state: SceneState) -> NDArray[Any]:
     return np.repeat(values, len(drawn), axis=0)
 
 
-def _compacted(reflection: Mapping[str, Any], dispatch: Dispatch, written: Written) -> Captured:
+def _compacted(state: SceneState, written: Written) -> Captured:
     """What a kernel has written, without the vertices that are not there."""
-    row = reflection["capture"]
-    data = elements_of(reflection, dispatch, written)[row["buffer"]]
-    count, _, _ = dispatch.extent
-    words = np.frombuffer(data, np.uint8).reshape(count, -1)
+    row = state.instance.reflection["capture"]
+    data = elements_of(state.instance, written)[row["buffer"]]
+    words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
     if row["there"] is not None:
         words = words[words[:, row["there"]] != 0, : row["stride"]]
     return Captured(len(words), words.tobytes())

@@ -6,6 +6,7 @@ A kernel over images is drawn by ``render`` as well: as the scene that ``full_sc
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -19,6 +20,8 @@ from .instances.instance import Instance
 from .routes import Route
 from .runner import Runner
 from .scene_state import CLEAR, Color, SceneState
+
+_WORD = struct.Struct("<I")
 
 
 class EmptyImageError(ValueError):
@@ -48,8 +51,8 @@ def dispatch_of(instance: Instance) -> Dispatch:
     blocks, textures, buffers = instance.blocks(), instance.textures(), instance.buffers()
     count = instance.extent()
     read = [buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]]
-    # No API binds a buffer of no bytes.
-    written = [bytes(max(count, 1) * row["stride"]) for row in reflection["results"]]
+    counts = instance.counts()
+    written = [_before(row, counts[row["name"]]) for row in reflection["results"]]
     return Dispatch(
         extent=(count, 1, 1),
         blocks=tuple(blocks[row["name"]] for row in reflection["blocks"]),
@@ -60,14 +63,20 @@ def dispatch_of(instance: Instance) -> Dispatch:
     )
 
 
-def elements_of(
-    reflection: Mapping[str, Any], dispatch: Dispatch, written: Written
-) -> dict[str, bytes]:
+def _before(row: Mapping[str, Any], count: int) -> bytes:
+    """What a buffer holds before a kernel writes it. No API binds one of no bytes."""
+    size = max(count, 1) * row["stride"]
+    if row["initial"] is None:
+        return bytes(size)
+    return _WORD.pack(int(row["initial"]) & 0xFFFFFFFF) * int(size // 4)
+
+
+def elements_of(instance: Instance, written: Written) -> dict[str, bytes]:
     """The bytes of the elements of each result, by name."""
-    count, _, _ = dispatch.extent
+    counts = instance.counts()
     return {
-        row["name"]: data[: count * row["stride"]]
-        for row, data in zip(reflection["results"], written.buffers, strict=True)
+        row["name"]: data[: counts[row["name"]] * row["stride"]]
+        for row, data in zip(instance.reflection["results"], written.buffers, strict=True)
     }
 
 

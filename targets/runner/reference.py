@@ -26,6 +26,7 @@ from .drivers.wire import to_json
 from .instances.derived import Inputs, computed
 from .instances.instance import Instance
 from .instances.shapes import shape_of
+from .layers import stacked_expected
 from .scene_state import SceneState
 from .store import Store, digest, digest_of_sources
 
@@ -47,15 +48,20 @@ def expected(
 
     With the ``errors`` of functions, it has the bounds between which a driver's picture must be.
     """
-    return draw(
-        shader,
-        values_for(shader, state.instance),
-        texels_of(state.instance),
-        geometry_for(shader, state.geometry()),
-        rules,
-        state.clear,
-        errors,
-        progress,
+    return stacked_expected(
+        [
+            draw(
+                shader,
+                values_for(shader, layer.instance),
+                texels_of(layer.instance),
+                geometry_for(shader, layer.geometry()),
+                rules,
+                layer.clear,
+                errors,
+                progress,
+            )
+            for layer in state.layers or (state,)
+        ]
     )
 
 

@@ -10,6 +10,7 @@ import os
 import struct
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
+from itertools import chain
 from pathlib import Path
 from threading import Lock
 from typing import Any
@@ -27,6 +28,7 @@ from .drivers.draw import (
     Written,
 )
 from .drivers.wire import from_json, to_json
+from .layers import single_draws, stacked
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
 
@@ -95,8 +97,14 @@ class Runner(Closing):
     def draw(self, route: Route, job: Job) -> tuple[Picture, ...]:
         """A picture for each draw of the job, from the store if it was drawn before.
 
-        Raises ``DriverError``.
+        Layers that are draws of their own come together in one picture. Raises ``DriverError``.
         """
+        singles = [single_draws(draw) for draw in job.draws]
+        drawn = iter(self._drawn(route, Job(job.pipeline, tuple(chain.from_iterable(singles)))))
+        return tuple(stacked([next(drawn) for _ in draws]) for draws in singles)
+
+    def _drawn(self, route: Route, job: Job) -> tuple[Picture, ...]:
+        """A picture for each draw of a job, none of which has layers."""
         request = {"job": to_json(job)}
         name = self._digest(route, request)
         kept = self._store.read(name) if self._store else None

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -53,8 +53,7 @@ class SceneState:
         """The bytes that a driver draws, in the order of the reflection's inputs, blocks,
         textures and buffers."""
         reflection = self.instance.reflection
-        blocks, textures = self.instance.blocks(), self.instance.textures()
-        buffers = self.instance.buffers()
+        textures, buffers = self.instance.textures(), self.instance.buffers()
         return Draw(
             width=self.width,
             height=self.height,
@@ -64,7 +63,7 @@ class SceneState:
                 for row in reflection["vertex_inputs"]
             ),
             indices=self.triangles.astype("<u4").tobytes(),
-            blocks=tuple(blocks[row["name"]] for row in reflection["blocks"]),
+            blocks=self._blocks(),
             textures=tuple(
                 textures[row["name"]].image() for row in reflection["textures"] if row["stages"]
             ),
@@ -73,7 +72,23 @@ class SceneState:
                 buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]
             ),
             instance_count=self.instance_count,
+            layers=tuple(state._blocks() for state in self.layers),
         )
+
+    @property
+    def layers(self) -> tuple[SceneState, ...]:
+        """The state of each layer of the picture, if every layer is a draw of its own."""
+        row = self.instance.reflection["draw"]["layers"]
+        if row is None or row["parameter"] is None:
+            return ()
+        return tuple(
+            replace(self, instance=self.instance.having(row["parameter"], layer))
+            for layer in range(row["count"])
+        )
+
+    def _blocks(self) -> tuple[bytes, ...]:
+        blocks = self.instance.blocks()
+        return tuple(blocks[row["name"]] for row in self.instance.reflection["blocks"])
 
 
 def set_up(

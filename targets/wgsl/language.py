@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, RASTERISED
 from ...compiler.ir.types import BOOL, UINT, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
-from ..description.profile import Limits, Profile
+from ..description.profile import STORABLE, Limits, Profile
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, Language
 from ..description.spellings import (
@@ -47,6 +48,8 @@ FORMS = Forms(
     member="{block}.{name}",
     input="input.{name}",
     store_texel="textureStore({name}, {place}, {value});",
+    atomic="atomic<{type}>",
+    scatter="{function}(&{place}, {value});",
 )
 
 TEXTURES = TextureNames(
@@ -144,6 +147,7 @@ too; but the SPIR-V that naga makes of them leaves it open again.)"""
 WEBGPU = Profile(
     name="webgpu",
     stages=(*RASTERISED, *COMPUTED),
+    image_formats=STORABLE,
     doc="WGSL as browsers and wgpu take it.",
     agrees=AGREES,
     single_file=True,
@@ -151,6 +155,14 @@ WEBGPU = Profile(
     limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),
     checkers=("naga", "tint"),
 )
+
+ATOMICS: Mapping[ScatterOperator, str] = {
+    "add": "atomicAdd",
+    "min": "atomicMin",
+    "max": "atomicMax",
+    "and": "atomicAnd",
+    "or": "atomicOr",
+}
 
 LANGUAGE = Language(
     name="wgsl",
@@ -161,6 +173,7 @@ LANGUAGE = Language(
     textures=TEXTURES,
     images=IMAGES,
     forms=FORMS,
+    atomics=ATOMICS,
     natives=NATIVES,
     splats=frozenset(
         {"clamp", "max", "min", "pow", "shift_left", "shift_right", "smoothstep", "step"}

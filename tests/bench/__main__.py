@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from . import aims, chains, drawing, first, guard_cost, lean, times
+from . import aims, chains, drawing, first, guard_cost, lean, stages, tiles, times
 from .checkout import Checkout
 from .growth import measure as growth
 from .table import Section
@@ -26,6 +26,8 @@ PARTS: dict[str, Part] = {
     "chains": lambda _: chains.measure(),
     "growth": lambda asked: growth.measure(growth.select(asked.shape), _checkouts(asked)),
     "drawing": lambda _: drawing.measure(),
+    "stages": lambda _: stages.measure(),
+    "tiles": lambda _: tiles.measure(),
 }
 
 

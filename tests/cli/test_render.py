@@ -266,3 +266,55 @@ def test_instances(tmp_path: Path) -> None:
         for count in (1, 2, 3)
     ]
     assert covered[0] < covered[1] < covered[2]
+
+
+PLACES = """\
+kernel Places {
+    param width : int in 0..5000 = 6
+    map   given : texture2d
+    blue = given.load(texel).b
+    result places : image2d<rgba8>[ivec2(width, 4)]   = vec4(vec2(texel) / 10, blue, 1)
+    result fives  : image2d<rgba16f>[ivec2(width, 4)] = vec4(0.5)
+}
+"""
+CHART = "note: `given` of Places is a test chart: --set given=PICTURE sets another\n"
+
+
+def test_the_first_image_of_a_kernel_is_shown_in_its_own_size(tmp_path: Path) -> None:
+    seen = draw(PLACES, tmp_path, "--set", "given=#0000ff", "--set", "width=8", size=64)
+    assert seen.shape == (4, 8, 3)
+    assert (seen[0, 0] == (0, 0, 255)).all()
+    assert (np.diff(seen[:, :, 0].astype(int), axis=1) > 0).all()
+    assert (np.diff(seen[:, :, 1].astype(int), axis=0) > 0).all()
+
+
+def test_another_image_of_a_kernel_is_named(tmp_path: Path) -> None:
+    seen = draw(PLACES, tmp_path, "--set", "given=#0000ff", "--target", "fives")
+    assert (seen == seen[0, 0]).all() and 0 < seen[0, 0, 0] < 255
+
+
+def test_a_kernel_that_needs_a_picture_gets_a_chart(tmp_path: Path) -> None:
+    image = "result i : image2d<rgba8>[given.size()] = given.load(texel)"
+    (tmp_path / "k.burnish").write_text(f"kernel K {{ map given : texture2d  {image} }}")
+    result = invoke("render", tmp_path / "k.burnish", "-o", tmp_path / "k.png", "--size", "48x32")
+    assert (result.exit_code, result.stderr) == (0, CHART.replace("Places", "K"))
+    seen = pixels(tmp_path / "k.png")
+    assert seen.shape == (32, 48, 3)
+    assert len(np.unique(seen.reshape(-1, 3), axis=0)) > 50
+
+
+@pytest.mark.parametrize(
+    ("width", "told"),
+    [
+        (0, "the images of Places have 0 x 4 texels: set what tells their size"),
+        (5000, "the images of Places have 5000 x 4 texels: a side has 4096 at most"),
+    ],
+)
+def test_images_without_texels_or_with_too_many_are_refused(
+    tmp_path: Path, width: int, told: str
+) -> None:
+    (tmp_path / "k.burnish").write_text(PLACES)
+    result = invoke(
+        "render", tmp_path / "k.burnish", "-o", tmp_path / "k.png", "--set", f"width={width}"
+    )
+    assert (result.exit_code, result.stderr) == (1, f"{CHART}error: {told}\n")

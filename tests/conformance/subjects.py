@@ -13,6 +13,7 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.routes import ROUTES
 
+from ..targets.standings import profiles
 from .kit import Studio
 
 FOLDER = Path(__file__).parent / "materials"
@@ -30,15 +31,17 @@ def _names() -> tuple[str, ...]:
 NAMES = _names()
 """The names of materials, such as ``operations: Limits`` for a file and one of its passes."""
 
-_WITHOUT = ("glsl:es300", "glsl:gl330")
-LACKING = {
-    **dict.fromkeys(("gathered: Colors", "gathered: Depths"), _WITHOUT),
-    **dict.fromkeys(("gathered: Levels", "gathered: Varying"), (*_WITHOUT, "glsl:es310")),
-    **dict.fromkeys(
-        ("buffers: Scaled", "buffers: Shapes"), (*_WITHOUT, "glsl:es310", "glsl:gl450")
-    ),
+_NEEDING = {
+    "gathered: Colors": ("gathering texels",),
+    "gathered: Depths": ("gathering comparisons",),
+    "gathered: Levels": ("number of levels",),
+    "gathered: Varying": ("gathering texels", "number of levels"),
+    "buffers: Scaled": ("storage buffers at vertices",),
+    "buffers: Shapes": ("storage buffers at vertices",),
 }
-"""The materials that use something that some profiles lack."""
+"""The capabilities that materials use, of those that some profiles lack."""
+LACKING = {name: profiles("absent", *needed) for name, needed in _NEEDING.items()}
+"""By material, the profiles that lack something of it."""
 
 DEFECTS = {"gathered: Varying": ("lavapipe", "llvmpipe")}
 """Materials that show a driver's bug. Mesa 22.3.6 uses the size of the level of one pixel for all,

@@ -30,16 +30,15 @@ from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
+from ..targets.standings import routes
 from .kit import Floats, Studio
 
-ON = (
-    "lavapipe:glsl",
-    "lavapipe:hlsl-glslang",
-    "lavapipe:hlsl-dxc",
-    "llvmpipe:gl330",
-    "llvmpipe:gl450",
+ON = tuple(
+    name
+    for name in sorted(routes("native", "expansions"))
+    if ROUTES[name].driver in ("lavapipe", "llvmpipe")
 )
-"""The routes with a geometry stage."""
+"""The routes with a geometry stage: SwiftShader has none, whatever the profile."""
 PROFILES = tuple(sorted({ROUTES[name].profile for name in ON}))
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE = (64, 48)
@@ -179,7 +178,7 @@ PLANTED = {
         "triangle", _replaced(EmittedNumbers, "_strip", lambda numbers, _group: numbers._number(0))
     ),
     "every strip is drawn": (
-        "triangle", _replaced(_Lowering, "emitted", lambda _lowering, _values: None)
+        "triangle", _replaced(_Lowering, "drawn", lambda _lowering, _results: None)
     ),
     "groups begin elsewhere": ("groups", _replaced(Expansion, "starts", property(_too_early))),
     "each vertex is like the first corner": ("a list", _form(corner="{name}[0]")),

@@ -12,13 +12,16 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
+from ..targets.standings import routes
 from .kit import Studio
+from .planted import in_image_kernels
+from .planted.planting import Planted
 
 FILE = Path(__file__).with_name("image_kernels.burnish")
 NAMES = ("Bytes", "Few", "Floats", "Stored", "Alone", "Branches")
 WRITTEN = {"Stored", "Alone", "Branches"}
 """Those whose formats a kernel can write."""
-WITHOUT_BUFFERS = {"llvmpipe:gl330", "llvmpipe:es310", "chromium:webgl2"}
+WITHOUT_BUFFERS = routes("absent", "storage buffers at fragments")
 
 
 @lru_cache(maxsize=1)
@@ -38,6 +41,18 @@ def test_it_agrees(studio: Studio, route: str, name: str) -> None:
         return
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
     assert row.covered > 1000
+
+
+@pytest.mark.parametrize("planted", in_image_kernels.PLANTED, ids=str)
+def test_a_planted_error_is_found(
+    studio: Studio, planted: Planted, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    route = ROUTES[planted.route]
+    with monkeypatch.context() as patch:
+        planted.plant(patch, tmp_path)
+        (kernel,) = burnish.compile(FILE, route.profile, material=planted.material)
+        (row,) = conform([(planted.name, kernel)], [route], studio.runner, studio.toolchain)
+    assert row.status == planted.status, row.problem or "\n".join(details(row))
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -9,25 +11,23 @@ from typing import Any
 import pytest
 
 import burnish
-from burnish.targets import registry
-from burnish.targets.availability import standings
+from burnish.compiler.ir.node import Graph
+from burnish.compiler.ir.types import BOOL
+from burnish.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import stage
 from burnish.targets.runner import kernels as running
-from burnish.targets.runner.drivers.draw import Dispatch
+from burnish.targets.runner.drivers.draw import Dispatch, KernelJob, Pipeline
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.routes import ROUTES
 
+from ..targets.standings import routes
 from .kit import Studio
 
 FILE = Path(__file__).with_name("kernels.burnish")
-ROUTES_WITHOUT = {
-    name
-    for name, route in ROUTES.items()
-    if standings(registry.select(route.profile)[1])["kernels over buffers"].kind == "absent"
-}
-NAMES = ("Structures", "Numbers", "Vectors", "Sums", "Fixed")
+ROUTES_WITHOUT = routes("absent", "kernels over buffers")
+NAMES = ("Structures", "Numbers", "Vectors", "Sums", "Fixed", "Scattered", "Bits")
 
 
 @lru_cache(maxsize=1)
@@ -53,28 +53,102 @@ def test_all_kernels_are_run() -> None:
     assert {kernel.name for kernel in compiled()} == set(NAMES)
 
 
-def _one_less(instance: Instance) -> Dispatch:
-    made = running.dispatch_of(instance)
-    blocks = tuple(bytes(len(block)) for block in made.blocks)
-    return Dispatch(made.extent, blocks, made.textures, made.buffers)
+# --- planted errors ------------------------------------------------------------------------------
 
 
-def test_missing_values_are_noticed(studio: Studio, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A planted error in the runtime: blocks without values."""
-    monkeypatch.setattr("burnish.targets.conformance.kernels.dispatch_of", _one_less)
-    kernel = burnish.compile(FILE, ("glsl:vulkan",), material="Structures")["Structures"]
+def _without_values(instance: Instance) -> Dispatch:
+    made = DISPATCH(instance)
+    return replace(made, blocks=tuple(bytes(len(block)) for block in made.blocks))
+
+
+def _empty_before(instance: Instance) -> Dispatch:
+    made = DISPATCH(instance)
+    return replace(made, buffers=tuple(bytes(len(data)) for data in made.buffers))
+
+
+def _zeroed(row: Mapping[str, Any], count: int) -> bytes:
+    return bytes(max(count, 1) * row["stride"])
+
+
+def _one_element_less(instance: Instance) -> Dispatch:
+    made = DISPATCH(instance)
+    return replace(made, extent=(made.extent[0] - 1, 1, 1))
+
+
+def _half_the_groups(
+    reflection: Mapping[str, Any], pipeline: Pipeline, dispatches: Sequence[Dispatch]
+) -> KernelJob:
+    made = running.job_of(reflection, pipeline, dispatches)
+    x, y, z = made.work_group
+    return replace(made, work_group=(2 * x, y, z))
+
+
+def _first_column(self: Any, expressions: Any, store: Any, value: Any) -> Any:
+    return STORE(self, expressions, burnish.frozen.changed(store, offset=0), value)
+
+
+def _joined_as(**others: Any) -> Any:
+    """Scatters something else than the program says."""
+
+    def scattered(self: Any, expressions: Any, each: Any) -> Any:
+        store = changed(each.store, operator=others.get("operator", each.store.operator))
+        place = each.value if others.get("place") else each.place
+        always = changed(each, store=store, place=place)
+        if others.get("always"):
+            always = changed(always, condition=Graph().node("constant", BOOL, (), True))
+        return SCATTER(self, expressions, always)
+
+    return scattered
+
+
+def _last_is_left_out(self: Any, expressions: Any, extent: Any) -> str:
+    text: str = GUARD(self, expressions, extent)
+    return text.replace("index >=", "index + 1 >=")
+
+
+DISPATCH, STORE = running.dispatch_of, stage.StagePrinter._store
+SCATTER, GUARD = stage.StagePrinter._scattered, stage.StagePrinter._guard
+PRINTER = "burnish.targets.emit.stage.StagePrinter."
+JUDGE = "burnish.targets.conformance.kernels."
+REFERENCE = "burnish.compiler.reference.scattering."
+PLANTED: Mapping[str, tuple[str, str, Any]] = {
+    "blocks without values": ("Structures", JUDGE + "dispatch_of", _without_values),
+    "buffers without contents": ("Vectors", JUDGE + "dispatch_of", _empty_before),
+    "one element less": ("Fixed", JUDGE + "dispatch_of", _one_element_less),
+    "half the work groups": ("Fixed", JUDGE + "job_of", _half_the_groups),
+    "columns in one place": ("Vectors", PRINTER + "_store", _first_column),
+    "the last element is left out": ("Fixed", PRINTER + "_guard", _last_is_left_out),
+    "elements begin with zeros": ("Bits", "burnish.targets.runner.kernels._before", _zeroed),
+    "all is added": ("Bits", PRINTER + "_scattered", _joined_as(operator="add")),
+    "min instead of all others": ("Scattered", PRINTER + "_scattered", _joined_as(operator="min")),
+    "no condition": ("Inside", PRINTER + "_scattered", _joined_as(always=True)),
+    "the value as its place": ("Inside", PRINTER + "_scattered", _joined_as(place=True)),
+    "the reference begins with zeros": ("Bits", REFERENCE + "neutral", lambda *_, **__: 0),
+    "sums without an end": ("Scattered", REFERENCE + "_wrapped", lambda values, **_: values),
+}
+"""Deliberate mistakes: the kernel that shows each, what is replaced, and by what."""
+
+INSIDE = """
+kernel Inside {
+    runs over 100
+    scatter few : int[128] add index mod 7 at index where index mod 3 == 0
+}
+"""
+
+
+@pytest.mark.parametrize("name", PLANTED)
+def test_a_planted_error_is_noticed(
+    studio: Studio, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    shows, where, wrong = PLANTED[name]
+    monkeypatch.setattr(where, wrong)
+    source: str | Path = INSIDE if shows == "Inside" else FILE
+    kernel = burnish.compile(source, ("glsl:vulkan",), material=shows)[shows]
     (row,) = conform([("k", kernel)], [ROUTES["lavapipe:glsl"]], studio.runner, studio.toolchain)
-    assert row.status == "differs"
+    assert row.status == "differs", row.problem
 
 
-def test_a_wrong_column_is_noticed(studio: Studio, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A planted error in emission: the columns of a matrix in one place."""
-    stored: Any = stage.StagePrinter._store
-
-    def first(self: Any, expressions: Any, store: Any, value: Any) -> Any:
-        return stored(self, expressions, burnish.frozen.changed(store, offset=0), value)
-
-    monkeypatch.setattr(stage.StagePrinter, "_store", first)
-    kernel = burnish.compile(FILE, ("glsl:vulkan",), material="Vectors")["Vectors"]
+def test_without_a_planted_error_all_agrees(studio: Studio) -> None:
+    kernel = burnish.compile(INSIDE, ("glsl:vulkan",))["Inside"]
     (row,) = conform([("k", kernel)], [ROUTES["lavapipe:glsl"]], studio.runner, studio.toolchain)
-    assert row.status == "differs"
+    assert row.status == "agrees"

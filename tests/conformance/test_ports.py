@@ -20,7 +20,7 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.toolchain import Job, Toolchain
 
-from ..examples.kit import PROFILES as ALL_PROFILES
+from ..targets.standings import PROFILES as ALL_PROFILES
 from .kit import FOLDER, Studio
 
 PORTS = {path.stem: path for path in sorted((FOLDER / "ports").glob("*.burnish"))}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from .generate import DOCS, PAGES
+from .generate import PAGES
+from .tables import DOCS
 
 
 @pytest.mark.parametrize("name", PAGES)

@@ -13,19 +13,17 @@ from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.ir.stages import STAGES
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
-from burnish.targets import registry
-from burnish.targets.availability import standings
 from burnish.targets.toolchain import Job
+
+from ..targets.standings import PROFILES, profiles
 
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
-PROFILES = tuple(
-    f"{target.name}:{profile.name}"
-    for target in map(registry.load, registry.names())
-    for profile in target.profiles
-)
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "cloth": "kernels over buffers",
+    "histogram": "kernels over buffers",
+    "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",
     # Without a stage of its own for that, a capture is a kernel.
     "particles-Step": "kernels over buffers",
@@ -33,12 +31,7 @@ NEEDING: Mapping[str, str] = {
 """By example, or by one of its variants, the capability that it shows, if there are profiles
 without it."""
 LACKING: Mapping[str, frozenset[str]] = {
-    name: frozenset(
-        profile
-        for profile in PROFILES
-        if standings(registry.select(profile)[1])[capability].kind == "absent"
-    )
-    for name, capability in NEEDING.items()
+    name: profiles("absent", capability) for name, capability in NEEDING.items()
 }
 """Likewise, the profiles that lack what it shows."""
 

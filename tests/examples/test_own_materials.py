@@ -9,7 +9,7 @@ import pytest
 import burnish
 from burnish.targets.toolchain import Toolchain
 
-from .kit import PROFILES
+from ..targets.standings import PROFILES
 from .test_accepted import jobs
 
 WORKING = {

@@ -13,7 +13,8 @@ import pytest
 
 import burnish
 
-from .kit import FOLDER, PROFILES
+from ..targets.standings import PROFILES
+from .kit import FOLDER
 
 GOLDEN = Path(__file__).parent / "golden"
 READ = (

@@ -32,11 +32,12 @@ from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
 from burnish.targets.toolchain import Toolchain
 
-from ..examples.kit import PROFILES, jobs_of
+from ..examples.kit import jobs_of
 from ..passes.agreement import disagreements
 from ..passes.hardware import flat
 from ..passes.kit import World, shaders
 from ..passes.value_ranges import LARGEST, broken
+from ..targets.standings import PROFILES
 from .equivalence import differences
 from .tree import Node as Tree
 

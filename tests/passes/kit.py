@@ -15,7 +15,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Buffer, Parameter
 from burnish.compiler.ir.node import Node, Roots, reachable
-from burnish.compiler.ir.operations import builtin_of
+from burnish.compiler.ir.operations import INPUT, builtin_of
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.storage import element_stride
@@ -135,7 +135,11 @@ class World:
             return (Smooth(node.type),)
         if isinstance(leaf, Buffer):
             return (BufferReader(self._contents(leaf), leaf, node.type),)
-        return self._drawn(str(leaf), node.type, UNKNOWN) if node.op == "input" else None
+        if node.op != "input":
+            return None
+        most = INPUT.data(node).most
+        fact = UNKNOWN if most is None else Fact(0.0, float(most), kind="int")
+        return self._drawn(str(leaf), node.type, fact)
 
     def _parameter(self, leaf: Parameter) -> Lanes:
         for value in self.derived:

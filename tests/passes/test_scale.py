@@ -14,10 +14,11 @@ from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference.evaluate import evaluate
-from burnish.compiler.semantics.checking.loops import DEEPEST, folded
+from burnish.compiler.semantics.checking.loop_contents import DEEPEST
+from burnish.compiler.semantics.checking.loops import folded
 from burnish.targets.toolchain import Job, Toolchain
 
-from ..examples.kit import PROFILES
+from ..targets.standings import PROFILES
 from .kit import ops, shader, shaders
 
 LONG = 4_000

@@ -27,10 +27,11 @@ from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import SceneState, set_up
 
 from ..conformance import subjects
-from ..examples.kit import EXAMPLES, PROFILES
+from ..examples.kit import EXAMPLES, NEEDING
+from ..targets.standings import PROFILES
 
-DRAWN = tuple(path for path in EXAMPLES if path.stem != "swarm")
-"""Not the kernel, of which ``tests/conformance/test_kernels.py`` asks the same."""
+DRAWN = tuple(path for path in EXAMPLES if NEEDING.get(path.stem) != "kernels over buffers")
+"""Not kernels over buffers, of which ``tests/conformance/test_kernels.py`` asks the same."""
 FILES = (*DRAWN, *sorted(subjects.FOLDER.glob("*.burnish")))
 RULES = RasterRules(36, 28)
 """Small pictures, of a device that rounds nothing."""

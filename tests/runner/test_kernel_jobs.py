@@ -90,7 +90,7 @@ def test_a_dispatch_is_what_the_reflection_says() -> None:
     assert dispatch.extent == (3, 1, 1)
     assert [len(data) for data in dispatch.buffers] == [16, 48, 12]
     written = Written((bytes(range(48)), bytes(12)))
-    found = elements_of(kernel.reflection, dispatch, written)
+    found = elements_of(instance, written)
     assert {name: len(data) for name, data in found.items()} == {"after": 48, "count": 12}
 
 
@@ -100,7 +100,7 @@ def test_results_without_elements_are_bound_with_one_that_nobody_reads() -> None
     instance.set("n", 0)
     dispatch = dispatch_of(instance)
     assert [len(data) for data in dispatch.buffers] == [16, 16, 4]
-    found = elements_of(kernel.reflection, dispatch, Written((bytes(16), bytes(4))))
+    found = elements_of(instance, Written((bytes(16), bytes(4))))
     assert set(found.values()) == {b""}
 
 

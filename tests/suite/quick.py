@@ -55,6 +55,7 @@ LEFT_OUT: Mapping[str, str] = {
     "suite": "start pytest again and again",
     "targets/test_accepted.py": _COMPILERS,
     "targets/test_branches.py": _COMPILERS,
+    "targets/test_capabilities.py": _COMPILERS,
     "targets/test_chosen_literals.py": _COMPILERS,
     "targets/test_constant_operands.py": _COMPILERS,
     "targets/test_every_name.py": _COMPILERS,

@@ -86,6 +86,17 @@ PROBES: Mapping[str, Probe] = {
         native={"native_stages": True},
         is_native=has_geometry_stage,
     ),
+    "layers": Probe(
+        """material M { color = vec3(uv, 0) }
+        pass P : Forward {
+            layers of 3
+            layer : int
+            expand triangle { strip of 3 as i for s in 0..3 { layer = s } }
+        }""",
+        options={"pass_": "P"},
+        native={"native_stages": True},
+        is_native=has_geometry_stage,
+    ),
     "captures": Probe(
         CAPTURES.format("0.5"),
         options={"pass_": "Moved"},

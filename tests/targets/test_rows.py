@@ -9,7 +9,7 @@ from itertools import product
 import pytest
 
 import burnish
-from burnish.compiler.ir.stages import inputs_of
+from burnish.compiler.ir.stages import COMPUTE, inputs_of
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from burnish.stdlib.builtins.row import Builtin, nowhere
@@ -20,6 +20,14 @@ from burnish.targets.emit.precedence import INFIX, PREFIX
 from .kit import BY_NAME, PROFILES, Selected, emitted, instances, is_native, program_of_rows
 
 NATIVES = [row for row in BUILTINS.values() if row.domain is not nowhere]
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_images_that_a_profile_writes_are_spelled(selected: Selected) -> None:
+    language, profile = selected.language, selected.profile
+    assert profile.image_formats <= language.images.keys()
+    assert bool(profile.image_formats) == (COMPUTE in profile.stages)
+    assert not profile.image_formats or language.forms.store_texel
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)

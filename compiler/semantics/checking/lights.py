@@ -35,7 +35,8 @@ from ..state.scope import (
 )
 from .bodies import settle_body
 from .functions import fit_result, may_enter, scope_of_body
-from .loops import changing, folded
+from .loop_contents import changing
+from .loops import folded
 from .slots import slot
 from .surfaces import slots_given
 

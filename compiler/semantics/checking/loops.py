@@ -5,14 +5,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 
 from ....frozen import frozen
-from ....stdlib.builtins import BUILTINS
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import Moved, close, substitute
 from ...ir.node import (
@@ -22,34 +20,21 @@ from ...ir.node import (
     Graph,
     Iterating,
     Node,
-    binders,
-    bodies_of,
-    reachable,
 )
-from ...ir.operations import LOOPS
 from ...ir.types import BOOL, INT, Opaque, Scalar, Texture, Type, Vector, width
 from ...syntax import ast
 from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Inner, Scope, Value
 from ..types.coercion import coerce
+from .loop_contents import changing, loops_within, may_stand, too_deep
 from .turns import Turns, bounds_of, turns_of
 
 LARGEST_STATE = 64
 """Numbers, vectors and matrices in the state of a loop."""
-DEEPEST = 48
-"""Loops inside of each other, at most. Tint takes 127 nested statements, of which each loop is two,
-and there may be branches as well. Besides, every loop closes and opens all that stands in it."""
-CROSSING_TURNS = 16
-"""A fold whose terms cross from the vertices one by one is written out, up to so many."""
-LARGEST_WRITTEN_OUT = 4096
-"""Operations that such a fold becomes, at most. Folds in folds multiply, and there are far fewer
-varyings than that."""
-
 OPERATORS: Mapping[ast.FoldWord, FoldOperator] = {
     "sum": "add", "product": "mul", "min": "min", "max": "max", "all": "and", "any": "or",
 }  # fmt: skip
-_VARYING = frozenset({"cross", "attribute", "input", "resource"})
 
 
 def folded(
@@ -85,7 +70,7 @@ def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
 
 def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``sum i in a..b from x : e`` and its like."""
-    if _too_deep(ctx, e, scope.loops):
+    if too_deep(ctx, e, scope.loops):
         return FAILURE
     outside = list(operands)
     initial = None if e.initial is None else outside.pop()
@@ -100,7 +85,7 @@ def _folded(
     ctx: Context, e: ast.Fold, turns: Turns, initial: Node | None, values: Sequence[Node]
 ) -> Value:
     """The fold over a body whose value is known."""
-    if _too_deep(ctx, e, _loops_within(values, {turns.formal})):
+    if too_deep(ctx, e, loops_within(values, {turns.formal})):
         return FAILURE
     operator = OPERATORS[e.operator]
     body = _term(ctx, e, operator, values[0])
@@ -115,7 +100,7 @@ def _folded(
         if isinstance(fitted, Failure):
             return FAILURE
         initial = fitted
-    if not _allowed(ctx, turns, (body,), {turns.formal}, e.span, waits=False):
+    if not may_stand(ctx, turns, (body,), {turns.formal}, e.span, waits=False):
         return FAILURE
     result = _combined(ctx, e, operator, turns, body, initial)
     if isinstance(result, Node):
@@ -208,7 +193,7 @@ class _States:
 
 def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``iterate x from e up to n while c : next``: a structure is several states."""
-    if _too_deep(ctx, e, scope.loops):
+    if too_deep(ctx, e, scope.loops):
         return FAILURE
     initial, *bounds = operands
     turns = turns_of(ctx, e.turns, bounds, e.span)
@@ -250,7 +235,7 @@ def _iterated(
 ) -> Value:
     """The last state of a loop of which condition and body are known."""
     formals = {turns.formal, *states.formals}
-    if _too_deep(ctx, e, _loops_within(values, formals)):
+    if too_deep(ctx, e, loops_within(values, formals)):
         return FAILURE
     going: Node | Failure = build.constant(ctx.tree, BOOL, True)
     if e.condition is not None:
@@ -260,7 +245,7 @@ def _iterated(
         return FAILURE
     nexts = tuple(build.flattened(ctx.tree, body))
     waits = e.condition is not None
-    if not _allowed(ctx, turns, (going, *nexts), formals, e.span, waits=waits, states=True):
+    if not may_stand(ctx, turns, (going, *nexts), formals, e.span, waits=waits, states=True):
         return FAILURE
     rows = list(zip(states.formals, states.variables, states.starts, nexts, strict=True))
     return build.assembled(ctx.tree, states.initial.type, iter(_looped(ctx, turns, rows, going)))
@@ -306,108 +291,3 @@ def _looped(
     ctx.notes.variables.setdefault(loop.id, tuple(formal.name for formal in formals))
     last = {formal: build.state(graph, loop, k) for k, (formal, *_) in enumerate(kept)}
     return [fixed.get(formal) or last[formal] for formal, *_ in states]
-
-
-# --- what may stand in a loop --------------------------------------------------------------------
-
-
-def _too_deep(ctx: Context, e: ast.Fold | ast.Iterate, around: int) -> bool:
-    """Whether a loop stands in as many others as there can be, or has as many in it; reported."""
-    if around < DEEPEST:
-        return False
-    ctx.report.add(rules.LOOPS_TOO_NESTED, e.span, most=DEEPEST)
-    return True
-
-
-def _loops_within(bodies: Iterable[Node], formals: set[Formal]) -> int:
-    """How many loops are nested in one another in a loop over ``formals``, which is not counted.
-
-    Those of called functions are included. A loop stands in the innermost one on whose variables it
-    depends: what does not change in a loop is computed before it.
-    """
-    deepest = 0
-    seen: set[tuple[Node, tuple[int, ...]]] = set()
-    pending: list[tuple[Node, tuple[int, ...]]] = [(body, ()) for body in bodies]
-    while pending:
-        place = node, around = pending.pop()
-        outer = _loops_around(node, around, formals)
-        if outer is None or place in seen:
-            continue
-        seen.add(place)
-        depth = outer + (node.op in LOOPS)
-        deepest = max(deepest, depth)
-        inside = bodies_of(node)
-        bound = (depth,) * binders(node) + around
-        pending += (
-            (operand, bound if position in inside else around)
-            for position, operand in enumerate(node.operands)
-        )
-    return deepest
-
-
-def _loops_around(node: Node, around: tuple[int, ...], formals: set[Formal]) -> int | None:
-    """In how many inner loops a node stands; ``None`` if it does not change in the outer one.
-
-    ``around`` has the number for each variable that is bound further out, the innermost first.
-    """
-    variables = node.free & ((1 << len(around)) - 1)
-    if variables:
-        innermost = (variables & -variables).bit_length() - 1
-        return around[innermost]
-    return None if node.variables.isdisjoint(formals) else 0
-
-
-def changing(
-    bodies: Iterable[Node], formals: set[Formal], known: Container[Node] = ()
-) -> Iterator[Node]:
-    """What a loop over ``formals`` computes anew in every turn, inner loops included, but for what
-    is ``known`` already."""
-    seen: set[Node] = set()
-    pending = list(bodies)
-    while pending:
-        node = pending.pop()
-        if node in seen or node in known:
-            continue
-        if node.free or not node.variables.isdisjoint(formals):
-            seen.add(node)
-            yield node
-            pending += node.operands
-
-
-def _allowed(
-    ctx: Context,
-    turns: Turns,
-    bodies: tuple[Node, ...],
-    formals: set[Formal],
-    span: Span,
-    *,
-    waits: bool,
-    states: bool = False,
-) -> bool:
-    """Whether everything in a loop has a meaning there; ``waits``: pixels may stop apart."""
-    inside = list(changing(bodies, formals))
-    crossing = next((node for node in inside if node.op == "cross"), None)
-    if crossing is not None and (
-        states
-        or not turns.known
-        or turns.bound > CROSSING_TURNS
-        or turns.bound * len(inside) > LARGEST_WRITTEN_OUT
-    ):
-        ctx.report.add(rules.CROSSING_IN_LOOP, ctx.places.within(crossing, span))
-        return False
-    read = next((node for node in inside if compares_neighbours(node)), None)
-    if read is None or not (waits or _varies(turns.count)):
-        return True
-    what = "a texture read" if read.data == "sample" else f"`{read.data}`"
-    labels = [Label(span, "pixels leave this loop after different numbers of iterations")]
-    ctx.report.add(rules.READ_IN_LOOP, ctx.places.within(read, span), what=what, labels=labels)
-    return False
-
-
-def compares_neighbours(node: Node) -> bool:
-    return node.op in ("call", "native") and BUILTINS[str(node.data)].uniform_control_flow
-
-
-def _varies(count: Node) -> bool:
-    """Whether pixels may turn differently often."""
-    return any(node.op in _VARYING for node in reachable((count,)))

@@ -39,7 +39,7 @@ from .bodies import settle_body
 from .call_marks import kinds_of
 from .call_sizes import bodies_of
 from .functions import fit_result, scope_of_body, used
-from .loops import changing, compares_neighbours
+from .loop_contents import changing, compares_neighbours
 from .surfaces import shaded, slots_given
 
 MOST_BODIES = 64

@@ -65,7 +65,8 @@ def captures_of(ctx: Context, passing: Instance) -> Iterator[Result]:
 
 
 def _check_that_nothing_is_drawn(ctx: Context, record: Record, first: ast.Capture) -> None:
-    drawn = [member for kind in (ast.Target, ast.Discard) for member, *_ in record.every(kind)]
+    kinds = ast.Target, ast.Discard, ast.Layers
+    drawn = [member for kind in kinds for member, *_ in record.every(kind)]
     if drawn:
         labels = [Label(member.span, "drawn here") for member in drawn]
         ctx.report.add(rules.CAPTURES_AND_DRAWS, first.name.span, name=record.name, labels=labels)

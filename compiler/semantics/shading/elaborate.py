@@ -39,6 +39,7 @@ from .assembly import Setting, is_declared_abstract
 from .captures import capture_of, captures, captures_of
 from .formats import FORMATS, texel_value
 from .host_names import check_host_names
+from .layers import layer_count, layer_of
 from .slot_checks import check_rig, check_slots
 
 BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
@@ -68,8 +69,10 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
+    layers = layer_count(ctx, passing.record)
     return (
-        *_targets(ctx, passing.record, passing),
+        *layer_of(ctx, passing, layers),
+        *_targets(ctx, passing.record, passing, layers),
         *_discard(ctx, passing.record, passing),
         *captures_of(ctx, passing),
     )
@@ -167,23 +170,29 @@ def _emitting(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Re
         ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
 
 
-def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
+def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
     if not written and not drawn.baseless and is_whole and not captures(drawn):
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
-    found = (_target(ctx, drawn, passing, *row) for row in written)
+    found = (_target(ctx, drawn, passing, layers, *row) for row in written)
     return (target for target in found if target is not None)
 
 
 def _target(
-    ctx: Context, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
+    ctx: Context,
+    drawn: Record,
+    passing: Instance,
+    layers: int,
+    target: ast.Target,
+    owner: Symbol,
+    level: int,
 ) -> Result | None:
     blend = _blend(ctx, drawn, target)
     value = texel_value(ctx, target.format, target.value, _scope(owner, passing, level))
     if isinstance(value, Failure):
         return None
-    name, state = target.name.text, RenderTarget(target.format.text, blend)
+    name, state = target.name.text, RenderTarget(target.format.text, blend, layers)
     ctx.notes.names.setdefault(value.id, name)
     return Result(TARGET, FRAGMENT, value, name, target.doc, state)
 

@@ -5,6 +5,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...diagnostics import rules
 from ...ir.node import Node
 from ...ir.shader import RenderTarget, Result
@@ -19,8 +21,8 @@ IMAGE_TYPE = "image2d"
 """The word for the type of a result whose elements are texels."""
 
 
-def is_image(member: ast.Result) -> bool:
-    """Whether a result is an image; else it is a buffer."""
+def is_image(member: ast.Result | ast.Scatter) -> bool:
+    """Whether a result is an image; else it is a buffer, as all is that is scattered to."""
     return member.type.name.text == IMAGE_TYPE
 
 
@@ -48,7 +50,7 @@ def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | Non
     return Result(IMAGE, COMPUTE, value, member.name.text, member.doc, state)
 
 
-def mixed(ctx: Context, members: list[ast.Result]) -> bool:
+def mixed(ctx: Context, members: Sequence[ast.Result | ast.Scatter]) -> bool:
     """Whether a kernel writes both images and buffers, which is reported."""
     others = [member for member in members if is_image(member) != is_image(members[0])]
     for member in others:

@@ -97,6 +97,14 @@ class Discard:
 
 
 @frozen(eq=False)
+class Layers:
+    """``layers of 6``: how many layers each render target of a pass has."""
+
+    span: Span
+    count: Expression
+
+
+@frozen(eq=False)
 class Capture:
     """``capture place : vec3 = e``: what a pass keeps of each vertex."""
 
@@ -151,6 +159,32 @@ class Result:
     value: Expression
 
 
+Scattering = Literal["add", "min", "max", "and", "or"]
+"""How a value is joined with what an element has. The order in which that happens never matters."""
+
+
+@frozen(eq=False)
+class Scatter:
+    """``scatter bins : uint[n] add 1u at i where c``: what invocations join with elements."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    operator: Scattering
+    value: Expression
+    place: Expression
+    condition: Expression | None
+
+
+@frozen(eq=False)
+class Extent:
+    """``runs over n``: for how many elements a kernel runs."""
+
+    span: Span
+    count: Expression
+
+
 @frozen(eq=False)
 class WorkGroup:
     """``work_group of 16 by 16``: how many invocations of a kernel run together."""
@@ -160,7 +194,8 @@ class WorkGroup:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Capture | Expand | Result
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Capture | Expand | Result
+    | Scatter | Extent
     | WorkGroup
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""

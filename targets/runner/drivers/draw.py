@@ -212,6 +212,8 @@ class Pipeline:
     textures: tuple[TextureSlot, ...]
     targets: tuple[RenderTarget, ...]
     """In the order of their locations."""
+    layers: int = 0
+    """How many layers each target has, if a geometry stage draws to all of them; 0: none."""
     primitive: Primitive = "triangle"
     cull: Cull = "none"
     flip_y: bool = False
@@ -267,6 +269,9 @@ class Draw:
     instance_count: int = 1
     buffers: tuple[bytes, ...] = ()
     """The contents of all storage buffers, in the pipeline's order."""
+    layers: tuple[tuple[bytes, ...], ...] = ()
+    """For each layer of the picture, what stands in place of ``blocks``, if every layer is a draw
+    of its own. Drivers get these draws one by one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -283,6 +288,7 @@ class Picture:
 
     width: int
     height: int
+    """All rows: those of the first layer come first."""
     targets: tuple[bytes, ...]
     """For each target float32 RGBA, row by row from the top; lanes that the format lacks are 0, 0,
     1."""

@@ -8,6 +8,7 @@ the compiler. Nothing here imports NumPy.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sized
+from copy import copy
 from typing import TYPE_CHECKING, Any
 
 from ....arguments import expect
@@ -98,6 +99,15 @@ class Instance:
         else:
             self._values |= self._changes(name, value)
 
+    def having(self, name: str, value: object) -> Instance:
+        """A copy that differs in one value. Raises ``ParameterError``, as ``set`` does."""
+        made = copy(self)
+        made._values = dict(self._values)
+        made._textures = dict(self._textures)
+        made._buffers = dict(self._buffers)
+        made.set(name, value)
+        return made
+
     def set_text(self, name: str, text: str) -> None:
         """Set a parameter or texture from a text, as on a command line.
 
@@ -179,6 +189,16 @@ class Instance:
         steps = self._reflection["extent"]
         (count,) = derived.compute(steps, derived.Inputs(self._names.shapes, self.values()))
         return max(int(count), 0)
+
+    def counts(self) -> dict[str, int]:
+        """How many elements each buffer has that a kernel writes. Raises
+        ``MissingValuesError``."""
+        inputs = derived.Inputs(self._names.shapes, self.values())
+        found = {}
+        for row in self._reflection["results"]:
+            (count,) = derived.compute(row["count"], inputs)
+            found[row["name"]] = max(int(count), 0)
+        return found
 
     def size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""

@@ -21,6 +21,7 @@ from ..draw import (
 from .capture import capture_job
 from .compute import compute_job
 from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
+from .layered_screen import LayeredScreen
 from .program import link
 from .screen import Screen
 from .vertices import MODES, vertices
@@ -83,14 +84,19 @@ def _picture(
     pipeline: Pipeline,
     draw: Draw,
 ) -> Picture:
-    screen = Screen(context, functions, pipeline.targets, (draw.width, draw.height))
+    size, layers = (draw.width, draw.height), pipeline.layers
+    screen = (
+        LayeredScreen(context, functions, pipeline.targets, size, layers)
+        if layers
+        else Screen(context, functions, pipeline.targets, size)
+    )
     try:
         _set_state(context, functions, pipeline)
         screen.clear(draw.clear)
         screen.set_blending()
         with vertices(context, functions, program, pipeline, draw) as array:
             array.render(MODES[pipeline.primitive], instances=draw.instance_count)
-        picture = Picture(draw.width, draw.height, screen.read(pipeline))
+        picture = Picture(draw.width, draw.height * (layers or 1), screen.read(pipeline))
     finally:
         screen.release()
     if (error := context.error) != "GL_NO_ERROR":

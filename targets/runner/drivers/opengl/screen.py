@@ -95,12 +95,8 @@ class Screen:
         return tuple(self._read(number, pipeline) for number in range(len(self._targets)))
 
     def _read(self, number: int, pipeline: Pipeline) -> bytes:
-        encoded = self._targets[number].format
-        widened: TargetFormat = "rgba32float"
-        kind = "f4"
-        if encoded.endswith(("unorm", "srgb")):
-            widened = "rgba8unorm-srgb" if encoded.endswith("srgb") else "rgba8unorm"
-            kind = "f1"
+        widened = widened_format(self._targets[number].format)
+        kind = "f4" if widened == "rgba32float" else "f1"
         texels = self._framebuffer.read(components=4, attachment=number, dtype=kind)
         return to_float(texels, widened, *self._size, pipeline.first_row)
 
@@ -112,6 +108,13 @@ class Screen:
         for attachment in self._framebuffer.color_attachments:
             attachment.release()
         self._framebuffer.release()
+
+
+def widened_format(encoded: TargetFormat) -> TargetFormat:
+    """The format of four lanes in which a target is read back."""
+    if encoded.endswith("unorm"):
+        return "rgba8unorm"
+    return "rgba8unorm-srgb" if encoded.endswith("srgb") else "rgba32float"
 
 
 def _make(

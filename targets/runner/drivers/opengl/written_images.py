@@ -24,7 +24,8 @@ def written_images(
             lanes, kind = TEXEL_LANES[slot.format]
             # Its word for bytes that stand for 0 to 1 is ``f1``.
             word = f"f{kind.itemsize}"
-            images.append(context.texture((width, height), lanes, dtype=word, alignment=1))
+            black = bytes(width * height * lanes * kind.itemsize)
+            images.append(context.texture((width, height), lanes, black, dtype=word, alignment=1))
             images[-1].bind_to_image(bound_at(slot.place, number), read=False, write=True)
         yield images
     finally:

@@ -27,6 +27,7 @@ class Canvas:
 
     width: int
     height: int
+    layers: int
     targets: Sequence[RenderTarget]
     framebuffer: Any
     images: Sequence[Any]
@@ -34,7 +35,9 @@ class Canvas:
 
     def read_back(self, commands: Any) -> None:
         """Record commands that copy the targets to where ``picture`` reads them."""
-        part = vk.VkImageSubresourceLayers(aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, layerCount=1)
+        part = vk.VkImageSubresourceLayers(
+            aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, layerCount=self.layers
+        )
         copy = vk.VkBufferImageCopy(
             imageSubresource=part, imageExtent=vk.VkExtent3D(self.width, self.height, 1)
         )
@@ -48,11 +51,12 @@ class Canvas:
 
     def picture(self) -> Picture:
         """The picture that was copied last."""
+        rows = self.height * self.layers
         return Picture(
             self.width,
-            self.height,
+            rows,
             tuple(
-                to_float(buffer.mapped[:], target.format, self.width, self.height, "top")
+                to_float(buffer.mapped[:], target.format, self.width, rows, "top")
                 for target, buffer in zip(self.targets, self.buffers, strict=True)
             ),
         )
@@ -64,16 +68,25 @@ def make_canvas(
     targets: Sequence[RenderTarget],
     render_pass: Any,
     size: tuple[int, int],
+    layers: int,
 ) -> Canvas:
-    """A canvas of ``size`` (width, height) pixels for a render pass with these targets."""
+    """A canvas of ``size`` (width, height) pixels for a render pass with these targets, which have
+    ``layers``, or are single pictures if that is 0."""
     width, height = size
+    view = vk.VK_IMAGE_VIEW_TYPE_2D_ARRAY if layers else vk.VK_IMAGE_VIEW_TYPE_2D
+    count = layers or 1
     made = [
-        make_image(owned, gpu, ImageSpec(TARGETS[target.format], width, height, TARGET_USAGE))
+        make_image(
+            owned, gpu,
+            ImageSpec(
+                TARGETS[target.format], width, height, TARGET_USAGE, depth=count, view=view
+            ),
+        )
         for target in targets
-    ]
+    ]  # fmt: skip
     depth = ImageSpec(
         DEPTH, width, height, vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-        aspect=vk.VK_IMAGE_ASPECT_DEPTH_BIT,
+        aspect=vk.VK_IMAGE_ASPECT_DEPTH_BIT, depth=count, view=view,
     )  # fmt: skip
     _, depth_view = make_image(owned, gpu, depth)
     info = vk.VkFramebufferCreateInfo(
@@ -81,15 +94,17 @@ def make_canvas(
         pAttachments=[*(view for _, view in made), depth_view],
         width=width,
         height=height,
-        layers=1,
+        layers=count,
     )
     framebuffer = vk.vkCreateFramebuffer(gpu.device, info, None)
     owned.callback(vk.vkDestroyFramebuffer, gpu.device, framebuffer, None)
     usage = vk.VK_BUFFER_USAGE_TRANSFER_DST_BIT
     buffers = [
-        make_buffer(owned, gpu, usage, width * height * _texel_size(target)) for target in targets
+        make_buffer(owned, gpu, usage, width * height * count * _texel_size(target))
+        for target in targets
     ]
-    return Canvas(width, height, targets, framebuffer, [image for image, _ in made], buffers)
+    images = [image for image, _ in made]
+    return Canvas(width, height, count, targets, framebuffer, images, buffers)
 
 
 def _texel_size(target: RenderTarget) -> int:

@@ -112,6 +112,7 @@ class Painter:
                 self._description.targets,
                 self._render_pass,
                 (width, height),
+                self._description.layers,
             )
         return self._canvases[width, height]
 

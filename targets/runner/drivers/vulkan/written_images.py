@@ -17,11 +17,15 @@ from .memory import Buffer, ImageSpec, make_buffer, make_image
 
 WRITABLE = vk.VK_IMAGE_LAYOUT_GENERAL
 """The layout in which kernels write images."""
+CLEARED = vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL
 READABLE = vk.VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
-"""The one from which they are copied."""
+"""The ones in which they are made black, and from which they are copied."""
 
 SHADER = vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT
 COPY = vk.VK_PIPELINE_STAGE_TRANSFER_BIT
+START = vk.VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT
+CLEARING = vk.VK_ACCESS_TRANSFER_WRITE_BIT
+WRITING = vk.VK_ACCESS_SHADER_WRITE_BIT
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,25 +39,18 @@ class WrittenImages:
     buffers: Sequence[Buffer]
 
     def make_writable(self, commands: Any) -> None:
-        """Record commands that get the images ready to be written."""
-        change = (vk.VK_IMAGE_LAYOUT_UNDEFINED, WRITABLE)
-        barriers = [self._barrier(image, change) for image in self.images]
-        for barrier in barriers:
-            barrier.dstAccessMask = vk.VK_ACCESS_SHADER_WRITE_BIT
-        before = vk.VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT
-        vk.vkCmdPipelineBarrier(
-            commands, before, SHADER, 0, 0, None, 0, None, len(barriers), barriers
-        )
+        """Record commands that get the images ready to be written; until then they are black."""
+        undefined = vk.VK_IMAGE_LAYOUT_UNDEFINED
+        self._change(commands, (undefined, CLEARED), (START, COPY), (0, CLEARING))
+        black = vk.VkClearColorValue(float32=[0.0, 0.0, 0.0, 0.0])
+        for image in self.images:
+            vk.vkCmdClearColorImage(commands, image, CLEARED, black, 1, [_whole()])
+        self._change(commands, (CLEARED, WRITABLE), (COPY, SHADER), (CLEARING, WRITING))
 
     def read_back(self, commands: Any) -> None:
         """Record commands that copy the images to where ``texels`` reads them."""
-        barriers = [self._barrier(image, (WRITABLE, READABLE)) for image in self.images]
-        for barrier in barriers:
-            barrier.srcAccessMask = vk.VK_ACCESS_SHADER_WRITE_BIT
-            barrier.dstAccessMask = vk.VK_ACCESS_TRANSFER_READ_BIT
-        vk.vkCmdPipelineBarrier(
-            commands, SHADER, COPY, 0, 0, None, 0, None, len(barriers), barriers
-        )
+        reading = vk.VK_ACCESS_TRANSFER_READ_BIT
+        self._change(commands, (WRITABLE, READABLE), (SHADER, COPY), (WRITING, reading))
         part = vk.VkImageSubresourceLayers(aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, layerCount=1)
         copy = vk.VkBufferImageCopy(imageSubresource=part, imageExtent=vk.VkExtent3D(*self.size))
         for image, buffer in zip(self.images, self.buffers, strict=True):
@@ -72,18 +69,34 @@ class WrittenImages:
             for slot, buffer in zip(self.slots, self.buffers, strict=True)
         )
 
-    def _barrier(self, image: Any, layouts: tuple[int, int]) -> Any:
-        whole = vk.VkImageSubresourceRange(
-            aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, levelCount=1, layerCount=1
-        )
-        return vk.VkImageMemoryBarrier(
-            oldLayout=layouts[0],
-            newLayout=layouts[1],
-            srcQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
-            dstQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
-            image=image,
-            subresourceRange=whole,
-        )
+    def _change(
+        self,
+        commands: Any,
+        layouts: tuple[int, int],
+        stages: tuple[int, int],
+        accesses: tuple[int, int],
+    ) -> None:
+        """Record that the layout of all images changes, behind some work and before other work."""
+        barriers = [
+            vk.VkImageMemoryBarrier(
+                oldLayout=layouts[0],
+                newLayout=layouts[1],
+                srcAccessMask=accesses[0],
+                dstAccessMask=accesses[1],
+                srcQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+                dstQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+                image=image,
+                subresourceRange=_whole(),
+            )
+            for image in self.images
+        ]
+        vk.vkCmdPipelineBarrier(commands, *stages, 0, 0, None, 0, None, len(barriers), barriers)
+
+
+def _whole() -> Any:
+    return vk.VkImageSubresourceRange(
+        aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, levelCount=1, layerCount=1
+    )
 
 
 def make_images(
@@ -91,7 +104,8 @@ def make_images(
 ) -> WrittenImages:
     """Images of one size for a kernel to write."""
     width, height, _ = size
-    usage = vk.VK_IMAGE_USAGE_STORAGE_BIT | vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+    copied = vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT | vk.VK_IMAGE_USAGE_TRANSFER_DST_BIT
+    usage = vk.VK_IMAGE_USAGE_STORAGE_BIT | copied
     made = [
         make_image(owned, gpu, ImageSpec(TARGETS[slot.format], width, height, usage))
         for slot in slots

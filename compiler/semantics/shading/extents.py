@@ -1,0 +1,84 @@
+"""How many elements the buffers have that a kernel writes, and what it can compute them by.
+
+``kernels.py`` and ``scattering.py`` call these functions for each buffer or image.
+"""
+
+from __future__ import annotations
+
+from ...diagnostics import rules
+from ...diagnostics.source import Span
+from ...ir.kernel import WRITTEN_GROUP
+from ...ir.leaves import Buffer
+from ...ir.node import Node, reachable
+from ...ir.shader import BufferInfo, ParameterInfo
+from ...ir.types import INT, RuntimeArray, Type
+from ...syntax import ast
+from ..declarations.buffers import element_info
+from ..declarations.fitting import typed
+from ..state.context import Context
+from ..state.crossings import missing_in_kernels
+from ..state.scope import Failure, Scope
+from ..types.typenames import Declared
+from .images import reads_only_sizes
+
+_KNOWN_TO_HOST = frozenset(
+    {"constant", "parameter", "call", "native", "select", "vector", "splat", "matrix", "as"}
+    | {"swizzle", "index", "member", "called", "struct", "array", "resource"}
+)
+"""Operations by which a host computes how many elements a result has, or of which size it is."""
+
+ELEMENTS = "number of elements"
+"""What messages call it if something else than an image says how many elements it has."""
+
+
+def declared_extent(
+    ctx: Context,
+    name: str,
+    declared: ast.TypeName,
+    scope: Scope,
+    type_: Type = INT,
+    what: str = ELEMENTS,
+) -> Node | None:
+    """What stands in brackets behind a type; ``None`` after reporting what is wrong with it."""
+    if declared.count is None:
+        ctx.report.add(rules.NO_EXTENT, declared.span, name=name, what=what)
+        return None
+    return known_extent(ctx, name, declared.count, scope, type_, what)
+
+
+def known_extent(
+    ctx: Context,
+    name: str,
+    written: ast.Expression,
+    scope: Scope,
+    type_: Type = INT,
+    what: str = ELEMENTS,
+) -> Node | None:
+    """How many elements there are: the same all over a dispatch, and known to the host."""
+    node = typed(ctx, written, scope, type_, str(type_))
+    if isinstance(node, Failure):
+        return None
+    if not all(_is_known_to_host(part) for part in reachable((node,))):
+        ctx.report.add(rules.EXTENT_VARIES, written.span, name=name, what=what)
+        return None
+    return node
+
+
+def _is_known_to_host(node: Node) -> bool:
+    return node.op in _KNOWN_TO_HOST and reads_only_sizes(node)
+
+
+def exists_in_kernels(ctx: Context, value: Node, written: Span) -> bool:
+    """Whether a kernel has all that a value is computed by; reported if not."""
+    missing = missing_in_kernels(value)
+    if missing is not None:
+        span = ctx.places.within(missing, written)
+        ctx.report.add(rules.NOT_IN_KERNEL, span, what=f"`{missing.data}`")
+    return missing is None
+
+
+def written_buffer(name: ast.Name, doc: str, element: Declared) -> BufferInfo:
+    """The storage buffer that a member of a kernel declares, which the kernel writes."""
+    buffer = Buffer(name.text, RuntimeArray(element.type), WRITTEN_GROUP, element.fact)
+    count = ParameterInfo(buffer.count, "int", None, 0, "", name.span)
+    return BufferInfo(buffer, element_info(element, name.span), count, doc, name.span)

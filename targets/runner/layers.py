@@ -1,0 +1,53 @@
+"""Pictures with layers where each layer is a draw of its own, and how they become one picture.
+
+``runner.py`` has drivers draw the layers, and ``reference.py`` draws them itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiler.reference.picture import Expected
+from .drivers.draw import Draw, Picture
+
+Floats = NDArray[np.float64]
+
+
+def single_draws(draw: Draw) -> tuple[Draw, ...]:
+    """What drivers draw: one draw for each layer, or the draw itself if it has no layers."""
+    if not draw.layers:
+        return (draw,)
+    return tuple(replace(draw, blocks=blocks, layers=()) for blocks in draw.layers)
+
+
+def stacked(pictures: Sequence[Picture]) -> Picture:
+    """The layers as one picture, the rows of the first one on top."""
+    targets = zip(*(picture.targets for picture in pictures), strict=True)
+    return Picture(
+        pictures[0].width,
+        sum(picture.height for picture in pictures),
+        tuple(map(b"".join, targets)),
+    )
+
+
+def stacked_expected(pictures: Sequence[Expected]) -> Expected:
+    """The same for what the reference has drawn."""
+    if len(pictures) == 1:
+        return pictures[0]
+    return Expected(
+        _stacked_targets([picture.targets for picture in pictures]),
+        np.concatenate([picture.covered for picture in pictures]),
+        np.concatenate([picture.undecided for picture in pictures]),
+        _stacked_targets([picture.low for picture in pictures]),
+        _stacked_targets([picture.high for picture in pictures]),
+        np.concatenate([picture.layers for picture in pictures]),
+        frozenset().union(*(picture.broken for picture in pictures)),
+    )
+
+
+def _stacked_targets(pictures: Sequence[Sequence[Floats]]) -> tuple[Floats, ...]:
+    return tuple(np.concatenate(layers) for layers in zip(*pictures, strict=True))

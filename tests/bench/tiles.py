@@ -1,0 +1,113 @@
+"""What tiles in the memory of work groups would gain: a blur by 31 texels of a row, on lavapipe.
+
+The kernel reads each texel 31 times. Its twin, written by hand, has each work group read its texels
+once, and share them. Burnish does not write tiles: it would, where these numbers said so.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+
+import burnish
+from burnish.compiled import CompiledMaterial
+from burnish.targets.runner.binding import pipeline
+from burnish.targets.runner.codes import compile_one
+from burnish.targets.runner.drivers import mesa
+from burnish.targets.runner.drivers.draw import Code, Dispatch, KernelJob
+from burnish.targets.runner.drivers.vulkan import compute
+from burnish.targets.runner.drivers.vulkan.device import recording
+from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
+from burnish.targets.runner.kernels import full_screen_state, job_of
+from burnish.targets.runner.routes import ROUTES
+from burnish.targets.toolchain import Job, Toolchain
+from burnish.targets.toolchain.tools import inspect_all
+
+from .table import Row, Section
+
+TWIN = Path(__file__).with_name("twins") / "blur_in_tiles.comp.glsl"
+SIZE = 1024
+RUNS = 5
+WEIGHTS = ", ".join(f"{weight:.9f}" for weight in np.hanning(33)[1:-1] / 16)
+KERNEL = f"""kernel Blur {{
+    map source : texture2d
+    weights : float[31] = [{WEIGHTS}]
+    result blurred : image2d<rgba16f>[source.size()] =
+        sum i in 0..31 : weights[i] * source.load(texel + ivec2(i - 15, 0))
+    work_group of 64 by 1
+}}"""
+
+
+def measure() -> Iterator[Section]:
+    """CPU time of one run, of the kernel and of its twin."""
+    route, icd = ROUTES["lavapipe:glsl"], str(inspect_all()["lavapipe"].paths[0])
+    os.environ |= {**mesa.SETTINGS, "VK_DRIVER_FILES": icd, "VK_ICD_FILENAMES": icd}
+    (kernel,) = burnish.compile(KERNEL, route.profile)
+    (square,) = burnish.compile(KERNEL.replace("work_group of 64 by 1", ""), route.profile)
+    with Toolchain() as toolchain, VulkanDriver(icd, 60.0) as driver:
+        own, usual = (_job(each, toolchain) for each in (kernel, square))
+        text = TWIN.read_text("utf-8").replace("@WEIGHTS@", WEIGHTS)
+        (verdict,) = toolchain.check(
+            [Job(route.compiler or "", "comp", text, "main", TWIN.name)], keep_spirv=True
+        )
+        assert verdict.spirv, verdict.report()
+        stages = {"compute": Code("main", spirv=verdict.spirv)}
+        twin = replace(own, pipeline=replace(own.pipeline, stages=stages))
+        images = [driver.compute(job)[0].images[0] for job in (own, twin)]
+        first, second = (np.frombuffer(image, "<f4") for image in images)
+        assert np.abs(first - second).max() < 1e-2, "the twin computes something else"
+        plain = _milliseconds(driver, own)
+        rows: list[Row] = [
+            _row("the kernel, in work groups of 64 by 1", plain, plain),
+            _row("the kernel, in work groups of 8 by 8", _milliseconds(driver, usual), plain),
+            _row("by hand, with tiles of 64 by 1", _milliseconds(driver, twin), plain),
+        ]
+    title = f"31 texels of a row, {SIZE} × {SIZE}, lavapipe: CPU time, best of {RUNS}"
+    yield Section("tiles", title, rows)
+
+
+def _row(what: str, taken: float, plain: float) -> Row:
+    return {"what": what, "ms": round(taken, 1), "beside the first": round(taken / plain, 2)}
+
+
+def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
+    route, instance = ROUTES["lavapipe:glsl"], kernel.instance()
+    texels = np.random.default_rng(1).integers(0, 256, (SIZE, SIZE, 4)).astype(np.uint8)
+    instance.set("source", burnish.Texture.of_array(texels))
+    draw = full_screen_state(instance).draw()
+    dispatch = Dispatch((SIZE, SIZE, 1), draw.blocks, draw.textures, draw.buffers)
+    codes = compile_one(route, kernel.files, toolchain)
+    bound = pipeline(kernel.reflection, route, codes)
+    return job_of(kernel.reflection, bound, [dispatch])
+
+
+def _milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
+    """Of the commands alone, without what goes to the device before and comes back afterwards."""
+    taken: list[float] = []
+    with patch.object(compute, "recording", lambda gpu: _Timed(gpu, taken)):
+        for _ in range(RUNS):
+            driver.compute(job)
+    return 1000 * min(taken)
+
+
+class _Timed(AbstractContextManager[Any]):
+    """Records and runs commands, and keeps how much CPU time all threads took together."""
+
+    def __init__(self, gpu: Any, taken: list[float]) -> None:
+        self._commands, self._taken = recording(gpu), taken
+
+    def __enter__(self) -> Any:
+        self._start = time.process_time()
+        return self._commands.__enter__()
+
+    def __exit__(self, *error: Any) -> None:
+        self._commands.__exit__(*error)
+        self._taken.append(time.process_time() - self._start)

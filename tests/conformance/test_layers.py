@@ -1,0 +1,203 @@
+"""Layers of render targets: one draw to all of them, and a draw for each, give the same pictures.
+
+Both forms are drawn by each driver with a geometry stage, with numbers that need no rounding, and
+compared to the last bit. What the picture of a layer has to be is computed directly as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.compiled import CompiledMaterial
+from burnish.compiler.ir import build
+from burnish.compiler.ir.types import BOOL
+from burnish.compiler.passes import lower_expansion
+from burnish.compiler.semantics.shading import elaborate
+from burnish.compiler.semantics.shading.layers import layer_of
+from burnish.frozen import changed
+from burnish.targets import registry
+from burnish.targets.runner import binding, layers, runner
+from burnish.targets.runner.drivers.draw import Draw
+from burnish.targets.runner.meshes import plane
+from burnish.targets.runner.render import by_reference
+from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.scene import Scene, with_inputs
+from burnish.targets.runner.scene_state import SceneState, set_up
+
+from .kit import Floats, Studio
+
+ON = ("lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "llvmpipe:gl330",
+      "llvmpipe:gl450")  # fmt: skip
+"""The routes with a geometry stage."""
+LOWERED = ("lavapipe:glsl", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga")
+PROFILES = tuple(sorted({ROUTES[name].profile for name in (*ON, *LOWERED)}))
+NATIVE = tuple(sorted({ROUTES[name].profile for name in ON}))
+WIDTH, HEIGHT, COUNT = 32, 16, 5
+CLEAR = (9.0, 9.0, 9.0, 9.0)
+
+TEXT = """
+material M {
+    clip_position = vec4(0.75 * position.xy, 0.5 - 0.25 * position.z, 1)
+}
+pass P {
+    layers of 5
+    param first : int in -4..4 = 0
+    layer  : int
+    mark   : float = 0
+    second : vec2 = vec2(0)
+
+    target one : rgba32f = vec4(mark, uv.x, float(layer), 1)
+    target two : rg32f   = vec2(uv.y, float(primitive_index))
+
+    expand triangle {
+        strip of 3 as i for s in 0..3 where corner[0].position.x < 0.4 {
+            layer    = first + 2 * s
+            mark     = float(s)
+            position = inherited.position + vec3(0.125, 0, 0.25) * float(s)
+        }
+        list of 3 as i {
+            layer    = int(primitive_index mod 2u)
+            mark     = 8
+            position = 0.5 * inherited.position
+        }
+    }
+}
+"""
+
+
+def compiled(*, native: bool) -> CompiledMaterial:
+    profiles = NATIVE if native else PROFILES
+    (material,) = burnish.compile(TEXT, profiles, pass_="P", native_stages=native).materials
+    return material
+
+
+def state_of(material: CompiledMaterial, first: int = 0) -> SceneState:
+    """A plane whose vertices have coordinates that are multiples of a half."""
+    mesh = with_inputs(material.reflection, plane(4))
+    state = set_up(material.instance(), mesh, Scene(), (WIDTH, HEIGHT), CLEAR)
+    state.instance.set("first", first)
+    return state
+
+
+def drawn_both(studio: Studio, route: str, first: int = 0) -> tuple[Floats, Floats]:
+    """The first target as one draw to all layers, and as a draw for each."""
+    pictures = []
+    for native in (True, False):
+        material = compiled(native=native)
+        pictures.append(studio.draw(route, material, state_of(material, first))[0])
+    return pictures[0], pictures[1]
+
+
+def by_layer(picture: Floats) -> Floats:
+    return picture.reshape(COUNT, HEIGHT, WIDTH, 4)
+
+
+@pytest.mark.parametrize("first", [0, 2, -4])
+@pytest.mark.parametrize("route", ON)
+def test_both_forms_are_one_picture(studio: Studio, route: str, first: int) -> None:
+    """With 2 and -4, some layers are not there: the nearest one counts."""
+    found, expected = drawn_both(studio, route, first)
+    assert found.shape == (COUNT * HEIGHT, WIDTH, 4)
+    assert (found == expected).all()
+    nearest = {min(max(first + 2 * s, 0), COUNT - 1) for s in range(3)} | {0, 1}
+    drawn = {k for k, layer in enumerate(by_layer(expected)) if (layer != CLEAR).any()}
+    assert drawn == nearest
+
+
+@pytest.mark.parametrize("route", LOWERED)
+def test_all_targets_are_as_the_reference_has_them(studio: Studio, route: str) -> None:
+    material = compiled(native=False)
+    expected, _ = by_reference(material, state_of(material))
+    found = studio.draw(route, material, state_of(material))
+    assert len(found) == len(expected) == 2
+    for one, other in zip(found, expected, strict=True):
+        assert one.shape == other.shape == (COUNT * HEIGHT, WIDTH, 4)
+        assert np.allclose(one, other, atol=1e-5)
+
+
+@pytest.mark.parametrize("native", [True, False])
+def test_each_strip_is_in_its_layer_alone(studio: Studio, native: bool) -> None:
+    """What is drawn at a pixel says which strip drew it, and that says the layer."""
+    material = compiled(native=native)
+    one, _two = studio.draw("lavapipe:glsl", material, state_of(material))
+    for number, layer in enumerate(by_layer(one)):
+        seen = layer[(layer != CLEAR).any(axis=-1)]
+        assert (seen[:, 2] == number).all()
+        assert set(np.unique(seen[:, 0])) <= {number / 2, 8.0}
+        assert len(seen) > 20 or number == 3
+
+
+def test_a_host_draws_the_layers_one_by_one() -> None:
+    """By the reflection alone: each draw differs from the others in one parameter."""
+    material = compiled(native=False)
+    assert material.reflection["draw"]["layers"] == {"count": COUNT, "parameter": "draw.layer"}
+    draw = state_of(material).draw()
+    assert len({*draw.layers}) == COUNT
+    native = compiled(native=True)
+    assert native.reflection["draw"]["layers"] == {"count": COUNT, "parameter": None}
+    assert state_of(native).draw().layers == ()
+
+
+def _replaced(owner: object, name: str, value: object) -> Callable[[pytest.MonkeyPatch], None]:
+    return lambda patch: patch.setattr(owner, name, value)
+
+
+def _in_glsl(**changes: str) -> Callable[[pytest.MonkeyPatch], None]:
+    """Change forms of GLSL."""
+
+    def plant(patch: pytest.MonkeyPatch) -> None:
+        load = registry.load
+        right = load("glsl")
+        wrong = changed(right, forms=changed(right.forms, **changes))
+        patch.setattr(registry, "load", lambda name: wrong if name == "glsl" else load(name))
+
+    return plant
+
+
+_single_draws = layers.single_draws
+
+
+def _turned(draw: Draw) -> tuple[Draw, ...]:
+    """The draws of the layers, the last one first."""
+    return _single_draws(draw)[::-1]
+
+
+def _first_only(draw: Draw) -> tuple[Draw, ...]:
+    """The first layer in place of all."""
+    draws = _single_draws(draw)
+    return draws[:1] * len(draws)
+
+
+PLANTED = {
+    "all strips in the first layer": _in_glsl(deliver_layer="gl_Layer = 0;"),
+    "layers count from one": _in_glsl(deliver_layer="gl_Layer = min({value} + 1, 4);"),
+    "the layer is not told": _in_glsl(deliver_layer="// {value}"),
+    "layers in another order": _replaced(runner, "single_draws", _turned),
+    "one layer for all": _replaced(runner, "single_draws", _first_only),
+    "strips of all layers in each": _replaced(
+        lower_expansion._Lowering, "_is_drawn",
+        lambda lowering, _layer: build.constant(lowering._graph, BOOL, True),
+    ),
+    "a layer that is not there is not the nearest": _replaced(
+        elaborate, "layer_of",
+        lambda *given: (
+            changed(result, value=result.value.operands[0])
+            for result in layer_of(*given)
+        ),
+    ),
+    "targets without layers": _replaced(binding, "_layers", lambda _row: 0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("plant", PLANTED.values(), ids=PLANTED)
+def test_the_comparison_shows_what_is_wrong(
+    studio: Studio, plant: Callable[[pytest.MonkeyPatch], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        plant(patch)
+        found, expected = drawn_both(studio, "lavapipe:glsl", -4)
+    assert found.shape != expected.shape or (found != expected).any()
