@@ -23,7 +23,7 @@ from burnish.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.capturing import Vertices, capture
-from burnish.targets.runner.drivers.draw import Captured
+from burnish.targets.runner.drivers.draw import Captured, Written
 from burnish.targets.runner.kernels import elements_of
 from burnish.targets.runner.meshes import MeshError, cube, plane
 from burnish.targets.runner.routes import ROUTES
@@ -230,11 +230,11 @@ def _member_later(right: Any) -> Callable[..., Any]:
 def _all_there(_right: Any) -> Callable[..., Any]:
     """What no strip emits is kept."""
 
-    def found(reflection: Any, dispatch: Any, written: Any) -> Captured:
-        count, stride = dispatch.extent[0], reflection["capture"]["stride"]
-        (data,) = elements_of(reflection, dispatch, written).values()
-        words = np.frombuffer(data, np.uint8).reshape(count, -1)
-        return Captured(count, words[:, :stride].tobytes())
+    def found(state: SceneState, written: Written) -> Captured:
+        stride = state.instance.reflection["capture"]["stride"]
+        (data,) = elements_of(state.instance, written).values()
+        words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
+        return Captured(len(words), words[:, :stride].tobytes())
 
     return found
 
@@ -322,7 +322,7 @@ def _first_of_all(_right: Any) -> Callable[..., Any]:
 
 
 def _never_empty(_right: Any) -> Callable[..., Any]:
-    return lambda _self, _values: None
+    return lambda _self, _results: None
 
 
 APART: Mapping[str, tuple[str, str, Change]] = {
@@ -331,7 +331,7 @@ APART: Mapping[str, tuple[str, str, Change]] = {
         "points", "..compiler.passes.lower_expansion.EmittedNumbers._strip", _first_of_all,
     ),
     "conditions are forgotten": (
-        "groups", "..compiler.passes.lower_expansion._Lowering.emitted", _never_empty,
+        "groups", "..compiler.passes.lower_expansion._Lowering.drawn", _never_empty,
     ),
 }  # fmt: skip
 """Planted errors that only the comparison of both forms can notice, since the reference evaluates
