@@ -21,8 +21,7 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
 from .compiler.passes.emit_strips import count_strips
-from .compiler.passes.lower_capture import lower_capture
-from .compiler.passes.lower_expansion import lower_expansion
+from .compiler.passes.lower_stages import lower_stages
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
@@ -85,8 +84,9 @@ def compile(
     everything themselves. With ``line_directives``, texts have ``#line`` directives that
     name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
-    and its ``lacking`` says why. With ``native_stages``, a material that expands primitives has
-    the stage for it that a target provides; otherwise each primitive is drawn as an instance.
+    and its ``lacking`` says why. With ``native_stages``, a material that expands primitives or
+    divides patches has the stages for it that a target provides; otherwise each primitive or patch
+    is drawn as an instance.
 
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
@@ -107,7 +107,7 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        shader = count_strips(elaborated) if native_stages else _lowered(elaborated)
+        shader = count_strips(elaborated) if native_stages else lower_stages(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:
@@ -181,11 +181,6 @@ def _opened(
     return frontend, frontend.open_file(Path(source))
 
 
-def _lowered(shader: Shader) -> Shader:
-    """The shader without the stages that not every target has."""
-    return lower_capture(lower_expansion(shader))
-
-
 def _compiled(
     shader: Shader,
     staged: Staged,
@@ -220,7 +215,8 @@ def _lacking(
 ) -> dict[str, tuple[Diagnostic, ...]]:
     """For each profile, the features that it lacks and a shader needs."""
     found = {}
-    expanded = None if shader.expansion is None else shader.expansion.span
+    made_of = shader.expansion or shader.tessellation
+    expanded = None if made_of is None else made_of.span
     places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
         name, report = full_name(target, profile), Report()

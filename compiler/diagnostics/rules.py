@@ -744,13 +744,13 @@ NOT_SCATTERED = _error(
 
 NO_SUCH_CORNER = _error(
     "B0520",
-    "there is no corner {index}: the last one is {last}",
+    "there is no {what} {index}: the last one is {last}",
     "Corners are numbered from 0: a point has one, a line two and a triangle three. With adjacency "
     "a line has four and a triangle six.",
 )
 WHICH_CORNER = _error(
     "B0521",
-    "`{name}` of which corner?",
+    "`{name}` of which {what}?",
     "`corner[0].position` is the position of the first corner of the primitive that is expanded.",
 )
 OF_WHICH_CORNER = _error(
@@ -875,6 +875,70 @@ NO_POINTS = _error(
     "B0565",
     "a group of {count} points emits nothing",
     "`points of n` emits one point or more.",
+)
+
+# Tessellations
+
+TESSELLATED_AND_CAPTURED = _error(
+    "B0570",
+    "`{name}` captures the vertices of `{material}`, which divides its patches",
+    "Vertices are captured as the mesh or an expansion makes them.",
+)
+TWO_TESSELLATIONS = _error(
+    "B0571",
+    "`{name}` divides its patches twice",
+    "A material has one tessellation. Two mixins that each have one cannot be combined.",
+)
+TESSELLATED_AND_EXPANDED = _error(
+    "B0572",
+    "`{name}` divides its patches and expands its primitives",
+    "A material does one of the two.",
+)
+WRONG_POINTS = _error(
+    "B0573",
+    "`{patch}` patches have from {least} to {most} control points, and not {count}",
+    "Each end of a patch is a control point, and 32 is the most that all targets have: "
+    "`tessellate quad of 16 …`.",
+)
+WRONG_ENDS = _error(
+    "B0574",
+    "`{patch}` patches have {wanted} ends, and here are {count}",
+    "The ends are the numbers of the control points at the corners of a patch, in order. Those of "
+    "a quad go round it: `tessellate quad of 16 ends [0, 3, 15, 12] …`.",
+)
+NO_SUCH_END = _error(
+    "B0575",
+    "there is no control point {index} for an end: the last one is {last}",
+    "Control points are numbered from 0.",
+)
+END_TWICE = _error(
+    "B0576",
+    "the control point {index} is two ends of the patch",
+    "Between two ends there has to be an edge.",
+)
+LEVEL_DIFFERS = _error(
+    "B0577",
+    "this differs along an edge",
+    "The level of an edge is asked once, and has to be the same for both patches beside it. So it "
+    "depends on the two ends of the edge, `end[0].position` and `end[1].position`, and on what is "
+    "the same all over a draw.",
+)
+INNER_LEVEL_DIFFERS = _error(
+    "B0578",
+    "this differs between the vertices of a patch",
+    "A level is asked once for each patch. Say which control point is meant: `corner[0].position`.",
+)
+LEVEL_OUT_OF_RANGE = _error(
+    "B0579",
+    "this is {level}, and patches are divided by levels above 0 and up to {most}",
+    "The level of an edge is the number of steps into which it is divided. Beyond the largest one "
+    "it is that, and a patch with an edge of level 0 is not drawn.",
+)
+NOT_OF_THIS_PATCH = _error(
+    "B0580",
+    "`{patch}` patches have no `{word}`",
+    "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
+    "are divided away from their edges.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

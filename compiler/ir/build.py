@@ -210,6 +210,6 @@ def cross(graph: Graph, value: Node, crossing: Crossing) -> Node:
     return graph.node("cross", value.type, (value,), crossing)
 
 
-def at_corner(graph: Graph, value: Node, number: Node) -> Node:
+def at_corner(graph: Graph, value: Node, number: Node, crossing: Crossing = CORNER) -> Node:
     """A value of the vertices as one corner of a primitive has it."""
-    return graph.node("cross", value.type, (value, number), CORNER)
+    return graph.node("cross", value.type, (value, number), crossing)

@@ -102,6 +102,9 @@ class Interface:
     destination: Domain
     """The domain in which they are read."""
     varyings: tuple[Varying, ...]
+    through: Domain | None = None
+    """Where a stage between the two hands them on as they are, the domain of that stage. It gets
+    them by an interface of its own, in the same locations."""
 
     @property
     def fields(self) -> tuple[Field, ...]:
@@ -374,6 +377,8 @@ class Stage:
     """In which ways the stage reads its textures: each way of each once."""
     natives: tuple[NativeUse, ...] = ()
     """The builtins whose own operations it uses; what a profile lacks is looked up here."""
+    handed_on: tuple[Field, ...] = ()
+    """Those of its inputs that the next stage reads as well, so that it hands them on."""
     emitted: tuple[EmittedGroup, ...] = ()
     """Where it emits vertices, in which groups; then there is nothing else that it computes."""
     emitting: tuple[Node, ...] = ()
@@ -471,15 +476,23 @@ class Program:
         """What crosses, of all interfaces."""
         return tuple(varying for face in self.interfaces for varying in face.varyings)
 
+    def interfaces_into(self, stage: Stage) -> tuple[Interface, ...]:
+        """What stages before it hand on to a stage, for each of these."""
+        return tuple(face for face in self.interfaces if face.destination == stage.row.domain)
+
     def entering(self, stage: Stage) -> tuple[Varying, ...]:
         """What crosses into a stage."""
-        domain = stage.row.domain
-        return tuple(v for f in self.interfaces if f.destination == domain for v in f.varyings)
+        return tuple(v for face in self.interfaces_into(stage) for v in face.varyings)
 
     def leaving(self, stage: Stage) -> tuple[Varying, ...]:
-        """What crosses from a stage into the next."""
+        """What crosses from a stage into the next, besides what it only hands on."""
         domain = stage.row.domain
-        return tuple(v for f in self.interfaces if f.origin == domain for v in f.varyings)
+        return tuple(
+            varying
+            for face in self.interfaces
+            if face.origin == domain and face.through is None
+            for varying in face.varyings
+        )
 
     def results_of(self, kind: str) -> tuple[Output, ...]:
         """The results of one kind, of all stages."""

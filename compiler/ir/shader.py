@@ -83,7 +83,10 @@ class MeshInput:
     corner: int | None = None
     """The corner of the primitive whose value it is; ``None`` if it is the same at all of them."""
     is_number: bool = False
-    """Whether it is such a number: ``vertex_index``, ``instance_index`` or ``primitive_index``."""
+    """Whether it is such a number: ``vertex_index``, ``instance_index``, ``primitive_index`` or
+    ``patch_index``."""
+    is_of_pattern: bool = False
+    """Whether the mesh does not have it at all: it is where a vertex lies in its patch."""
 
 
 @frozen
@@ -269,6 +272,8 @@ class Shader:
     """What is written of each vertex instead of drawing, by a stream output or by a kernel."""
     tessellation: Tessellation | None = None
     """What each patch of the mesh is divided into, whichever stage does it."""
+    levels: tuple[Result, ...] = ()
+    """Where the host divides all patches alike, what the control stage would have delivered."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
 

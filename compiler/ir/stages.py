@@ -105,6 +105,17 @@ OF_PATCH = Crossing(PATCHES, TESSELLATED, "flat")
 SMOOTH_EMITTED = Crossing(EMITTED, FRAGMENTS, "perspective")
 FLAT_EMITTED = Crossing(EMITTED, FRAGMENTS, "flat")
 
+INTO_FRAGMENTS: Mapping[Domain, tuple[Crossing, Crossing]] = {
+    smooth.origin: (smooth, flat)
+    for smooth, flat in (
+        (SMOOTH, FLAT),
+        (SMOOTH_TESSELLATED, FLAT_TESSELLATED),
+        (SMOOTH_EMITTED, FLAT_EMITTED),
+    )
+}
+"""How values get to the fragments from the vertices that the triangles around them have: what is
+interpolated, and all else."""
+
 
 @frozen(key=True)
 class SystemInput:
@@ -153,9 +164,12 @@ VERTEX = StageRow(
     delivers=(CLIP_POSITION, CAPTURE),
 )  # fmt: skip
 
+PATCH_INDEX = SystemInput("patch_index", UINT, PATCHES)
+"""The number of the patch in the draw."""
+
 CONTROL = StageRow(
     "control", PATCHES, "tesc", "hs_main",
-    inputs=(),
+    inputs=(PATCH_INDEX,),
     delivers=(EDGE_LEVEL, INNER_LEVEL),
     hands_on=True,
 )  # fmt: skip
@@ -165,12 +179,9 @@ PATCH_WEIGHTS = SystemInput("patch_weights", VEC3, TESSELLATED)
 PATCH_COORDINATE = SystemInput("patch_coordinate", VEC2, TESSELLATED)
 """Where it lies in a quad (u, v), or on the lines of an isoline patch: u along a line, and v tells
 the lines apart."""
-PATCH_INDEX = SystemInput("patch_index", UINT, TESSELLATED)
-"""The number of the patch in the draw."""
-
 EVALUATION = StageRow(
     "evaluation", TESSELLATED, "tese", "ds_main",
-    inputs=(PATCH_WEIGHTS, PATCH_COORDINATE, PATCH_INDEX),
+    inputs=(PATCH_WEIGHTS, PATCH_COORDINATE),
     delivers=(CLIP_POSITION,),
 )  # fmt: skip
 

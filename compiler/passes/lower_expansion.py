@@ -13,19 +13,17 @@ the vertex that each begins with: triangle ``t`` of a strip has the vertices ``t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial, reduce
+from functools import reduce
 from itertools import count
-from operator import itemgetter
 
 from ...frozen import changed
-from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.expansion import Expansion
-from ..ir.leaves import Attribute, Parameter
+from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.rewrite import rewrite
-from ..ir.shader import AttributeInfo, MeshInput, Notes, ParameterInfo, Result, Shader
+from ..ir.shader import AttributeInfo, Notes, ParameterInfo, Result, Shader
 from ..ir.stages import (
     CAPTURED,
     CLIP_POSITION,
@@ -34,7 +32,6 @@ from ..ir.stages import (
     FLAT,
     GEOMETRY,
     GROUP,
-    INSTANCES,
     LAYER,
     PRIMITIVE_INDEX,
     RASTERISED,
@@ -44,12 +41,11 @@ from ..ir.stages import (
     VERTEX,
     SystemInput,
 )
-from ..ir.types import BOOL, INT, UINT, VEC4, Array
+from ..ir.types import BOOL, INT, UINT, VEC4
+from .corner_inputs import VERTEX_INDEX, CornerInputs
 
 NOWHERE = (0.0, 0.0, -1.0, 1.0)
 """A place in clip space that no picture shows."""
-
-VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
 
 LAYER_OF_DRAW = "draw.layer"
 """What the parameter is called that says for which layer a draw is; with ``_`` behind it if a light
@@ -103,19 +99,11 @@ class _Lowering:
     def __init__(self, shader: Shader, expansion: Expansion) -> None:
         self._graph: Graph = shader.graph
         self._notes: Notes = shader.notes
+        self._inputs = CornerInputs(shader, expansion.corners, expansion.span)
         self._expansion = expansion
-        self._corners = expansion.corners
         self._parameters = shader.parameters
         self.layer: Parameter | None = None
         """What says for which layer of the render targets a draw is, if they have any."""
-        self._infos = [*shader.attributes, *map(partial(_info, expansion.span), VERTEX.inputs)]
-        """The inputs of the mesh's vertices, with the numbers that they have in it."""
-        self._place = {info.attribute: place for place, info in enumerate(self._infos)}
-        self._read: dict[tuple[int, int], AttributeInfo] = {}
-        """What is read for each primitive instead: by the place of an input and the corner."""
-        self._known: dict[Node, dict[Node, Node]] = {}
-        """For each corner, what values of the vertices have become there."""
-        self._is_instanced = any(map(_tells_instances_apart, shader.roots.nodes))
         self._numbers = EmittedNumbers(shader.graph, expansion)
 
     def lowered(self, roots: Sequence[Node]) -> Roots:
@@ -150,14 +138,14 @@ class _Lowering:
 
     @property
     def attributes(self) -> tuple[AttributeInfo, ...]:
-        """The vertex inputs that are read, in the order of their declaration and of the corners."""
-        return tuple(info for _, info in sorted(self._read.items(), key=itemgetter(0)))
+        """The vertex inputs that are read."""
+        return self._inputs.attributes
 
     def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op == "input":
             row = INPUT.data(node)
             if row == PRIMITIVE_INDEX:
-                return self._primitive_index()
+                return self._inputs.number(row)
             if row.domain != EMITTED:
                 return None
             found = self._numbers.of(row)
@@ -165,70 +153,12 @@ class _Lowering:
             return found
         crossing = CROSS.data(node)
         if crossing.mode == "corner":
-            return self._at_corner(*operands)
+            return self._inputs.at_corner(*operands)
         return build.cross(graph, operands[0], FLAT if crossing.mode == "flat" else SMOOTH)
-
-    def _at_corner(self, value: Node, number: Node) -> Node:
-        """A value of the mesh's vertices at one corner, computed from what this corner has."""
-
-        def rule(_graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node:
-            row = node.data
-            leaf = (
-                Attribute(row.name, row.type, row.domain) if isinstance(row, SystemInput) else row
-            )
-            assert isinstance(leaf, Attribute)
-            return self._corner_of(self._place[leaf], number)
-
-        known = self._known.setdefault(number, {})
-        ops = ("attribute", "input")
-        return rewrite(self._graph, (value,), rule, self._notes.follow, ops, new=known)[0]
-
-    def _corner_of(self, place: int, number: Node) -> Node:
-        """An input at one corner; where this is not a certain one, an element of all."""
-        leaf = self._infos[place].attribute
-        if leaf.step == INSTANCES or self._corners == 1:
-            return self._input(place, 0)
-        if number.op == "constant" and isinstance(number.data, int):
-            return self._input(place, number.data)
-        found = tuple(self._input(place, corner) for corner in range(self._corners))
-        whole = self._graph.node("array", Array(leaf.type, len(found)), found)
-        return build.index(self._graph, whole, number)
-
-    def _input(self, place: int, corner: int) -> Node:
-        info = self._infos[place]
-        leaf, mesh = info.attribute, info.mesh or MeshInput(info.attribute.name)
-        if leaf.step != INSTANCES:
-            mesh = changed(mesh, corner=corner)
-            leaf = changed(leaf, name=f"corner{corner}.{leaf.name}", step=INSTANCES)
-        elif mesh.is_number:
-            leaf = changed(leaf, name=f"draw.{leaf.name}")
-        self._read[place, corner] = changed(info, attribute=leaf, mesh=mesh)
-        return self._graph.node("attribute", leaf.type, (), leaf)
-
-    def _primitive_index(self) -> Node:
-        """The number of the instance, unless the mesh itself is drawn in several."""
-        if not self._is_instanced:
-            return self._graph.node("input", UINT, (), INSTANCE_INDEX)
-        info = _info(self._infos[-1].span, PRIMITIVE_INDEX)
-        self._infos.append(changed(info, attribute=changed(info.attribute, step=INSTANCES)))
-        return self._input(len(self._infos) - 1, 0)
 
 
 def _is_true(value: Node) -> bool:
     return value.op == "constant" and bool(value.data)
-
-
-def _info(span: Span, row: SystemInput) -> AttributeInfo:
-    """An input that gives a number which the pipeline supplies where nothing is lowered."""
-    leaf = Attribute(row.name, row.type, row.domain)
-    return AttributeInfo(leaf, str(row.type), "", span, mesh=MeshInput(row.name, is_number=True))
-
-
-def _tells_instances_apart(node: Node) -> bool:
-    return isinstance(node.data, Attribute | SystemInput) and INSTANCES in (
-        getattr(node.data, "step", ""),
-        getattr(node.data, "domain", ""),
-    )
 
 
 class EmittedNumbers:

@@ -18,7 +18,7 @@ from ..ir.node import Node
 from ..ir.operations import CROSS
 from ..ir.program import Field, Varying
 from ..ir.shader import Notes
-from ..ir.stages import InterpolationMode
+from ..ir.stages import Domain, InterpolationMode
 from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
 
 SLOT_LANES = 4
@@ -59,13 +59,22 @@ class _Slots:
 
 
 def pack_varyings(
-    nodes: Sequence[Node], notes: Notes, taken: Collection[str] = ()
+    nodes: Sequence[Node],
+    notes: Notes,
+    origin: Domain,
+    taken: Collection[str] = (),
+    first: int = 0,
 ) -> tuple[Varying, ...]:
-    """Slots for all values that cross into a stage, whose nodes are given in order.
+    """Slots for all values that cross from ``origin`` into a stage, whose nodes are given in order.
 
-    ``taken`` are the names of slots further on in the pipeline.
+    ``taken`` are the names of slots further on in the pipeline, and ``first`` is the location of
+    the first slot.
     """
-    crossed = {(n.operands[0], CROSS.data(n).mode): n for n in nodes if n.op == "cross"}
+    crossed = {
+        (n.operands[0], CROSS.data(n).mode): n
+        for n in nodes
+        if n.op == "cross" and CROSS.data(n).origin == origin
+    }
     crossings = list(crossed.values())
     users: dict[int, str] = {}
     for node in reversed(nodes):
@@ -88,7 +97,7 @@ def pack_varyings(
         shown = "_".join(dict.fromkeys(names[value.id] for value in slot.values))
         name = _apart(shown, names_taken)
         names_taken.add(name)
-        varyings[name] = _varying(name, location, slot)
+        varyings[name] = _varying(name, first + location, slot)
     return tuple(varyings.values())
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
 
-from ...frozen import changed
+from ...frozen import changed, frozen
 from ..ir import build
 from ..ir.kernel import WRITTEN_GROUP
 from ..ir.node import Graph, Node, formals_of
@@ -35,8 +35,8 @@ from ..ir.types import UINT, scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
+from .interfaces import Interfaces
 from .naming import Naming
-from .pack_varyings import pack_varyings
 from .schedule import Scheduler
 from .uniformity import needing_uniform_flow
 from .walks import called_functions, visible
@@ -50,26 +50,24 @@ def split_stages(
     It is the last pass, and what ``targets/legalise`` ends with that has changed some values.
     """
     blocks = _blocks(shader, derived)
-    stages: list[Stage] = []
-    interfaces: list[Interface] = []
+    works: list[_Work] = []
+    interfaces = Interfaces(shader.notes, results)
     for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
         own = [result for result in results if result.stage == row]
-        leaving = tuple(v for f in interfaces if f.origin == row.domain for v in f.varyings)
-        outputs = (*_outputs(shader, own), *_crossing_outputs(shader.graph, leaving))
+        outputs = (
+            *_outputs(shader, own),
+            *_crossing_outputs(shader.graph, interfaces.leaving(row)),
+        )
         if not outputs and before is not None:
             continue
         delivered = tuple(output for output in outputs if output.kind != EMITTING)
         groups = _groups(shader, own, delivered)
         nodes = visible(_roots(groups, delivered), into_bodies=True)
-        if before is None:
-            inputs = _attributes(shader, nodes)
-        else:
-            varyings = pack_varyings(nodes, shader.notes, _taken(interfaces, results))
-            interfaces.insert(0, Interface(before.domain, row.domain, varyings))
-            inputs = interfaces[0].fields
-        stage = _stage(row, shader, blocks, inputs, delivered, groups, nodes)
+        if before is not None:
+            interfaces.enter(row, before, nodes)
         emitting = tuple(output.value for output in outputs if output.kind == EMITTING)
-        stages.insert(0, changed(stage, emitting=emitting))
+        works.insert(0, _Work(row, delivered, emitting, groups, nodes))
+    stages = [_stage(work, shader, blocks, interfaces.all) for work in works]
     resources = tuple(
         info.resource
         for info in shader.resources
@@ -82,7 +80,7 @@ def split_stages(
         if any(info.buffer in stage.buffers for stage in stages)
     )
     return Program(
-        shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces), buffers,
+        shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
         shader.expansion, shader.tessellation, shader.capture, shader.work_group,
     )  # fmt: skip
 
@@ -103,12 +101,6 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
     if not groups:
         return [output.value for output in outputs]
     return [node for group in groups for node in (group.emitted, *group.delivered)]
-
-
-def _taken(interfaces: Iterable[Interface], results: Iterable[Result]) -> set[str]:
-    """The names of what leaves the stages."""
-    crossing = {field.name for interface in interfaces for field in interface.fields}
-    return crossing | {result.name for result in results if result.kind == CAPTURE}
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
@@ -172,16 +164,26 @@ def _attributes(shader: Shader, nodes: Iterable[Node]) -> tuple[Field, ...]:
     )  # fmt: skip
 
 
+@frozen
+class _Work:
+    """What a stage has to do."""
+
+    row: StageRow
+    outputs: tuple[Output, ...]
+    emitting: tuple[Node, ...]
+    groups: tuple[GroupValues, ...]
+    nodes: list[Node]
+    """What it computes for its outputs, what is computed in bodies included."""
+
+
 def _stage(
-    row: StageRow,
-    shader: Shader,
-    blocks: tuple[Block, ...],
-    inputs: tuple[Field, ...],
-    outputs: tuple[Output, ...],
-    groups: tuple[GroupValues, ...],
-    nodes: list[Node],
+    work: _Work, shader: Shader, blocks: tuple[Block, ...], interfaces: Sequence[Interface]
 ) -> Stage:
-    """A stage, with ``nodes`` that it computes for its outputs, those in bodies included."""
+    """The stage that does this."""
+    row, outputs, groups, nodes = work.row, work.outputs, work.groups, work.nodes
+    is_first = row == shader.chain[0]
+    entering = [face for face in interfaces if face.destination == row.domain]
+    handing = [face for face in interfaces if face.through == row.domain]
     # What asks whether there is anything to do comes before all statements.
     roots = [] if groups else [output.value for output in outputs if output.kind != EXTENT]
     naming = Naming(shader.notes)
@@ -195,7 +197,7 @@ def _stage(
     buffers |= {output.store.buffer for output in outputs if output.store}
     return Stage(
         row=row,
-        inputs=inputs,
+        inputs=_attributes(shader, nodes) if is_first else _fields(entering),
         blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
         resources=tuple(i.resource for i in shader.resources if i.resource in resources),
         functions=functions,
@@ -209,8 +211,14 @@ def _stage(
         ),
         reads=texture_reads(nodes),
         natives=native_uses(nodes),
+        handed_on=_fields(handing),
+        emitting=work.emitting,
         emitted=tuple(_emitted(group, shader.notes, outputs) for group in groups),
     )
+
+
+def _fields(interfaces: Iterable[Interface]) -> tuple[Field, ...]:
+    return tuple(field for face in interfaces for field in face.fields)
 
 
 def _emitted(values: GroupValues, notes: Notes, outputs: tuple[Output, ...]) -> EmittedGroup:

@@ -11,7 +11,16 @@ from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, MeshInput, Shader
-from ..ir.stages import GEOMETRY, IMAGE, TARGET
+from ..ir.stages import (
+    EDGE_LEVEL,
+    EVALUATION,
+    GEOMETRY,
+    IMAGE,
+    INNER_LEVEL,
+    PATCHES,
+    TARGET,
+)
+from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
@@ -19,6 +28,7 @@ from .captures import capture_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint, FieldName
 from .textures import TextureRows
+from .values import steps
 
 FORMAT = 1
 """Grows when a host that reads the document has to change."""
@@ -125,25 +135,54 @@ def _mesh_buffer_rows(shader: Shader) -> Iterator[dict[str, Any]]:
 
 
 def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
-    return {"name": mesh.name, "corner": mesh.corner, "is_number": mesh.is_number}
+    return {
+        "name": mesh.name,
+        "corner": mesh.corner,
+        "is_number": mesh.is_number,
+        "is_of_pattern": mesh.is_of_pattern,
+    }
 
 
 def _draw_row(shader: Shader) -> dict[str, Any]:
-    """What a host draws: the triangles of a mesh, or what its primitives turn into."""
-    expansion = shader.expansion
-    layers = _layers_row(shader)
-    if expansion is None:
-        return {
-            "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
-            "layers": layers,
-        }  # fmt: skip
-    native = GEOMETRY in shader.chain
+    """What a host draws: the triangles of a mesh, or what its primitives or patches turn into."""
+    expansion, patches = shader.expansion, shader.tessellation
+    row: dict[str, Any] = {
+        "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
+        "tessellation": None, "layers": _layers_row(shader),
+    }  # fmt: skip
+    if patches is not None:
+        row |= {
+            "primitive": PATCHES,
+            "corners": patches.points,
+            "tessellation": _tessellation_row(shader, patches),
+        }
+    if expansion is not None:
+        native = GEOMETRY in shader.chain
+        row |= {
+            "primitive": expansion.primitive,
+            "corners": expansion.corners,
+            "expanded_by": GEOMETRY.name if native else "instances",
+            "vertices": expansion.vertices if native else expansion.listed,
+        }
+    return row
+
+
+def _tessellation_row(shader: Shader, patches: Tessellation) -> dict[str, Any]:
+    native = EVALUATION in shader.chain
     return {
-        "primitive": expansion.primitive,
-        "corners": expansion.corners,
-        "expanded_by": GEOMETRY.name if native else "instances",
-        "vertices": expansion.vertices if native else expansion.listed,
-        "layers": layers,
+        "kind": patches.patch,
+        "ends": list(patches.ends),
+        "spacing": patches.spacing,
+        "divided_by": EVALUATION.name if native else "instances",
+        "levels": None if native else _levels_row(shader),
+    }
+
+
+def _levels_row(shader: Shader) -> dict[str, Any]:
+    """The steps that compute how finely a host divides the edges and the inside of all patches."""
+    return {
+        name: [steps(level.value) for level in shader.levels if level.kind == kind]
+        for name, kind in (("edges", EDGE_LEVEL), ("inside", INNER_LEVEL))
     }
 
 

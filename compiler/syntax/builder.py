@@ -20,7 +20,7 @@ from .tokens import Docs, Token
 _EDITION = 1
 
 Replacement = tuple[Name, Expression]
-Count = tuple[Expression, bool]
+Count = tuple[Expression | None, ast.LightNumber]
 Range = tuple[Expression, Expression]
 Path = tuple[tuple[str, ...], bool]
 Maker = Callable[..., object]
@@ -125,6 +125,9 @@ class Builder:
     ) -> ast.Strips:
         return ast.Strips(span, shape, count, vertex, turns, condition, like, equations)
 
+    def ends(self, _: Span, *numbers: Expression) -> tuple[Expression, ...]:
+        return numbers
+
     def shape(self, _: Span, word: Token) -> str:
         return word.text
 
@@ -205,14 +208,17 @@ class Builder:
         count: Count | None,
         overrides: tuple[ast.Slot, ...],
     ) -> ast.RigEntry:
-        number, at_most = count or (None, False)
-        return ast.RigEntry(span, self.doc(span), name, light, number, at_most, overrides)
+        bound, number = count or (None, "one")
+        return ast.RigEntry(span, self.doc(span), name, light, bound, number, overrides)
 
     def exactly(self, _: Span, count: Expression) -> Count:
-        return count, False
+        return count, "exactly"
 
     def at_most(self, _: Span, count: Expression) -> Count:
-        return count, True
+        return count, "at_most"
+
+    def any_number(self, _: Span) -> Count:
+        return None, "any"
 
     def overrides(self, _: Span, *overrides: ast.Slot) -> tuple[ast.Slot, ...]:
         return overrides

@@ -14,7 +14,7 @@ needs it, with which all of its cells are tried.
 
 from __future__ import annotations
 
-from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, VERTEX, StageRow
+from ...compiler.ir.stages import COMPUTE, CONTROL, EVALUATION, FRAGMENT, GEOMETRY, VERTEX, StageRow
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
 from .profile import STORABLE, Profile
 
@@ -44,6 +44,7 @@ ELEMENTS_ELSEWHERE = (
     "keep the elements in an array of a known length, `param name : T[16]`, or load them from a "
     "texture"
 )
+AS_PATTERNS = "each patch is drawn as an instance of a pattern"
 AS_INSTANCES = "each primitive is drawn as an instance"
 
 BY_KERNEL = "a kernel captures the vertices"
@@ -65,6 +66,11 @@ CAPABILITIES: tuple[Capability, ...] = (
         "expansions",
         "A primitive of the mesh becomes others: `expand triangle { … }`.",
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+    ),
+    Capability(
+        "tessellation",
+        "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`.",
+        (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((), AS_PATTERNS)),
     ),
     Capability(
         "expansions with adjacency",
@@ -93,6 +99,12 @@ CAPABILITIES: tuple[Capability, ...] = (
     Capability(
         "kernels over buffers",
         "The elements of storage buffers are computed: `kernel` with `result name : T[count] = …`.",
+        (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
+    ),
+    Capability(
+        "scatter",
+        "The invocations of a kernel join integers with elements that they choose, by atomics: "
+        "`scatter name : uint[count] add value at place`.",
         (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
     ),
     Capability(

@@ -132,6 +132,12 @@ class Forms:
     """A stage's input: a global variable, or ``input.{name}``."""
     corner: str = "{name}[{corner}]"
     """What a stage that gets whole primitives reads of one of their corners."""
+    of_patch: str = "{name}"
+    """What is read at the vertices of a divided patch that is the same all over it."""
+    edge_level: str = ""
+    """Where a control stage writes the level of an edge, by its ``{number}``."""
+    inner_level: str = ""
+    """The same for the levels of the inside."""
     lanes: str = "xyzw"
     """The letters of the lanes."""
     lane_words: tuple[str, ...] = ()

@@ -169,6 +169,9 @@ class Profile:
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
+    patch_winding: Literal["ccw", "cw"] = "ccw"
+    """What the API calls triangles of a patch that turn counter-clockwise where u points to the
+    right and v upwards. It is the other way round where the API has v point downwards."""
     varyings_by_name: bool = False
     """Stages are matched by the names of varyings instead of their locations."""
     explicit_bindings: bool = True

@@ -14,6 +14,7 @@ from typing import Literal
 
 from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import STAGES
+from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import Dimension
 from ...frozen import EMPTY, frozen
 from .forms import Forms
@@ -26,8 +27,9 @@ STAGE_STRUCTS = tuple(
 )
 """What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
 
-FieldRole = Literal["attribute", "varying", "render target"]
-"""Vertex input, value between the stages, or render target."""
+FieldRole = Literal["attribute", "varying", "control point", "of patch", "render target"]
+"""Vertex input, value between the stages, that of a control point which is handed on to the stage
+after the next, what is the same all over a patch, or render target."""
 
 BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
@@ -74,6 +76,10 @@ class Language:
     """How the inputs of the stages that its profiles have are spelled."""
     primitives: Mapping[str, str] = EMPTY
     """What a geometry stage calls the primitives that it gets, where the language has one."""
+    patches: Mapping[Patch, str] = EMPTY
+    """What a tessellation stage calls the kinds of patches, where the language has one."""
+    spacings: Mapping[Spacing, str] = EMPTY
+    """What it calls the ways in which their edges are divided."""
     emitted: Mapping[str, str] = EMPTY
     """What it calls the streams of points and of triangles that it emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
@@ -94,6 +100,8 @@ class Language:
     """Inputs and outputs are global variables and not members of structs."""
     varying_prefix: str = ""
     """Keeps global varyings and locals apart, which tend to have the same name."""
+    point_prefix: str = ""
+    """The same for what a stage hands on of control points, which it also gets."""
     output_prefix: str = ""
     """The same for render targets."""
     fixed_names: tuple[str, ...] = ()

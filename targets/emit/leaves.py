@@ -10,6 +10,7 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import ATTRIBUTE, BUFFER, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
+from ...compiler.ir.stages import PATCHES
 from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
@@ -34,6 +35,9 @@ class LeafPrinter:
         self._members = context.members
         self._read_parameters = context.read_parameters
         self._crossings = dict(_crossings(context.program.entering(stage)))
+        faces = context.program.interfaces_into(stage)
+        self._points = {f.name for face in faces if face.through for f in face.fields}
+        """The varyings that the stage before hands on."""
 
     def parameter(self, node: Node) -> Printed:
         """A member of a uniform block, in its stored type."""
@@ -99,9 +103,11 @@ class LeafPrinter:
         the lanes of the value that are used, if not all are.
         """
         slot, first, total = self._crossings[node.operands[0].id, CROSS.data(node).mode]
-        name = self._names.varyings[slot]
+        name = (self._names.points if slot in self._points else self._names.varyings)[slot]
         printed = self._read(name)
-        if corner:
+        if CROSS.data(node).origin == PATCHES:
+            printed = self._forms.of_patch.format(name=name), NAME
+        elif corner:
             printed = self._forms.corner.format(name=name, corner=corner), POSTFIX
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:

@@ -40,6 +40,8 @@ class Names:
     semantics: Mapping[str, str]
     """What marks each attribute in the text, where the language marks them."""
     varyings: Mapping[str, str]
+    points: Mapping[str, str]
+    """By varying, what a stage between calls it that hands it on, and the stage behind."""
     render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
     """By stage and the function's body."""
@@ -127,6 +129,7 @@ class _Naming:
             attributes=fields.attributes,
             semantics=_semantics(self._language, program.vertex_inputs),
             varyings=fields.varyings,
+            points=fields.points,
             render_targets=fields.render_targets,
             functions=self._functions(fields),
             common=self._module,
@@ -168,10 +171,12 @@ class _Naming:
 
         outputs = [output for stage in program.stages for output in stage.results]
         written = [out.field for out in outputs if out.field and out.kind == TARGET]
-        handed_on = [out.field for out in outputs if out.field and out.kind != TARGET]
+        delivered = [out.field for out in outputs if out.field and out.kind != TARGET]
+        handed_on = [field for stage in program.stages for field in stage.handed_on]
         return _Fields(
             attributes=declare(program.vertex_inputs),
-            varyings=declare(handed_on, language.varying_prefix),
+            varyings=declare(delivered, language.varying_prefix),
+            points=declare(handed_on, language.point_prefix),
             render_targets=declare(written, language.output_prefix),
         )
 
@@ -179,6 +184,7 @@ class _Naming:
         taken = (
             *fields.attributes.values(),
             *fields.varyings.values(),
+            *fields.points.values(),
             *fields.render_targets.values(),
         )
         namer = self._module.inner(taken)
@@ -196,6 +202,7 @@ class _Fields:
 
     attributes: dict[str, str]
     varyings: dict[str, str]
+    points: dict[str, str]
     render_targets: dict[str, str]
 
 

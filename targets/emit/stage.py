@@ -6,32 +6,31 @@ it returns to the skeleton.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
-from ...compiler.ir.program import Field, Function, Output, Scattered, Stage
+from ...compiler.ir.program import Function, Output, Scattered, Stage
 from ...compiler.ir.shader import Store
 from ...compiler.ir.stages import (
-    CAPTURE,
     CLIP_POSITION,
     DISCARD,
+    EDGE_LEVEL,
     EXTENT,
     IMAGE,
+    INNER_LEVEL,
     LAYER,
     STORE,
-    TARGET,
     SystemInput,
     inputs_of,
 )
 from ...compiler.ir.storage import stored_element
 from ...compiler.ir.types import Array, Struct
-from ...frozen import changed
-from ..description.shading_language import FieldRole
-from .comments import comment_line, comment_lines
+from .comments import comment_lines
 from .context import Context
 from .declarations import Declarations
 from .expressions import Expressions
+from .fields import Fields
 from .leaves import LeafPrinter
 from .namer import Namer
 from .natives import EmittedFunction, Natives
@@ -39,10 +38,11 @@ from .origins import Marks
 from .precedence import NAME
 from .statements import INDENT, Statements
 from .strips import Strips
-from .views import EntryView, ExpansionView, FieldView, FunctionView, InputView, StoreView
+from .views import EntryView, ExpansionView, FunctionView, InputView, StoreView
 
-_WITHOUT_FIELD = (CLIP_POSITION, DISCARD, EXTENT, IMAGE, LAYER)
-"""The kinds of results for which skeletons have other places."""
+LEVELS = (EDGE_LEVEL, INNER_LEVEL)
+PLACED = (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, IMAGE, LAYER)
+"""The kinds of results for which skeletons have other places than outputs."""
 
 
 class StagePrinter:
@@ -63,8 +63,7 @@ class StagePrinter:
         self._names = names
         self._types = context.types
         self._leaves = LeafPrinter(context, stage)
-        is_first = stage.row == context.program.stages[0].row
-        self._input_role: FieldRole = "attribute" if is_first else "varying"
+        self._fields = Fields(context, stage)
         self._functions = {
             function.body: EmittedFunction(
                 names.function(stage.name, function.body),
@@ -90,25 +89,22 @@ class StagePrinter:
         if stage.emitted:
             strips = Strips(self._context, expressions, namer, self._marks)
             lines = strips.lines_of(stage.emitted, self._delivered)
-        stored = []
         for output in stage.results:
-            if output.field is not None:
-                stored.append((self._output(output), output.value))
-            elif output.store is None and output.kind not in _WITHOUT_FIELD:
+            if output.field is None and output.store is None and output.kind not in PLACED:
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
             name=name,
-            inputs=[self._field(field, self._input_role) for field in stage.inputs],
+            inputs=self._fields.inputs,
             pipeline_inputs=self._pipeline_inputs(),
-            outputs=[field for field, _ in stored],
+            outputs=self._fields.outputs,
             blocks=self._declarations.blocks((stage,)),
             buffers=self._declarations.buffers((stage,)),
             images=self._declarations.images((stage,)),
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
-            stores=[] if stage.emitted else list(self._stores(expressions, stored)),
+            stores=[] if stage.emitted else list(self._stores(expressions)),
             texels=list(self._texels(expressions)),
             scattered=[
                 line for each in stage.scattered for line in self._scattered(expressions, each)
@@ -120,8 +116,9 @@ class StagePrinter:
             guard=guard,
             work_group=() if group is None else group,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
-            capture_stride=self._capture_stride(),
+            capture_stride=self._fields.capture_stride(),
             expansion=self._expansion(),
+            tessellation=self._fields.tessellation(),
         )
 
     def _expansion(self) -> ExpansionView | None:
@@ -137,28 +134,11 @@ class StagePrinter:
             primitive, expansion.corners, emitted, places, expansion.vertices, is_layered
         )
 
-    def _capture_stride(self) -> int:
-        """The bytes of each vertex that this stage captures, where the text has to say it."""
-        capture = self._context.program.capture
-        stream = self._context.profile.stream_output
-        is_said = stream is not None and stream.told == "text"
-        captures = is_said and self._stage.results_of(CAPTURE)
-        return capture.stride if capture is not None and captures else 0
-
-    def _output(self, output: Output) -> FieldView:
-        """What a text declares for an output that has a place."""
-        assert output.field is not None
-        view = self._field(output.field, _role(output))
-        capture = self._context.program.capture
-        if output.kind != CAPTURE or capture is None or not self._capture_stride():
-            return view
-        return changed(view, captured_at=str(capture.member(output.field.name).offset))
-
     def _delivered(self, output: Output, value: str) -> Iterator[str]:
         """The lines that give an emitted vertex one of its outputs."""
         forms, framebuffer = self._language.forms, self._context.profile.framebuffer
         if output.field is not None:
-            name = self._field_name(output.field, _role(output))
+            name = self._fields.name_of(output)
             yield forms.deliver.format(name=name, value=value)
             return
         if output.kind == LAYER:
@@ -212,12 +192,15 @@ class StagePrinter:
                 )
                 yield self._marks.mark(text, output.value)
 
-    def _stores(
-        self, expressions: Expressions, stored: Iterable[tuple[FieldView, Node]]
-    ) -> Iterator[StoreView]:
-        """What is written at the end: outputs, and parts of elements."""
-        for field, node in stored:
-            yield StoreView(field.name, self._value(expressions, node))
+    def _stores(self, expressions: Expressions) -> Iterator[StoreView]:
+        """What is written at the end: outputs, levels of a patch, and parts of elements."""
+        placed = [output for output in self._stage.results if output.field is not None]
+        for field, output in zip(self._fields.delivered, placed, strict=True):
+            yield StoreView(field.name, self._value(expressions, output.value))
+        forms = self._language.forms
+        for kind, form in zip(LEVELS, (forms.edge_level, forms.inner_level), strict=True):
+            for number, output in enumerate(self._stage.results_of(kind)):
+                yield StoreView(form.format(number=number), self._value(expressions, output.value))
         for output in self._stage.results:
             if output.store is not None and output.kind == STORE:
                 yield self._store(expressions, output.store, output.value)
@@ -306,41 +289,7 @@ class StagePrinter:
         """A namer for locals, which never hide what the stage's file declares."""
         if not self._language.global_fields:
             return self._names.locals(())
-        fields = [
-            *(self._field_name(field, self._input_role) for field in self._stage.inputs),
-            *(
-                self._field_name(output.field, _role(output))
-                for output in self._stage.results
-                if output.field is not None
-            ),
-        ]
-        return self._names.locals(fields)
-
-    def _field_name(self, field: Field, role: FieldRole) -> str:
-        table = {
-            "attribute": self._names.attributes,
-            "varying": self._names.varyings,
-            "render target": self._names.render_targets,
-        }
-        return table[role][field.name]
-
-    def _semantic(self, field: Field, role: FieldRole) -> str:
-        if role == "attribute":
-            return self._names.semantics[field.name]
-        return self._language.semantic(role, field.name, field.location)
-
-    def _field(self, field: Field, role: FieldRole) -> FieldView:
-        name = self._field_name(field, role)
-        return FieldView(
-            name=name,
-            type=self._types.type(field.type),
-            typed=self._types.declare(name, field.type),
-            location=field.location,
-            semantic=self._semantic(field, role),
-            crosses=role == "varying",
-            flat=field.mode == "flat" and role == "varying",
-            comment=comment_line(field.doc),
-        )
+        return self._names.locals(self._fields.names())
 
     def _supplied(self) -> tuple[str, ...]:
         """The pipeline's values that the entry point reads; a kernel's always reads its place."""
@@ -355,8 +304,3 @@ class StagePrinter:
             for name in self._supplied()
             if (row := inputs[name]).semantic
         ]
-
-
-def _role(output: Output) -> FieldRole:
-    """Whether an output is a render target, or goes on to the next stage."""
-    return "render target" if output.kind == TARGET else "varying"

@@ -96,6 +96,10 @@ class FieldView:
     """Whether it goes from one stage to the next."""
     flat: bool
     comment: str
+    of_patch: bool = False
+    """Whether it is the same all over a patch."""
+    per_corner: bool = False
+    """Whether there is one for each corner of a primitive, or for each control point."""
     captured_at: str = ""
     """At which byte of a vertex it is captured, where the text says so."""
 
@@ -143,6 +147,29 @@ class ExpansionView:
 
 
 @frozen
+class TessellationView:
+    """How patches are divided, for the two stages that do it."""
+
+    patch: str
+    """Their kind, in the language's own word."""
+    lines: bool
+    """Whether they are divided into lines, and not into triangles."""
+    spacing: str
+    """How edges are divided, likewise."""
+    points: int
+    """How many control points each has."""
+    edge_levels: int
+    """How many levels there are."""
+    inner_levels: int
+    is_control: bool
+    """Whether it is the stage that computes the levels."""
+    own: list[FieldView]
+    """What is the same all over a patch: this stage computes it, the other one reads it."""
+    handing: list[StoreView]
+    """What is handed on of each control point: the outputs, and the inputs that they are."""
+
+
+@frozen
 class EntryView:
     """One stage's entry point and what belongs to it alone."""
 
@@ -180,6 +207,8 @@ class EntryView:
     """The bytes of each vertex that is captured, where the text says so; else 0."""
     expansion: ExpansionView | None = None
     """Of a stage that emits vertices."""
+    tessellation: TessellationView | None = None
+    """Of the stages that divide patches."""
 
 
 @frozen

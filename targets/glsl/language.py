@@ -7,8 +7,9 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.kernel import ScatterOperator
-from ...compiler.ir.stages import COMPUTED, EXPANDED, RASTERISED
-from ...compiler.ir.types import BOOL, INT, UINT, VEC4, Vector
+from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, RASTERISED
+from ...compiler.ir.tessellation import Patch, Spacing
+from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -117,6 +118,9 @@ INPUTS = {
     "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
     "texel": PipelineInput(Vector("uint", 2), "gl_GlobalInvocationID.xy"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
+    "patch_weights": PipelineInput(VEC3, "gl_TessCoord"),
+    "patch_coordinate": PipelineInput(VEC2, "gl_TessCoord.xy"),
+    "patch_index": PipelineInput(INT, "gl_PrimitiveID"),
 }
 
 FORMS = Forms(
@@ -126,6 +130,8 @@ FORMS = Forms(
     store_texel="imageStore({name}, {place}, {value});",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
+    edge_level="gl_TessLevelOuter[{number}]",
+    inner_level="gl_TessLevelInner[{number}]",
 )
 
 EMITTED = {"point": "points", "triangle": "triangle_strip"}
@@ -144,6 +150,13 @@ PRIMITIVES = {
     "triangle": "triangles",
     "line_adjacency": "lines_adjacency",
     "triangle_adjacency": "triangles_adjacency",
+}
+
+PATCHES: Mapping[Patch, str] = {"triangle": "triangles", "quad": "quads", "isoline": "isolines"}
+SPACINGS: Mapping[Spacing, str] = {
+    "equal": "equal_spacing",
+    "fractional_even": "fractional_even_spacing",
+    "fractional_odd": "fractional_odd_spacing",
 }
 
 FRAG_COORD_FROM_TOP = PipelineInput(
@@ -175,11 +188,12 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 
 VULKAN = Profile(
     name="vulkan",
-    stages=(*EXPANDED, *COMPUTED),
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     image_formats=STORABLE,
     stream_output=StreamOutput("text"),
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
+    patch_winding="cw",
     preamble=("#version 450",),
     limits=Limits(groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4),
     agrees=AGREES,
@@ -228,7 +242,7 @@ OPENGL = Profile(
 
 OPENGL_4 = Profile(
     name="gl450",
-    stages=(*EXPANDED, *COMPUTED),
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     image_formats=STORABLE,
     doc="GLSL 4.50 core for OpenGL 4.5: combined samplers, everything placed explicitly, and the "
     "clip space of `glClipControl`.",
@@ -299,6 +313,8 @@ LANGUAGE = Language(
     forms=FORMS,
     natives=NATIVES,
     primitives=PRIMITIVES,
+    patches=PATCHES,
+    spacings=SPACINGS,
     emitted=EMITTED,
     atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
@@ -308,6 +324,7 @@ LANGUAGE = Language(
     buffer_blocks=True,
     global_fields=True,
     varying_prefix="v_",
+    point_prefix="p_",
     output_prefix="out_",
     fixed_names=("main", "viewport_height"),
     line_directive="#line {line} {number}",

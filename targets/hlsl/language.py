@@ -8,8 +8,9 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.kernel import ScatterOperator
-from ...compiler.ir.stages import COMPUTED, ENTRY_POINTS, EXPANDED
-from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension, Vector
+from ...compiler.ir.stages import COMPUTED, CONTROL, ENTRY_POINTS, EVALUATION, EXPANDED
+from ...compiler.ir.tessellation import Patch, Spacing
+from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
@@ -57,6 +58,9 @@ FORMS = Forms(
     deliver_layer="output.target_layer = uint({value});",
     emit_vertex="stream.Append(output);",
     end_strip="stream.RestartStrip();",
+    of_patch="patch.{name}",
+    edge_level="edge_levels[{number}]",
+    inner_level="inner_levels[{number}]",
     store_texel="{name}[{place}] = {value};",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
@@ -167,6 +171,9 @@ INPUTS = {
     "index": PipelineInput(UINT, "input.{name}", "SV_DispatchThreadID"),
     "texel": PipelineInput(Vector("uint", 2), "input.{name}", "SV_DispatchThreadID"),
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
+    "patch_weights": PipelineInput(VEC3, "{name}", "SV_DomainLocation"),
+    "patch_coordinate": PipelineInput(VEC2, "{name}", "SV_DomainLocation"),
+    "patch_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
 EMITTED = {"point": "PointStream", "triangle": "TriangleStream"}
@@ -177,6 +184,12 @@ PRIMITIVES = {
     "triangle": "triangle",
     "line_adjacency": "lineadj",
     "triangle_adjacency": "triangleadj",
+}
+PATCHES: Mapping[Patch, str] = {"triangle": "tri", "quad": "quad", "isoline": "isoline"}
+SPACINGS: Mapping[Spacing, str] = {
+    "equal": "integer",
+    "fractional_even": "fractional_even",
+    "fractional_odd": "fractional_odd",
 }
 
 
@@ -206,7 +219,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     attributes, so that prefix is kept apart. Where the capitals could be a macro of a compiler,
     ``__LINE__`` or ``GL_ES``, something is added.
     """
-    if role == "varying":
+    if role in ("varying", "control point", "of patch"):
         return f"TEXCOORD{location}"
     if role == "render target":
         return f"SV_Target{location}"
@@ -231,7 +244,8 @@ AGREES: Mapping[str, Domain] = {
 
 SM6 = Profile(
     name="sm6",
-    stages=(*EXPANDED, *COMPUTED),
+    stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
+    patch_winding="cw",
     image_formats=STORABLE,
     stream_output=StreamOutput("semantics"),
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
@@ -270,12 +284,16 @@ LANGUAGE = Language(
     natives=NATIVES,
     inputs=INPUTS,
     primitives=PRIMITIVES,
+    patches=PATCHES,
+    spacings=SPACINGS,
     emitted=EMITTED,
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "target_layer", "primitive_index", *STAGE_STRUCTS,
+        "target_layer", "primitive_index", "patch", "patch_weights", "patch_coordinate",
+        "patch_index", "point_index", "edge_levels", "inner_levels", "levels_of_patch",
+        "PatchInput", "PatchOutput", *STAGE_STRUCTS,
     ),
 )  # fmt: skip

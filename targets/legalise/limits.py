@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
-from ...compiler.ir.stages import CAPTURE, TARGET
+from ...compiler.ir.stages import CAPTURE, CONTROL, TARGET
 from ...compiler.ir.types import Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
@@ -58,7 +58,7 @@ class Lack:
     node: int
     """The id of a node that needs it."""
     of_expansion: bool = False
-    """Whether it is what the material turns its primitives into that needs it."""
+    """Whether it is what the material turns its primitives or patches into that needs it."""
     instead: str = ""
     """What a user can do, if it is no matter of other profiles alone."""
 
@@ -160,14 +160,15 @@ WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captu
 
 def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     """What a program uses and the profile has not got."""
+    missing = [stage for stage in program.stages if stage.row not in profile.stages]
+    if missing:
+        # What misses the first one of several that belong together misses all of them.
+        stage = missing[0]
+        of_primitives = bool(stage.emitted) or stage.row == CONTROL
+        captures = program.capture is not None and STREAM_OUTPUT.is_met(profile)
+        instead = WITH_STREAM_OUTPUT if captures and not stage.emitted else ""
+        yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives, instead)
     for stage in program.stages:
-        if stage.row not in profile.stages:
-            node = stage.roots[0].id
-            captures = program.capture is not None and STREAM_OUTPUT.is_met(profile)
-            instead = WITH_STREAM_OUTPUT if captures and not stage.emitted else ""
-            yield Lack(
-                feature_of_stage(stage.row), node, of_expansion=bool(stage.emitted), instead=instead
-            )
         need = buffers_of(stage.row)
         if stage.buffers and stage.row in profile.stages and not need.is_met(profile):
             yield Lack(need.feature, _first_use(stage))

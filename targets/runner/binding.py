@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ...compiler.ir.stages import GEOMETRY
+from ...compiler.ir.stages import EVALUATION, GEOMETRY
 from .codes import Codes
 from .drivers.draw import (
     BlockSlot,
@@ -109,6 +109,7 @@ def pipeline(
         ),
         layers=_layers(reflection["draw"]["layers"]),
         primitive=_primitive(reflection["draw"]),
+        patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
         cull=cull,
         flip_y=backend["flip_y"],
         # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
@@ -139,9 +140,15 @@ def _stream_output(
 
 
 def _primitive(draw: Mapping[str, Any]) -> Primitive:
-    """What the vertices of a draw are: triangles where instances stand for a geometry stage."""
+    """What the vertices of a draw are: triangles where instances stand for another stage."""
     primitive: Primitive = draw["primitive"]
+    if draw["tessellation"]:
+        return primitive if _divided_natively(draw) else "triangle"
     return primitive if draw["expanded_by"] in (None, GEOMETRY.name) else "triangle"
+
+
+def _divided_natively(draw: Mapping[str, Any]) -> bool:
+    return bool(draw["tessellation"]) and draw["tessellation"]["divided_by"] == EVALUATION.name
 
 
 def _layers(row: Mapping[str, Any] | None) -> int:

@@ -1,6 +1,6 @@
-"""Meshes as a material draws them that says what each of their primitives turns into.
+"""Meshes as a material draws them that says what each of their primitives or patches turns into.
 
-``scene_state.py`` calls ``as_drawn``. Where a draw of instances stands for a geometry stage, each
+``scene_state.py`` calls ``as_drawn``. Where a draw of instances stands for another stage, each
 primitive is an instance, and each vertex input has a value for each of them.
 """
 
@@ -13,8 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.ir.stages import GEOMETRY
+from ...compiler.ir.stages import EVALUATION, GEOMETRY, PATCH_INDEX, PRIMITIVE_INDEX
+from .instances.instance import Instance
 from .meshes import Indices, Mesh, MeshError
+from .patches import patches, pattern
 from .primitives import primitives
 
 Values = Mapping[str, NDArray[Any]]
@@ -32,9 +34,12 @@ class Drawn:
     instance_count: int
 
 
-def as_drawn(reflection: Mapping[str, Any], data: Values, mesh: Mesh) -> Drawn:
+def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     """What is drawn of a mesh; ``data`` are its values by the names of declared vertex inputs."""
+    reflection = instance.reflection
     draw = reflection["draw"]
+    if draw["tessellation"] is not None:
+        return _divided(instance, data, mesh)
     corners = primitives(mesh, draw["primitive"])
     if draw["expanded_by"] is None:
         return Drawn(data, corners, mesh.instance_count)
@@ -51,6 +56,24 @@ def as_drawn(reflection: Mapping[str, Any], data: Values, mesh: Mesh) -> Drawn:
     return Drawn(attributes, listed, copies * len(corners))
 
 
+def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
+    """The patches of a mesh, which a tessellation stage divides or a pattern of the host's."""
+    reflection = instance.reflection
+    row, points = reflection["draw"]["tessellation"], reflection["draw"]["corners"]
+    found = patches(mesh, row["kind"], points, row["ends"])
+    copies = mesh.instance_count
+    if row["divided_by"] == EVALUATION.name:
+        return Drawn(data, found, copies)
+    places, triangles = pattern(row["kind"], row["spacing"], *instance.levels())
+    attributes = {
+        each["name"]: places
+        if each["mesh"]["is_of_pattern"]
+        else _values(each["mesh"], data, found, copies)
+        for each in reflection["vertex_inputs"]
+    }
+    return Drawn(attributes, triangles, copies * len(found))
+
+
 def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int) -> NDArray[Any]:
     """The values of an input for each primitive of each instance of the mesh."""
     count, corner = len(corners), wanted["corner"]
@@ -60,6 +83,6 @@ def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: i
         return np.tile(values, (copies, 1))
     if not wanted["is_number"]:
         return np.repeat(data[wanted["name"]], count, axis=0)
-    if wanted["name"] == "primitive_index":
+    if wanted["name"] in (PRIMITIVE_INDEX.name, PATCH_INDEX.name):
         return np.tile(np.arange(count), copies)[:, None]
     return np.repeat(np.arange(copies), count)[:, None]

@@ -50,6 +50,12 @@ class Mesh:
     instances: Mapping[str, NDArray[Any]] = field(default_factory=dict)
     """By name of a vertex input per instance, of shape (instances, lanes)."""
     instance_count: int = 1
+    patches: Indices | None = None
+    """Indices of vertices, of shape (patches, points), for materials that divide patches; if there
+    are none, ``patches.py`` makes some of the lattices or of the triangles."""
+    lattices: tuple[Indices, ...] = ()
+    """Indices of vertices, each of shape (rows, columns): the grids that the mesh consists of. The
+    front is seen with the first row at the bottom and the first column at the left."""
 
     def __post_init__(self) -> None:
         if "position" not in self.channels:
@@ -69,6 +75,14 @@ class Mesh:
             self
         ):
             raise MeshError(f"a triangle names a vertex that is not one of the {len(self)}")
+        if self.patches is not None and self.patches.ndim != 2:
+            raise MeshError(f"patches have the shape {self.patches.shape} and not (n, points)")
+        if (
+            self.patches is not None
+            and self.patches.size
+            and not (0 <= self.patches.min() <= self.patches.max() < len(self))
+        ):
+            raise MeshError(f"a patch names a vertex that is not one of the {len(self)}")
 
     def __len__(self) -> int:
         """The number of vertices."""
@@ -98,7 +112,7 @@ def sphere(around: int = 64, down: int = 32) -> Mesh:
     ring = np.sin(latitude)
     normal = np.stack([ring * np.sin(longitude), np.cos(latitude), ring * np.cos(longitude)], 1)
     tangent = np.stack([np.cos(longitude), 0 * u, -np.sin(longitude)], 1)
-    return _made(normal, normal, u, v, tangent, _faces(around, down))
+    return _made(normal, normal, u, v, tangent, (around, down))
 
 
 def torus(around: int = 64, across: int = 32, radius: float = 0.7, tube: float = 0.3) -> Mesh:
@@ -108,7 +122,7 @@ def torus(around: int = 64, across: int = 32, radius: float = 0.7, tube: float =
     out = np.stack([np.sin(longitude), 0 * u, np.cos(longitude)], 1)
     normal = out * np.sin(angle)[:, None] + np.array([0.0, 1.0, 0.0]) * np.cos(angle)[:, None]
     tangent = np.stack([np.cos(longitude), 0 * u, -np.sin(longitude)], 1)
-    return _made(out * radius + normal * tube, normal, u, v, tangent, _faces(around, across))
+    return _made(out * radius + normal * tube, normal, u, v, tangent, (around, across))
 
 
 def plane(cells: int = 8) -> Mesh:
@@ -117,7 +131,7 @@ def plane(cells: int = 8) -> Mesh:
     position = np.stack([2 * u - 1, 1 - 2 * v, 0 * u], 1)
     normal = np.broadcast_to([0.0, 0.0, 1.0], position.shape)
     tangent = np.broadcast_to([1.0, 0.0, 0.0], position.shape)
-    return _made(position, normal, u, v, tangent, _faces(cells, cells))
+    return _made(position, normal, u, v, tangent, (cells, cells))
 
 
 def cube(half: float = 0.7) -> Mesh:
@@ -130,10 +144,11 @@ def cube(half: float = 0.7) -> Mesh:
         normal = face.channels["normal"] @ rotation
         tangent = face.channels["tangent"][:, :3] @ rotation
         u, v = face.channels["uv"].T
-        parts.append(_made(position, normal, u, v, tangent, face.triangles))
+        parts.append(_made(position, normal, u, v, tangent, (1, 1)))
     channels = {name: np.concatenate([part.channels[name] for part in parts]) for name in CHANNELS}
     triangles = np.concatenate([part.triangles + 4 * i for i, part in enumerate(parts)])
-    return Mesh(channels, triangles)
+    lattices = tuple(part.lattices[0] + 4 * i for i, part in enumerate(parts))
+    return Mesh(channels, triangles, lattices=lattices)
 
 
 _SIDES = (
@@ -169,8 +184,10 @@ def _faces(across: int, down: int) -> Indices:
 
 
 def _made(
-    position: Floats, normal: Floats, u: Floats, v: Floats, tangent: Floats, triangles: Indices
+    position: Floats, normal: Floats, u: Floats, v: Floats, tangent: Floats, cells: tuple[int, int]
 ) -> Mesh:
+    """A mesh whose vertices are those of a grid of so many cells in both directions."""
+    across, down = cells
     upwards = np.ones((len(u), 1))
     color = np.concatenate([0.5 + 0.4 * position, (0.4 + 0.6 * u)[:, None]], 1)
     channels = {
@@ -185,7 +202,12 @@ def _made(
     rounded: dict[str, NDArray[Any]] = {
         name: values.astype(np.float32).astype(float) for name, values in channels.items()
     }
-    return Mesh({**rounded, "joints": joints}, _not_degenerate(triangles, position))
+    lattice = np.arange(len(u)).reshape(down + 1, across + 1)[::-1]
+    return Mesh(
+        {**rounded, "joints": joints},
+        _not_degenerate(_faces(across, down), position),
+        lattices=(lattice,),
+    )
 
 
 def _skin(position: Floats) -> tuple[Floats, Indices]:

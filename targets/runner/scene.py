@@ -10,7 +10,7 @@ import math
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -200,9 +200,9 @@ def inputs_of_mesh(reflection: Mapping[str, Any]) -> list[Mapping[str, Any]]:
 
 
 def _of_mesh(row: Mapping[str, Any]) -> Mapping[str, Any]:
-    """A vertex input as a mesh has it; nothing, if the host counts it."""
+    """A vertex input as a mesh has it; nothing, if the host counts or makes it."""
     mesh = row["mesh"]
-    if mesh is None or mesh["is_number"]:
+    if mesh is None or mesh["is_number"] or mesh["is_of_pattern"]:
         return {} if mesh else row
     step = PER_INSTANCE if mesh["corner"] is None else VERTICES
     return {**row, "name": mesh["name"], "step": step}
@@ -230,7 +230,7 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INST
         )
         if not fits:
             channels[_own(name)] = _pattern(row, position)
-    return Mesh(channels, mesh.triangles, of_instances, count)
+    return replace(mesh, channels=channels, instances=of_instances, instance_count=count)
 
 
 def _own(name: str) -> str:
@@ -244,8 +244,10 @@ def _own(name: str) -> str:
 def is_instanced(reflection: Mapping[str, Any]) -> bool:
     """Whether a shader distinguishes instances of the mesh."""
     rows = reflection["vertex_inputs"]
-    if reflection["draw"]["expanded_by"] == "instances":
-        return any(row["mesh"]["corner"] is None for row in rows)
+    draw = reflection["draw"]
+    if "instances" in (draw["expanded_by"], (draw["tessellation"] or {}).get("divided_by")):
+        of_mesh = (row["mesh"] for row in rows)
+        return any(row["corner"] is None and not row["is_of_pattern"] for row in of_mesh)
     return any("instance_index" in read for read in reflection["pipeline_inputs"].values()) or any(
         row["step"] == "instance" for row in rows
     )

@@ -102,7 +102,7 @@ def set_up(
     scene.apply(instance, width / height)
     reflection = instance.reflection
     data = vertex_data(reflection, mesh)
-    drawn = as_drawn(reflection, data, mesh)
+    drawn = as_drawn(instance, data, mesh)
     cleared = (clear,) * len(reflection["targets"])
     return SceneState(
         width, height, drawn.attributes, drawn.corners, instance, cleared, drawn.instance_count

@@ -24,7 +24,10 @@ Check = Callable[[Sequence[Job], Toolbox], list[Verdict]]
 
 VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
 """The same text is compiled to SPIR-V and to DXIL, and DXIL has no use for ``[[vk::location]]``."""
-DXC_PROFILES = {"vert": "vs_6_0", "geom": "gs_6_0", "frag": "ps_6_0", "comp": "cs_6_0"}
+DXC_PROFILES = {
+    "vert": "vs_6_0", "tesc": "hs_6_0", "tese": "ds_6_0", "geom": "gs_6_0", "frag": "ps_6_0",
+    "comp": "cs_6_0",
+}  # fmt: skip
 MSL_DECLARATIONS = Path(__file__).parents[1] / "msl"
 """Apple's own compiler is not available here; its language has only ever been checked by clang."""
 MSL_ENTRIES = {

@@ -50,7 +50,7 @@ class Op(IntEnum):
     NO_LINE = 317
 
 
-EXECUTION_MODELS = {0: "vert", 3: "geom", 4: "frag", 5: "comp"}
+EXECUTION_MODELS = {0: "vert", 1: "tesc", 2: "tese", 3: "geom", 4: "frag", 5: "comp"}
 
 _SOURCE = frozenset({Op.SOURCE, Op.SOURCE_CONTINUED})
 _NOT_CODE = frozenset({Op.FUNCTION_PARAMETER, Op.LABEL, Op.LINE, Op.NO_LINE})

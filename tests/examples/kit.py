@@ -21,7 +21,10 @@ FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
 NEEDING: Mapping[str, str] = {
     "lanterns": "storage buffers at fragments",
+    "street": "storage buffers at fragments",
+    "clusters": "storage buffers at fragments",
     "cloth": "kernels over buffers",
+    "compaction": "kernels over buffers",
     "histogram": "kernels over buffers",
     "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",

@@ -220,10 +220,10 @@ def terms(writer: Writer, outside: Scope) -> Iterator[tuple[Signature, Node]]:
         yield Signature(name, ("rgb",), "rgb", needs), node
 
 
-def rig(writer: Writer, *, own: bool) -> Node:
-    """The lights that shine."""
+def rig(writer: Writer, *, own: bool, any_number: bool) -> Node:
+    """The lights that shine; a storage buffer has any number of them."""
     kinds = ["Directional", "Point", "Spot", "FocusedSpot"] + ["Own"] * (3 * own)
-    counts = ("", "", "[1]", "[2]", "[3]", "[<= 3]")
+    counts = ("", "", "[1]", "[2]", "[3]", "[<= 3]", *["[]"] * any_number)
     entries = []
     for number in range(writer.chance.randint(1, 3)):
         kind = writer.chance.choice(kinds)

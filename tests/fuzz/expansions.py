@@ -1,4 +1,4 @@
-"""Writes what the primitives of random materials turn into."""
+"""Writes what the primitives of random materials and passes turn into."""
 
 from __future__ import annotations
 
@@ -11,18 +11,23 @@ from .tree import Node, listed
 
 CORNERS = {"point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_adjacency": 6}
 SPREAD = variable("spread", "float")
-"""The slot that only an expansion sets."""
+"""The slot that only an expansion or a tessellation sets."""
 
 
-def expansion(writer: Writer, scope: Scope) -> Iterator[Node]:
-    """A slot of the expansion's own, and the expansion."""
+def expansion(writer: Writer, scope: Scope, *, layers: int = 0) -> Iterator[Node]:
+    """A slot of the expansion's own, and the expansion; in a pass, its targets may have layers."""
     primitive = writer.chance.choice([*CORNERS])
-    groups = [_strips(writer, scope, primitive) for _ in range(writer.chance.choice((1, 1, 2)))]
+    groups = [
+        _strips(writer, scope, primitive, layers) for _ in range(writer.chance.choice((1, 1, 2)))
+    ]
     yield Node("spread : float = 0.25", role="slot", name="spread")
+    if layers:
+        yield Node(f"layers of {layers}", role="layers")
+        yield Node("layer : int = 1", role="slot")
     yield listed(f"expand {primitive} {{{{ {{}} }}}}", groups, " ", "expansion")
 
 
-def _strips(writer: Writer, scope: Scope, primitive: str) -> Node:
+def _strips(writer: Writer, scope: Scope, primitive: str, layers: int) -> Node:
     """One group of strips, or of a list."""
     corners = CORNERS[primitive]
     shape, count = writer.chance.choice((("strip", 3), ("strip", 4), ("strip", 5), ("list", 6)))
@@ -50,6 +55,10 @@ def _strips(writer: Writer, scope: Scope, primitive: str) -> Node:
         if writer.maybe(0.6):
             value = writer.expression(type_, inside, FUEL // 4)
             equations.append(Node(f"{name} = {form}", (value,), role="emitted", optional=True))
+    if layers and writer.maybe(0.8):
+        # Some do not exist: the nearest one is meant.
+        numbers = ["int(primitive_index mod 4u) - 1", "2", *["s"] * (" for s " in head)]
+        equations.append(Node(f"layer = {writer.chance.choice(numbers)}", role="emitted"))
     body = listed("{}", equations, "  ", "equations")
     return Node(f"{head} {{{{ {{}} }}}}", (*parts, body), role="strips")
 

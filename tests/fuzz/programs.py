@@ -23,6 +23,7 @@ from .scope import (
     Signature,
     variable,
 )
+from .tessellations import tessellation
 from .textures import DEFAULTS, KINDS, SETTINGS, settings_of
 from .tree import Node, expression, listed
 
@@ -31,8 +32,6 @@ FORMATS = {
     "vec2": ("rg8", "rg16f", "rg32f"),
     "vec4": ("rgba8", "rgba8_srgb", "bgra8", "rgb10a2", "rgba16f", "rgba32f"),
 }
-CAPTURED = ("float", "vec2", "vec3", "vec4", "int", "uint", "ivec2", "uvec2")
-"""Some types of what can be captured."""
 BLENDS = ("none", "none", "add", "multiply")
 BLENDS_BY_ALPHA = ("alpha", "premultiplied")
 """How targets of four lanes are blended besides."""
@@ -107,8 +106,8 @@ class _Program:
             self.file.append(declarations.light(writer, callables, mixed=mixed))
         usable = (*callables, *(signature for signature, _ in terms))
         materials = list(self._materials(replace(outside, callables=usable)))
-        passes = [self._any_pass(usable)] if writer.maybe(0.3) else []
-        rigs = [declarations.rig(writer, own=own_light)]
+        passes = [self._pass(usable)] if writer.maybe(0.3) else []
+        rigs = [declarations.rig(writer, own=own_light, any_number=self.has_buffers)]
         imports = [Node(f"import {path}", optional=True) for path in dict.fromkeys(self.imports)]
         items = [*imports, *self.file, *materials, *passes, *rigs]
         if writer.maybe(0.1):
@@ -162,8 +161,9 @@ class _Program:
         items += self._overrides()
         items += self._places(scope)
         items += self._slots(scope, "s", most=3)[1]
-        if writer.maybe(0.12):
-            items += expansion(writer, scope)
+        if writer.maybe(0.2):
+            made = writer.chance.choice((expansion, expansion, tessellation))
+            items += made(writer, scope)
             scope = scope.having(SPREAD)
         below = scope.having(*_OWN)
         last_scope, slots = self._slots(below, "c", most=1)
@@ -281,31 +281,6 @@ class _Program:
 
     # --- passes ----------------------------------------------------------------------------------
 
-    def _any_pass(self, callables: tuple[Signature, ...]) -> Node:
-        """A pass that draws or, now and then, one that captures vertices."""
-        return self._capturing() if self.writer.maybe(0.15) else self._pass(callables)
-
-    def _capturing(self) -> Node:
-        """A pass that captures values of several types, of what every surface has at vertices."""
-        writer = self.writer
-        leaves = (
-            variable("vec3(position)", "vec3"), variable("vec3(normal)", "vec3"),
-            variable("uv", "vec2"), variable("vertex_index", "uint"),
-        )  # fmt: skip
-        scope = Scope(leaves, can=frozenset[str]())
-        items = []
-        for node, reference in declarations.parameters(writer, "r", 1):
-            items.append(node)
-            scope = scope.having(reference)
-        for number in range(writer.chance.randint(1, 4)):
-            type_ = writer.chance.choice(CAPTURED)
-            value = writer.expression(type_, scope, FUEL // 2)
-            if type_[0] in "fv":
-                value = self._tamed(value)
-            text = f"capture o{number} : {type_} = {{}}"
-            items.append(Node(text, (value,), role="capture", optional=number > 0))
-        return replace(listed("pass Drawn {{\n    {}\n}}", items, "\n    ", "pass"), optional=True)
-
     def _pass(self, callables: tuple[Signature, ...]) -> Node:
         """A pass with targets of several formats, blending and discarding."""
         writer = self.writer
@@ -315,6 +290,11 @@ class _Program:
         for node, reference in declarations.parameters(writer, "r", 1):
             items.append(node)
             scope = scope.having(reference)
+        if writer.maybe(0.2):
+            # What the color follows from cannot follow from the color.
+            before = replace(scope, leaves=scope.leaves[2:])
+            items += expansion(writer, before, layers=writer.chance.choice((0, 2, 3)))
+            scope = scope.having(SPREAD)
         for number in range(writer.chance.randint(0, 2)):
             type_ = writer.chance.choice([*FORMATS])
             value = self._tamed(writer.expression(type_, scope, FUEL // 2))

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.frontend import Frontend
-from burnish.compiler.passes.lower_expansion import lower_expansion
+from burnish.compiler.passes.lower_stages import lower_stages
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -25,4 +25,4 @@ def staged(source: str | Path, pass_: str | None = None) -> Staged:
     assert module is not None
     shaders = frontend.shaders(module, None, None, pass_)
     assert not report.failed, report.diagnostics
-    return stage(lower_expansion(shaders[0]), Options())
+    return stage(lower_stages(shaders[0]), Options())

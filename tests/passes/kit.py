@@ -18,7 +18,6 @@ from burnish.compiler.ir.node import Node, Roots, reachable
 from burnish.compiler.ir.operations import INPUT, builtin_of
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
-from burnish.compiler.ir.storage import element_stride
 from burnish.compiler.ir.types import (
     Array,
     Matrix,
@@ -30,17 +29,18 @@ from burnish.compiler.ir.types import (
     scalar_kind,
     width,
 )
+from burnish.compiler.packing import Packing, element_packing
 from burnish.compiler.passes import pipeline
 from burnish.compiler.passes.checkpoint import verified
 from burnish.compiler.passes.hoist import Derived
-from burnish.compiler.passes.lower_capture import lower_capture
-from burnish.compiler.passes.lower_expansion import lower_expansion
+from burnish.compiler.passes.lower_stages import lower_stages
 from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.reference.storage_buffers import BufferReader, Contents
 from burnish.compiler.reference.stored import stored
+from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 from burnish.stdlib.builtins.row import anything
@@ -73,7 +73,7 @@ def elaborated(
 
 def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
     """The same in the form that the other passes take."""
-    return [lower_capture(lower_expansion(found)) for found in elaborated(source, rig, pass_)]
+    return [lower_stages(found) for found in elaborated(source, rig, pass_)]
 
 
 def shader(source: str) -> Shader:
@@ -104,6 +104,22 @@ def history(given: Shader, options: Options | None = None) -> History:
 
 
 # --- values of leaves ----------------------------------------------------------------------------
+
+
+def _pack(data: bytearray, offset: int, packing: Packing, value: Any) -> None:
+    """Write a value to where a storage buffer has it."""
+    if packing.count is not None:
+        for number, element in enumerate(value):
+            place = offset + number * packing.stride
+            _pack(data, place, changed(packing, count=None), element)
+    elif packing.members:
+        for member, part in zip(packing.members, value, strict=True):
+            _pack(data, offset + member.offset, member.packing, part)
+    else:
+        kind = {"float": "f", "int": "i", "uint": "I"}[str(packing.kind)]
+        for number, column in enumerate(value if packing.columns > 1 else [value]):
+            place = offset + number * packing.column_stride
+            struct.pack_into(f"<{packing.lanes}{kind}", data, place, *column)
 
 
 ELEMENTS = 8
@@ -152,10 +168,13 @@ class World:
         return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
 
     def _contents(self, leaf: Buffer) -> Contents:
-        """A few elements, whose lanes are floats; as integers these are far out of bounds."""
-        chance = self._random(leaf.name)
-        lanes = ELEMENTS * element_stride(leaf.type.element) // 4
-        return Contents(struct.pack(f"<{lanes}f", *(chance.uniform(-2, 2) for _ in range(lanes))))
+        """A few elements, within what is declared of them."""
+        chance, packing = self._random(leaf.name), element_packing(leaf.type.element)
+        data = bytearray(ELEMENTS * packing.stride)
+        for number in range(ELEMENTS):
+            element = self._of(chance, leaf.type.element, leaf.fact, dict(leaf.member_facts))
+            _pack(data, number * packing.stride, packing, element)
+        return Contents(bytes(data))
 
     def _random(self, name: str) -> random.Random:
         return random.Random(f"{self.seed} {name}")

@@ -61,7 +61,7 @@ def test_each_primitive_of_each_instance_is_an_instance(primitive: str, last: in
     whole = with_inputs(material.reflection, mesh("cube"), 3)
     assert whole.instance_count == 3
     data = vertex_data(material.reflection, whole)
-    drawn = as_drawn(material.reflection, data, whole)
+    drawn = as_drawn(material.instance(), data, whole)
     corners = primitives(whole, primitive)
     count = len(corners)
     assert drawn.instance_count == 3 * count
@@ -84,7 +84,9 @@ def test_each_primitive_of_each_instance_is_an_instance(primitive: str, last: in
 
 
 def test_a_mesh_without_primitives_is_refused() -> None:
-    (material,) = burnish.compile("material M { expand point { strip of 3 {} } }", "wgsl").materials
+    (material,) = burnish.compile(
+        "material M { expand line { strip of 4 like corner[0] {} } }", "wgsl"
+    )
     empty = Mesh(SQUARE.channels, np.zeros((0, 3), np.int64))
-    with pytest.raises(MeshError, match="the mesh has no point to expand"):
-        as_drawn(material.reflection, {}, empty)
+    with pytest.raises(MeshError, match="the mesh has no line to expand"):
+        as_drawn(material.instance(), {}, empty)

@@ -133,7 +133,7 @@ def test_bytes_that_do_not_fit(api: str) -> None:
     wrong(api, Job(chosen, (draw, short)), "draw 1", "'paint'", "44", "48")
     wrong(api, Job(chosen, (replace(draw, vertices=draw.vertices[:1]),)), "vertex buffers")
     wrong(api, Job(chosen, (replace(draw, indices=kit.indices(0, 1, 3)),)), "index 3")
-    wrong(api, Job(chosen, (replace(draw, indices=kit.indices(0, 1)),)), "whole triangles")
+    wrong(api, Job(chosen, (replace(draw, indices=kit.indices(0, 1)),)), "whole primitives of 3")
     wrong(api, Job(chosen, (replace(draw, clear=()),)), "clear colours")
     block = kit.with_blocks(mesh(CORNERS, (-5, 3, 7), "<i4"), NUMBERS_DATA + bytes(16))
     wrong(api, Job(numbers(api), (block,)), "80", "64")

@@ -33,7 +33,7 @@ NOT_OF_A_SOURCE = {
     "tool_broke": "about a downstream compiler, in tests/toolchain",
     "tool_missing": "about a downstream compiler, in tests/toolchain",
 }
-ALSO = {"light_lacks_slot": {"B0201"}}
+ALSO = {"light_lacks_slot": {"B0201"}, "level_differs": {"B0201"}}
 """Codes that a rule's file shows for comparison."""
 
 UNMARKED = ("no_material", "too_many")

@@ -19,7 +19,7 @@ DELIVERS = "compiler/semantics/shading/elaborate.py"
 KNOB = (
     (GRAMMAR, "_member: param |", "_member: knob | param |"),
     (GRAMMAR, "\nsetting: name", '\nknob: "knob" name "=" expression\nsetting: name'),
-    (MEMBERS, "    Param | Map |", "    Knob | Param | Map |"),
+    (MEMBERS, "Param | Map |", "Knob | Param | Map |"),
     (
         MEMBERS,
         "\nMember =",
@@ -83,7 +83,7 @@ _LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
 MIXING = (
     (GRAMMAR, "_member: ", "_member: mixing | "),
     (GRAMMAR, "\nsetting: name", '\nmixing: "mixing" name\nsetting: name'),
-    (MEMBERS, "Member = ", "Member = Mixing | "),
+    (MEMBERS, "Param | Map |", "Mixing | Param | Map |"),
     (
         MEMBERS,
         "\nMember =",

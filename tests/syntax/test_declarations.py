@@ -197,18 +197,19 @@ def test_functions_and_terms() -> None:
 
 
 def test_rigs() -> None:
-    text = "rig R { a : A  b : B[<= 8], c : C[2]; d : D { inner = 10deg outer = 2rad } }"
+    text = "rig R { a : A  b : B[<= 8], c : C[2]; d : D { inner = 10deg outer = 2rad } e : E[] }"
     (rig,) = parsed(text).declarations
     assert isinstance(rig, ast.Rig)
     described = [
-        (e.name.text, e.light.text, e.count and show(e.count), e.at_most, len(e.overrides))
+        (e.name.text, e.light.text, e.count and show(e.count), e.number, len(e.overrides))
         for e in rig.entries
     ]
     assert described == [
-        ("a", "A", None, False, 0),
-        ("b", "B", "8", True, 0),
-        ("c", "C", "2", False, 0),
-        ("d", "D", None, False, 2),
+        ("a", "A", None, "one", 0),
+        ("b", "B", "8", "at_most", 0),
+        ("c", "C", "2", "exactly", 0),
+        ("d", "D", None, "one", 2),
+        ("e", "E", None, "any", 0),
     ]
 
 

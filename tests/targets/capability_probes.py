@@ -12,7 +12,7 @@ from typing import Any
 
 import burnish
 from burnish.compiled import CompiledMaterial
-from burnish.compiler.ir.stages import COMPUTE, GEOMETRY
+from burnish.compiler.ir.stages import COMPUTE, CONTROL, GEOMETRY
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,11 @@ class Probe:
 def has_geometry_stage(material: CompiledMaterial) -> bool:
     """Whether primitives are emitted by a stage of their own."""
     return GEOMETRY in {stage.row for stage in material.staged.program.stages}
+
+
+def has_tessellation_stages(material: CompiledMaterial) -> bool:
+    """Whether patches are divided by stages of their own."""
+    return CONTROL in {stage.row for stage in material.staged.program.stages}
 
 
 def has_no_kernel(material: CompiledMaterial) -> bool:
@@ -81,6 +86,16 @@ PROBES: Mapping[str, Probe] = {
         native={"native_stages": True},
         is_native=has_geometry_stage,
     ),
+    "tessellation": Probe(
+        """material M {
+        tessellate triangle by 3 as at {
+            position = inherited.position + at.x * at.y * inherited.normal
+        }
+        color = vec3(uv, 0)
+    }""",
+        native={"native_stages": True},
+        is_native=has_tessellation_stages,
+    ),
     "expansions with adjacency": Probe(
         EXPANSION.format("triangle_adjacency", step=2),
         native={"native_stages": True},
@@ -112,6 +127,7 @@ PROBES: Mapping[str, Probe] = {
     "kernels over buffers": Probe(
         "kernel K { param n : int in 0..300 = 200  result r : float[n] = float(index) * 0.5 }"
     ),
+    "scatter": Probe("kernel K { runs over 300  scatter bins : uint[8] add 1u at index mod 8 }"),
     "kernels over images": Probe(
         "kernel K { result i : image2d<rgba8>[ivec2(8, 8)] = vec4(vec2(texel), 0, 1) / 8 }",
         is_native=writes_images,

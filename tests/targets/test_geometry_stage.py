@@ -13,6 +13,7 @@ import pytest
 import burnish
 from burnish.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
+from burnish.compiler.ir.stages import STAGES
 from burnish.targets.toolchain import Job, Toolchain
 
 GOLDEN = Path(__file__).parent / "golden" / "geometry"
@@ -80,10 +81,10 @@ def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
 
 def refused(material: CompiledMaterial) -> list[str]:
     """What compilers say of the texts that they refuse."""
-    suffixes = {"vertex": "vert", "geometry": "geom", "fragment": "frag"}
     jobs = [
-        Job(checker, suffixes[file.stage], file.text, file.entry_points[file.stage], file.name)
+        Job(checker, STAGES[stage].suffix, file.text, entry, file.name)
         for file in material.files
+        for stage, entry in file.entry_points.items()
         for checker in file.checkers
     ]
     with Toolchain() as toolchain:
@@ -116,6 +117,7 @@ def test_the_reflection_says_that_the_stage_is_there() -> None:
     (material,) = burnish.compile(TENT, "glsl:vulkan", native_stages=True).materials
     assert material.reflection["draw"] == {
         "primitive": "triangle", "corners": 3, "expanded_by": "geometry", "vertices": 18,
+        "tessellation": None,
         "layers": None,
     }  # fmt: skip
     rows = material.reflection["vertex_inputs"]

@@ -121,19 +121,22 @@ def _edge_of_triangle(edge: int, steps: Steps, ring: int, off: int) -> list[Plac
 def _row_of_squares(left: Row, below: Row, right: Row, above: Row) -> list[Triangle]:
     """The middle of a square, where one pair of rows faces each other with a single step between.
 
-    A row along v is cut in the other direction, but for the square in its middle.
+    A row along v is cut in the other direction, but for the square in its middle, and begins at its
+    end.
     """
     lies = len(below) > len(left)
     lower, upper = (below, above[::-1]) if lies else (left[::-1], right)
     squares, found = len(lower) - 1, list[Triangle]()
-    for i in range(squares):
+    for i in range(squares) if lies else reversed(range(squares)):
         a, b, c, d = lower[i], lower[i + 1], upper[i + 1], upper[i]
         if lies:
-            found += [(d, b, c), (d, a, b)]
+            found += [(d, a, b), (d, b, c)]
         elif 2 * i + 1 == squares:
-            found += [(a, d, b), (d, c, b)]
+            found += [(b, d, c), (b, a, d)]
+        elif squares % 2 == 1:
+            found += [(b, a, c), (c, a, d)]
         else:
-            found += [(a, d, c), (a, c, b)]
+            found += [(c, b, a), (c, a, d)]
     return found
 
 

@@ -1,7 +1,8 @@
 """Fills the space between two rows of points of a patch with triangles.
 
 Rows are lists of the points' numbers, and all go round the patch in the same direction.
-``patterns.py`` calls this for every side of a patch.
+``patterns.py`` calls this for every side of a patch. The point that a triangle begins with is
+prescribed, too: what is not interpolated is as it is there.
 """
 
 from __future__ import annotations
@@ -47,7 +48,8 @@ def between_levels(outer: Row, inner: Row, edge: Steps, inside: Steps) -> Iterat
     if inside.is_odd:
         yield walk.along_inner()
     if edge.is_odd:
-        yield walk.along_outer()
+        a, b, c = walk.along_outer()
+        yield c, a, b
     for rank in reversed(_RANKS):
         if rank < edge.between:
             yield walk.along_outer()
@@ -67,10 +69,12 @@ def between_rings(outer: Row, inner: Row) -> Iterator[Triangle]:
     squares = len(inner) - 1
     for number in range(squares):
         if 2 * number + 1 <= squares:
-            yield walk.along_inner()
+            a, b, c = walk.along_inner()
+            yield b, c, a
             yield walk.along_outer()
         else:
-            yield walk.along_outer()
+            a, b, c = walk.along_outer()
+            yield c, a, b
             yield walk.along_inner()
     yield walk.along_outer()
 

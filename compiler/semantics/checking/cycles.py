@@ -34,8 +34,8 @@ def is_cycle(ctx: Context, key: Hashable, name: str, span: Span) -> bool:
 
 def _is_overridden(instance: Instance, name: str) -> bool:
     """Whether there is another definition behind that of a slot: of a base, or, if a pass, the
-    entry of a rig or an expansion has overridden it, of the record itself."""
+    entry of a rig, an expansion or a tessellation has overridden it, of the record itself."""
     replacement = instance.replaced.get(name)
-    if replacement is not None and (replacement.emitted or replacement.definition is not None):
+    if replacement is not None and (replacement.made or replacement.definition is not None):
         return True
     return len(instance.record.definitions.get(name, ())) > 1

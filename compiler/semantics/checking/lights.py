@@ -16,7 +16,7 @@ from ...ir import build
 from ...ir.binding import close
 from ...ir.leaves import Parameter
 from ...ir.node import Formal, Node
-from ...ir.types import INT, Array, Scalar, Struct, Vector, scalar_kind
+from ...ir.types import INT, Scalar, Struct, Vector, scalar_kind
 from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.fitting import fit
@@ -183,6 +183,11 @@ def _twin(ctx: Context, entry: RigEntry, surface: Instance) -> Twin:
 def _new_instance(
     ctx: Context, entry: RigEntry, surface: Instance
 ) -> tuple[Instance, Formal | None]:
+    if entry.kind == "buffer":
+        (buffer,) = entry.buffers
+        return _element(ctx, entry, surface, ctx.tree.node("buffer", buffer.type, (), buffer))
+    if entry.kind == "array":
+        return _element(ctx, entry, surface, _parameter(ctx, entry.parameters[0]))
     resources = {
         resource.name.removeprefix(f"{entry.name}."): ctx.tree.node(
             "resource", resource.type, (), resource
@@ -197,21 +202,27 @@ def _new_instance(
         resources=resources, replaced=dict(entry.replaced),
     )  # fmt: skip
     check_overrides(ctx, instance)
-    if entry.kind == "single":
-        instance.parameters = {
-            parameter.name.removeprefix(f"{entry.name}."): _parameter(ctx, parameter)
-            for parameter in entry.parameters
-        }
-        return instance, None
-    formal = Formal("i")
-    (array,) = entry.parameters
-    element = build.index(
-        ctx.tree, _parameter(ctx, array), ctx.tree.node("formal", INT, (), formal)
-    )
-    assert isinstance(array.type, Array) and isinstance(array.type.element, Struct)
     instance.parameters = {
-        name: build.member(ctx.tree, element, name) for name, _ in array.type.element.members
+        parameter.name.removeprefix(f"{entry.name}."): _parameter(ctx, parameter)
+        for parameter in entry.parameters
     }
+    return instance, None
+
+
+def _element(
+    ctx: Context, entry: RigEntry, surface: Instance, lights: Node
+) -> tuple[Instance, Formal]:
+    """One of several lights, which are elements of an array or of a storage buffer."""
+    formal = Formal("i")
+    element = build.index(ctx.tree, lights, ctx.tree.node("formal", INT, (), formal))
+    assert isinstance(element.type, Struct)
+    instance = Instance(
+        entry.record, entry.short_name, surface, replaced=dict(entry.replaced),
+        parameters={
+            name: build.member(ctx.tree, element, name) for name, _ in element.type.members
+        },
+    )  # fmt: skip
+    check_overrides(ctx, instance)
     return instance, formal
 
 

@@ -20,7 +20,7 @@ from ..declarations.written_types import declared_type
 from ..hints import advice
 from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.crossings import EXPANDED_INPUTS, INPUTS, KERNEL_INPUTS
+from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import FAILURE, Application, Inherited, Scope, Value
 from .bodies import part_value
@@ -50,10 +50,10 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
     row = KERNEL_INPUTS.get(name)
     if row is not None and ctx.extent is not None and row.type == ctx.extent.type:
         return ctx.tree.node("input", row.type, (), row)
-    corner = None if scope.surface is None else scope.surface.corner
-    inputs = INPUTS if corner is None else EXPANDED_INPUTS
-    if name in inputs and scope.surface is not None:
-        return ctx.crossings.supplied(inputs[name], corner)
+    surface = scope.surface
+    inputs = INPUTS if surface is None or surface.made is None else surface.made.inputs
+    if name in inputs and surface is not None:
+        return ctx.crossings.supplied(inputs[name], surface.origin)
     unknown_name(ctx, name, span, scope)
     return FAILURE
 

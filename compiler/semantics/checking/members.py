@@ -42,8 +42,8 @@ def member_of(ctx: Context, value: Value, e: ast.Field) -> Value:
             return slots.light_slot(ctx, value, name)
         case Corner():
             return slots.corner_slot(ctx, value, name.text, name.span)
-        case Corners():
-            ctx.report.add(rules.WHICH_CORNER, e.span, name=name.text)
+        case Corners(word):
+            ctx.report.add(rules.WHICH_CORNER, e.span, name=name.text, what=word)
             return FAILURE
         case Inherited(instance, level):
             return slots.inherited(ctx, instance, level, name)

@@ -6,12 +6,11 @@ from functools import partial
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.node import Formal, Node, bare
 from ...ir.stages import GROUP
-from ...ir.types import BOOL, INT, Opaque, RuntimeArray, Texture
+from ...ir.types import BOOL, INT, Opaque, Texture
 from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.assignments import assigned
@@ -20,19 +19,20 @@ from ..declarations.written_types import declared_type
 from ..inheritance.records import Definition, Record, is_abstract
 from ..state.context import Context, Twin
 from ..state.evaluation import Demand, plain, settle
+from ..state.origins import OneCorner
 from ..state.scope import (
     FAILURE,
     OUTERMOST,
     Corner,
-    ExpandedSlots,
     Failure,
     Instance,
     LightVariable,
+    MadeSlots,
     Scope,
     Value,
 )
 from ..types.coercion import coerce, is_adaptable
-from ..types.typenames import Declared
+from .abstract_slots import way_to_set
 from .cycles import is_cycle
 from .unknown_names import unknown
 
@@ -82,8 +82,8 @@ def slot(
     replacement = instance.replaced.get(name) if level == OUTERMOST else None
     if replacement is None:
         _settle_own(ctx, instance, name, span, level)
-    elif replacement.emitted:
-        _settle_emitted(ctx, instance, name, span)
+    elif replacement.made:
+        _settle_made(ctx, instance, name, span)
     elif replacement.definition is None:
         assert replacement.value is not None
         _keep(ctx, instance, name, level, replacement.value)
@@ -110,12 +110,13 @@ def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: 
         _settle_equation(ctx, instance, name, span, level, definition, instance)
 
 
-def _settle_emitted(ctx: Context, instance: Instance, name: str, span: Span) -> None:
-    """Compute what an expansion makes of a slot: each group of strips may say something else."""
-    assert instance.expanded is not None
+def _settle_made(ctx: Context, instance: Instance, name: str, span: Span) -> None:
+    """Compute what a slot is at the vertices that are made of a mesh's: each group of strips of an
+    expansion may say something else."""
+    assert instance.made is not None
     found = [
-        _in_group(ctx, instance, instance.expanded, number, name, span)
-        for number in range(len(instance.expanded.groups))
+        _in_group(ctx, instance, instance.made, number, name, span)
+        for number in range(len(instance.made.groups))
     ]
     values = [value for value in found if isinstance(value, Node)]
     chosen = _by_group(ctx, values, span) if len(values) == len(found) else FAILURE
@@ -124,32 +125,32 @@ def _settle_emitted(ctx: Context, instance: Instance, name: str, span: Span) -> 
 
 
 def _in_group(
-    ctx: Context, instance: Instance, slots: ExpandedSlots, number: int, name: str, span: Span
+    ctx: Context, instance: Instance, slots: MadeSlots, number: int, name: str, span: Span
 ) -> Node | Failure:
-    """What a slot is at the vertices that one group of strips emits."""
+    """What a slot is at the vertices of one group."""
     group = slots.groups[number]
     written = group.equations.get(name)
     if written is None or written.value is None:
-        assert slots.corner is not None
-        return corner_slot(ctx, Corner(slots, slots.base_of(instance), slots.corner), name, span)
+        assert isinstance(slots.origin, OneCorner)
+        return corner_slot(ctx, corner_like(slots.base_of(instance), slots.origin), name, span)
     if (number, name) not in slots.values:
         key = instance, slots, number, name
         if is_cycle(ctx, key, name, span):
             return FAILURE
-        finish = partial(_finish_emitted, ctx, instance, slots, number, written)
+        finish = partial(_finish_made, ctx, instance, slots, number, written)
         settle(ctx, Demand(key, name, span, written.value, group.scope, finish))
     return slots.values[number, name]
 
 
-def _finish_emitted(
+def _finish_made(
     ctx: Context,
     instance: Instance,
-    slots: ExpandedSlots,
+    slots: MadeSlots,
     number: int,
     equation: ast.Slot,
     value: Value,
 ) -> None:
-    """Keep what a group of strips says of a slot, as a value of the slot's type."""
+    """Keep what a group says of a slot, as a value of the slot's type."""
     written, name, scope = equation.value, equation.name.text, slots.groups[number].scope
     assert written is not None
     node = plain(ctx, value, written)
@@ -176,8 +177,13 @@ def _by_group(ctx: Context, values: list[Node], span: Span) -> Node:
     return chosen
 
 
+def corner_like(instance: Instance, origin: OneCorner) -> Corner:
+    """The corner that an emitted vertex is like where nothing is said of it."""
+    return Corner(instance, origin.number, origin.crossing)
+
+
 def corner_slot(ctx: Context, corner: Corner, name: str, span: Span) -> Node | Failure:
-    """``corner[k].name``: the slot as it is without the expansion, at one vertex of the mesh."""
+    """``corner[k].name``: the slot as it is at one vertex of the mesh."""
     holder = corner.instance
     if holder.surface is not None and not holder.has(name) and holder.surface.has(name):
         holder = holder.surface
@@ -186,9 +192,9 @@ def corner_slot(ctx: Context, corner: Corner, name: str, span: Span) -> Node | F
         value = ctx.crossings.checked_at_vertex(value, span)
     if not isinstance(value, Node):
         return FAILURE
-    return (
-        value if isinstance(value.type, Texture) else ctx.crossings.at_corner(value, corner.number)
-    )
+    if isinstance(value.type, Texture):
+        return value
+    return ctx.crossings.at_corner(value, corner.number, corner.crossing)
 
 
 def _settle_given(
@@ -289,36 +295,8 @@ def _report_abstract(ctx: Context, instance: Instance, definition: Definition, s
         rules.ABSTRACT_SLOT, record.symbol.declaration.name.span if outermost else span,
         name=name.text, record=record.name,
         labels=[Label(name.span, "declared here without a value")],
-        hint=_setting(instance, definition, declared),
+        hint=way_to_set(instance, definition, declared),
     )  # fmt: skip
-
-
-def _setting(instance: Instance, definition: Definition, declared: Declared) -> str:
-    """How an abstract slot is set, or what else was meant by declaring it."""
-    member, record = definition.member, instance.record
-    name, owner = member.name.text, definition.owner
-    declaration = record.symbol.declaration
-    assert isinstance(declaration, ast.Record | ast.Mixin)
-    kind = declaration.kind
-    if isinstance(declared.type, Texture):
-        return f"declare a texture with `map {name} : {declared.text}`"
-    if isinstance(declared.type, RuntimeArray):
-        return f"declare a buffer with `buffer {name} : {declared.text}`"
-    if record.definitions[name][0] is not definition:
-        return f"`inherited.{name}` has no value, so nothing can be computed from it"
-    is_own, surface = owner is record.symbol, instance.surface
-    is_here = is_own or isinstance(owner.declaration, ast.Mixin)
-    if is_here and surface is not None and surface.has(name):
-        return f"leave it out: a {kind} reads `{name}` of a material without declaring it"
-    if is_own:
-        value = f"give it a value, `{name} : {declared.text} = …`"
-        return f"{value}, or let others extend it: `abstract {kind} {record.name}`"
-    own = (n for n, found in record.definitions.items() if found[-1].owner is record.symbol)
-    slip = nearest(name, own)
-    if slip is not None:
-        return f"`{slip}` is declared in `{record.name}`: did you mean `{name}`?"
-    about = f": {member.doc}" if member.doc else ""
-    return f"add `{name} = …` to `{record.name}`{about}"
 
 
 def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Failure:
@@ -331,7 +309,7 @@ def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Fa
             return instance.resources.get(name, FAILURE)
         case _:
             read = instance.attributes.get(name)
-            return FAILURE if read is None else ctx.crossings.attribute(read, instance.corner)
+            return FAILURE if read is None else ctx.crossings.attribute(read, instance.origin)
 
 
 def _typing(instance: Instance, name: str) -> Record:
@@ -352,6 +330,8 @@ def _note(ctx: Context, instance: Instance, name: str, level: int, node: Node) -
         return
     overridden = given is not None or own is not instance.record.definitions[name][0]
     is_inherited = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
+    made = instance.made
+    is_inherited = is_inherited or (made is not None and made.is_set_behind(instance, name))
     shown = f"{instance.prefix}_{name}" if instance.prefix else name
     crossing = bare(node)
     for named in (node, *crossing.operands) if crossing.op == "cross" else (node,):

@@ -37,6 +37,22 @@ def buffer_of(ctx: Context, definition: Definition, name: str, group: str) -> Bu
     return BufferInfo(buffer, element_info(element, span), count, member.doc, span)
 
 
+def light_buffer(name: str, array: ParameterInfo, light: str, span: Span, doc: str) -> BufferInfo:
+    """Any number of lights of one type; ``array`` has one of them as its element."""
+    one = array.parameter
+    assert isinstance(one.type, Array)
+    buffer = Buffer(
+        name, RuntimeArray(one.type.element), one.group, member_facts=one.member_facts,
+        meaning=one.meaning,
+    )  # fmt: skip
+    element = Parameter("", one.type.element, "", one.fact, one.member_facts, meaning=one.meaning)
+    limits = (0.0, buffer.count.fact.hi)
+    count = ParameterInfo(buffer.count, "int", limits, 0, f"How many of `{name}` shine", span)
+    return BufferInfo(
+        buffer, ParameterInfo(element, light, None, None, "", span, array.members), count, doc, span
+    )
+
+
 def _report_type(ctx: Context, member: ast.Buffer, declared: Declared) -> None:
     """A buffer's length is not part of its type."""
     span, text = member.type.span, declared.text

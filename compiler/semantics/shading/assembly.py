@@ -25,6 +25,7 @@ from .host_names import Entry, names_taken
 from .instances import instance_of
 from .placeholders import stand_in
 from .rigs import entries_of
+from .tessellating import tessellated
 
 
 @frozen
@@ -66,7 +67,7 @@ def set_up_beside(setting: Setting, parts: Parts) -> Setting:
     if parts == setting.parts:
         return setting
     same = parts.material == setting.parts.material and not setting.surface.replaced
-    is_known = same and setting.surface.expanded is None
+    is_known = same and setting.surface.made is None
     leaves, known = _leaves(setting.ctx, parts), setting.surface if is_known else None
     return _put_together(setting.ctx, parts, leaves, setting.entries, known)
 
@@ -102,26 +103,35 @@ def _put_together(
         if is_declared_abstract(instance.record):
             stand_in(ctx, instance)
     if not reused:
-        surface = expanded(ctx, surface, passing)
+        surface = with_made_vertices(ctx, surface, passing)
         ctx.twins[surface] = lambda: (twin().ctx, twin().surface)
-        if surface.expanded is not None:
-            for instance in filter(None, (surface.expanded.base, surface.expanded.passing)):
-                ctx.twins[instance] = partial(_base_in, twin, instance)
+        for number, part in enumerate(_parts(surface)):
+            ctx.twins[part] = partial(_part_in, twin, number)
     passing.surface = surface
     ctx.twins[passing] = lambda: (twin().ctx, twin().passing)
     return Setting(ctx, parts, entries, leaves, surface, passing)
 
 
-def unexpanded(instance: Instance) -> Instance:
-    """A surface or a pass as it is without an expansion."""
-    return instance if instance.expanded is None else instance.expanded.base_of(instance)
+def with_made_vertices(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
+    """The surface with the vertices that an expansion or a tessellation makes; there is no pass
+    where a mixin is checked alone."""
+    divided = tessellated(ctx, surface, passing)
+    return expanded(ctx, surface, passing) if divided is surface else divided
 
 
-def _base_in(twin: Callable[[], Setting], instance: Instance) -> Twin:
-    """Where the types are asked for of what an instance without its expansion overrides."""
+def at_mesh(instance: Instance) -> Instance:
+    """A surface or a pass as it is at the mesh's own vertices."""
+    return instance if instance.made is None else instance.made.base_of(instance)
+
+
+def _parts(surface: Instance) -> tuple[Instance, ...]:
+    return () if surface.made is None else surface.made.parts
+
+
+def _part_in(twin: Callable[[], Setting], number: int) -> Twin:
+    """Where the types are asked for of what a part of a surface with other vertices overrides."""
     setting = twin()
-    found = setting.surface if instance.surface is None else setting.passing
-    return setting.ctx, unexpanded(found)
+    return setting.ctx, _parts(setting.surface)[number]
 
 
 def _twin(ctx: Context, parts: Parts) -> Setting:

@@ -12,7 +12,7 @@ from ...diagnostics.diagnostic import Label
 from ...ir.capture import Capture, laid_out
 from ...ir.node import Node
 from ...ir.shader import Result
-from ...ir.stages import CAPTURE, GEOMETRY, VERTEX
+from ...ir.stages import CAPTURE, VERTEX
 from ...ir.types import Scalar, Vector, scalar_kind, width
 from ...syntax import ast
 from ..declarations.contracts import as_declared
@@ -53,8 +53,8 @@ def captures_of(ctx: Context, passing: Instance) -> Iterator[Result]:
     for member, owner, level in written:
         value = _value(ctx, passing, member, owner, level)
         if value is not None:
-            is_expanded = passing.surface is not None and passing.surface.expanded is not None
-            stage, name = GEOMETRY if is_expanded else VERTEX, member.name.text
+            surface, name = passing.surface, member.name.text
+            stage = VERTEX if surface is None else surface.vertex_stage
             ctx.notes.names.setdefault(value.id, name)
             yield Result(CAPTURE, stage, value, name, member.doc)
             count += width(value.type)

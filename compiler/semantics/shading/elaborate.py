@@ -10,15 +10,9 @@ from ...ir.node import Node
 from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
 from ...ir.stages import (
     CAPTURE,
-    CAPTURED,
-    CAPTURED_EXPANDED,
     CLIP_POSITION,
     DISCARD,
-    EMITTING,
-    EXPANDED,
     FRAGMENT,
-    GEOMETRY,
-    RASTERISED,
     TARGET,
     VERTEX,
     Chain,
@@ -56,7 +50,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     parts, externs = setting.parts, ctx.externs
     found = (
         *_clip_position(ctx, passing, surface),
-        *_emitting(ctx, passing, surface),
+        *_made(ctx, passing, surface),
         *written_results(ctx, passing),
     )
     check_slots(ctx, surface, passing)
@@ -93,6 +87,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
+    made = setting.surface.made
     leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
     everything = (*leaves, *lights)
     values, graph, notes = lowered(ctx, [result.value for result in results])
@@ -109,7 +104,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
         chain=_chain(setting),
-        expansion=None if setting.surface.expanded is None else setting.surface.expanded.expansion,
+        expansion=None if made is None else made.expansion,
+        tessellation=None if made is None else made.tessellation,
         capture=capture_of(setting.passing.record, results),
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
     )
@@ -121,10 +117,10 @@ def delivers_vertices(results: Iterable[Result]) -> bool:
 
 
 def _chain(setting: Setting) -> Chain:
-    is_expanded = setting.surface.expanded is not None
-    if captures(setting.passing.record):
-        return CAPTURED_EXPANDED if is_expanded else CAPTURED
-    return EXPANDED if is_expanded else RASTERISED
+    """The stages up to the vertices, and that of the fragments where any are drawn."""
+    made = setting.surface.made
+    before = (VERTEX, *(() if made is None else made.stages))
+    return before if captures(setting.passing.record) else (*before, FRAGMENT)
 
 
 def _all_parameters(
@@ -156,16 +152,16 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
     node = fit(ctx, slot(ctx, holder, CLIP_POSITION, declared), VEC4, "vec4", span)
     placed = node if isinstance(node, Failure) else ctx.crossings.checked_at_vertex(node, span)
     if isinstance(placed, Node):
-        yield Result(CLIP_POSITION, VERTEX if surface.expanded is None else GEOMETRY, placed)
+        yield Result(CLIP_POSITION, surface.vertex_stage, placed)
 
 
-def _emitting(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
-    """Which strips an expansion emits."""
-    if surface.expanded is None:
+def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
+    """What the stages deliver that make vertices, besides these."""
+    made = surface.made
+    if made is None:
         return
-    for emitted in surface.expanded.emitting:
-        yield Result(EMITTING, GEOMETRY, emitted)
-    expansion = surface.expanded.expansion
+    yield from made.results
+    expansion = made.expansion
     if expansion is not None and expansion.emits == "point" and not captures(passing.record):
         ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
 

@@ -11,35 +11,48 @@ from collections.abc import Iterable, Iterator
 from ....frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import substitute
 from ...ir.domains import MixedDomainsError
 from ...ir.expansion import CORNERS, EmittedStrips, Expansion
 from ...ir.node import Node
-from ...ir.stages import EMITTED, GROUP, PRIMITIVE_INDEX, STRIP, STRIP_VERTEX, SystemInput
+from ...ir.shader import Result
+from ...ir.stages import (
+    CORNER,
+    EMITTED,
+    EMITTING,
+    GEOMETRY,
+    GROUP,
+    PRIMITIVE_INDEX,
+    STRIP,
+    STRIP_VERTEX,
+    SystemInput,
+)
 from ...ir.types import BOOL, INT, Type
 from ...syntax import ast
 from ..checking.corners import numbered
+from ..checking.slots import corner_like
 from ..checking.turns import bounds_of, turns_of
 from ..checking.unknown_names import unknown
 from ..declarations.fitting import fit, typed
 from ..names.modules import Symbol
 from ..state.context import Context
+from ..state.crossings import INPUTS
 from ..state.evaluation import node_of
+from ..state.origins import OneCorner
 from ..state.scope import (
     FAILURE,
     OUTERMOST,
     Corner,
     Corners,
-    ExpandedSlots,
     Failure,
     Instance,
-    Replacement,
+    MadeGroup,
+    MadeSlots,
     Scope,
-    StripGroup,
     Value,
 )
+from .made import apart, by_vertices, slots_set
 
 MOST_VERTICES = 4096
 """So many vertices may come of one primitive."""
@@ -104,9 +117,15 @@ class _Expanding:
         self._surface = surface
         self._passing = passing
         self._is_of_pass = holder is passing
-        base, own = _apart(surface, passing)
+        base, own = apart(surface, passing)
         self._base = base
-        self._slots = ExpandedSlots(base, own, CORNERS[member.primitive.text])
+        self._slots = MadeSlots(
+            base,
+            own,
+            CORNERS[member.primitive.text],
+            (GEOMETRY,),
+            {**INPUTS, PRIMITIVE_INDEX.name: PRIMITIVE_INDEX},
+        )
         self._below = own if self._is_of_pass and own is not None else base
         """The one that has the member as it is at the mesh's own vertices."""
 
@@ -118,17 +137,17 @@ class _Expanding:
         emitting = [group.emitted for group in groups if isinstance(group.emitted, Node)]
         corners = [group.corner for group in groups if isinstance(group.corner, Node)]
         made = self._made(list(self._set()))
-        slots.corner = self._by_group(corners or [self._number(0)])
-        inherited = {"inherited": Corner(slots, self._below, slots.corner)}
+        slots.origin = OneCorner(self._by_group(corners or [self._number(0)]))
+        inherited = {"inherited": corner_like(self._below, slots.origin)}
         slots.groups = tuple(
-            StripGroup(
+            MadeGroup(
                 {equation.name.text: equation for equation in strips.equations},
                 self._scope(self._holder(made), {**group.names, **inherited}),
             )
             for strips, group in zip(self._member.strips, groups, strict=True)
         )
         if len(whole) == len(emitting) == len(corners) == len(groups) and self._fits(whole):
-            slots.emitting = tuple(emitting)
+            slots.results = tuple(Result(EMITTING, GEOMETRY, value) for value in emitting)
             slots.expansion = Expansion(
                 self._member.primitive.text, tuple(whole), self._member.primitive.span
             )
@@ -146,11 +165,11 @@ class _Expanding:
             # What the pass overrides is one slot of both.
             if not is_own or name in base.replaced:
                 of_surface.append(name)
-        made = changed(self._surface, expanded=self._slots).with_replaced(_emitted(of_surface))
+        made = changed(self._surface, made=self._slots).with_replaced(by_vertices(of_surface))
         if passing is not None:
-            passing.expanded = self._slots
+            passing.made = self._slots
             passing.surface = made
-            passing.replaced.update(_emitted(of_pass))
+            passing.replaced.update(by_vertices(of_pass))
             for name in of_pass:
                 passing.values.pop((name, OUTERMOST), None)
         return made
@@ -176,20 +195,8 @@ class _Expanding:
 
     def _set(self) -> Iterator[str]:
         """The slots that some group sets; reported where there is none of that name."""
-        record = self._below.record
         for strips in self._member.strips:
-            seen: dict[str, Span] = {}
-            for equation in strips.equations:
-                name, span = equation.name.text, equation.name.span
-                if name in seen:
-                    label = Label(seen[name], "first defined here")
-                    self._ctx.report.add(rules.DUPLICATE_NAME, span, name=name, labels=[label])
-                elif not self._below.has(name) and not self._base.has(name):
-                    known = {**self._base.record.definitions, **record.definitions}
-                    unknown(self._ctx, f"slot of `{record.name}`", name, span, known)
-                else:
-                    yield name
-                seen.setdefault(name, span)
+            yield from slots_set(self._ctx, self._below, strips.equations)
 
     def _group(self, written: ast.Strips) -> _Group:
         ctx = self._ctx
@@ -257,8 +264,7 @@ class _Expanding:
         """The corner that a vertex is like where nothing else is said of it."""
         if written.like is not None:
             number = self._of_strips(written.like, names, INT, "int")
-            corners = Corners(self._slots, self._below)
-            corner = numbered(self._ctx, corners, number, written.like.span)
+            corner = numbered(self._ctx, self._corners, number, written.like.span)
             return corner.number if isinstance(corner, Corner) else FAILURE
         if self._slots.corners == 1:
             return self._number(0)
@@ -294,9 +300,12 @@ class _Expanding:
 
     def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
         surface = instance.surface or instance
-        corners = Corners(self._slots, self._below)
-        known = {"material": surface, "corner": corners, **names}
+        known = {"material": surface, "corner": self._corners, **names}
         return Scope(self._owner.module, instance, self._level, surface, known)
+
+    @property
+    def _corners(self) -> Corners:
+        return Corners("corner", self._below, tuple(range(self._slots.corners)), CORNER)
 
     def _input(self, row: SystemInput) -> Node:
         return self._ctx.tree.node("input", row.type, (), row)
@@ -312,22 +321,3 @@ class _Expanding:
                 is_this = tree.node("call", BOOL, (self._input(GROUP), self._number(number)), "eq")
                 chosen = tree.node("select", INT, (is_this, value, chosen))
         return chosen
-
-
-def _emitted(names: Iterable[str]) -> dict[str, Replacement]:
-    return {name: Replacement(emitted=True) for name in names}
-
-
-def _apart(surface: Instance, passing: Instance | None) -> tuple[Instance, Instance | None]:
-    """The surface with a pass of its own, so that what the pass overrides reads this surface."""
-    replaced = dict(surface.replaced)
-    base = changed(surface, replaced=replaced)
-    if passing is None:
-        return base, None
-    own = changed(
-        passing, surface=base, replaced=dict(passing.replaced), values=dict(passing.values)
-    )
-    for name, given in surface.replaced.items():
-        if given.within is passing:
-            replaced[name] = changed(given, within=own)
-    return base, own

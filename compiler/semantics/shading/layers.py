@@ -51,7 +51,7 @@ def layer_of(ctx: Context, passing: Instance, count: int) -> Iterator[Result]:
     if surface is None or not count:
         return
     holder = passing if passing.has(LAYER) else surface
-    if surface.expanded is None or not holder.has(LAYER):
+    if surface.vertex_stage != GEOMETRY or not holder.has(LAYER):
         if not drawn.baseless and not is_declared_abstract(drawn):
             member, _owner, _level = next(iter(drawn.every(ast.Layers)))
             ctx.report.add(rules.NO_LAYER, member.span, name=drawn.name)

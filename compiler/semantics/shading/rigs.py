@@ -8,6 +8,8 @@ from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...syntax import ast
+from ..checking.turns import LONGEST
+from ..declarations.buffers import light_buffer
 from ..declarations.parameters import (
     DEFAULT_GROUPS,
     Leaves,
@@ -84,7 +86,7 @@ def _light(ctx: Context, rig: Symbol, name: ast.Name) -> Record | None:
 def light_entry(ctx: Context, light: Record) -> Entry | None:
     """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
     name = light.symbol.declaration.name
-    written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
+    written = ast.RigEntry(name.span, "", name, name, None, "one", ())
     return _entry(ctx, light.symbol, written, light, name.text)
 
 
@@ -97,23 +99,31 @@ def _entry(
     infos = tuple(changed(info, light=name) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)
     buffers = tuple(info.buffer for info in leaves.buffers)
-    if written.count is None:
+    if written.number == "one":
         parameters = tuple(info.parameter for info in leaves.parameters)
         entry = RigEntry(
             name, written.name.span, record, "single", parameters, resources, buffers,
             replaced=replaced,
         )  # fmt: skip
         return entry, changed(leaves, parameters=infos)
-    bound = count_of(ctx, written.count, rig.module)
+    bound = LONGEST if written.count is None else count_of(ctx, written.count, rig.module)
     if bound is None:
         return None
     if leaves.resources or leaves.buffers or not leaves.parameters:
         ctx.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
         return None
     group = DEFAULT_GROUPS["light"]
+    if written.number == "any":
+        one = as_array(ctx, name, record.name, leaves.parameters, 1, group)
+        info = light_buffer(name, one, record.name, written.name.span, written.doc)
+        entry = RigEntry(
+            name, written.name.span, record, "buffer", (), (), (info.buffer,), bound,
+            info.buffer.count, replaced,
+        )  # fmt: skip
+        return entry, Leaves(buffers=(info,))
     array = as_array(ctx, name, record.name, leaves.parameters, bound, group)
     array = changed(array, span=written.name.span, light=name)
-    count = count_parameter(name, bound, group, array) if written.at_most else None
+    count = count_parameter(name, bound, group, array) if written.number == "at_most" else None
     entry = RigEntry(
         name, written.name.span, record, "array", (array.parameter,), (), (), bound,
         count.parameter if count is not None else None, replaced,

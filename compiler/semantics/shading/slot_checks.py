@@ -16,10 +16,9 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
     for instance in (surface, passing):
-        if instance.expanded is not None:
-            base = instance.expanded.base_of(instance)
-            read |= {name for name, _ in base.values}
-            check_overridden(ctx, base, instance)
+        if instance.made is not None:
+            read |= {name for part in instance.made.parts for name, _ in part.values}
+            check_overridden(ctx, instance.made.base_of(instance), instance)
         check_instance(ctx, instance)
     known, root = surface.record.definitions, surface.record.root
     inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]
@@ -29,10 +28,10 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
 
 
 def check_overridden(ctx: Context, base: Instance, surface: Instance) -> None:
-    """Check what slots are without an expansion that sets them."""
+    """Check what slots are without an expansion or a tessellation that sets them."""
     for name, replacement in surface.replaced.items():
         definition = base.record.definitions[name][0]
-        if replacement.emitted and not is_abstract(definition.member):
+        if replacement.made and not is_abstract(definition.member):
             slot(ctx, base, name, definition.member.name.span)
 
 

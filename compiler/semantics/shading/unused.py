@@ -29,10 +29,11 @@ from ..types.typenames import Variables
 from .assembly import (
     Parts,
     Setting,
+    at_mesh,
     is_declared_abstract,
     set_up,
     set_up_beside,
-    unexpanded,
+    with_made_vertices,
 )
 from .elaborate import delivers_vertices, results_of, written_results
 from .expanding import expanded, expands
@@ -290,10 +291,10 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
         instance.surface = surface if mixin.kind == "pass" else None
     stand_in(ctx, instance)
     if instance.surface is None:
-        check_instance(ctx, expanded(ctx, instance, None))
+        check_instance(ctx, with_made_vertices(ctx, instance, None))
     elif expands(instance):
-        expanded(ctx, unexpanded(surface), instance)
-        check_instance(ctx, unexpanded(instance))
+        expanded(ctx, at_mesh(surface), instance)
+        check_instance(ctx, at_mesh(instance))
     check_instance(ctx, instance)
     written_results(ctx, instance)
     return True

@@ -4,8 +4,9 @@ A ``cross`` node of ``e`` is a value in the fragment domain; ``e`` lives in the 
 a value that contains crossings is itself wanted in the vertex domain (it feeds ``clip_position`` or
 stands under ``@vertex``), the crossings in it are taken out: there is nothing to cross.
 
-Where primitives are expanded, the vertices before the fragments are the emitted ones. What the mesh
-has at its own vertices gets there by a crossing from one corner of the primitive.
+Where primitives are expanded or patches are divided, the vertices before the fragments are those
+that are made so. What the mesh has at its own vertices gets there by crossings from corners of the
+primitive.
 """
 
 from __future__ import annotations
@@ -22,31 +23,28 @@ from ...ir.node import AGE, Graph, Node
 from ...ir.operations import CROSS, INPUT
 from ...ir.stages import (
     COMPUTED,
-    EMITTED,
-    FLAT,
-    FLAT_EMITTED,
     FRAGMENT,
     FRAGMENTS,
     INSTANCES,
-    PRIMITIVE_INDEX,
+    INTO_FRAGMENTS,
+    OF_PATCH,
+    PATCHES,
     RASTERISED,
-    SMOOTH,
-    SMOOTH_EMITTED,
     VERTEX,
     VERTICES,
+    Crossing,
     Domain,
     SystemInput,
     inputs_of,
 )
 from ...ir.types import INT, UINT, Matrix, Scalar, Vector, scalar_kind, width, with_width
+from .origins import Origin
 from .places import Places
 from .scope import FAILURE, Failure
 
 KERNEL_INPUTS = inputs_of(COMPUTED)
 INPUTS = inputs_of(RASTERISED)
 """The names by which expressions read what the pipeline supplies."""
-EXPANDED_INPUTS = {**INPUTS, PRIMITIVE_INDEX.name: PRIMITIVE_INDEX}
-"""The same in a material that expands its primitives."""
 
 
 class Crossings:
@@ -66,17 +64,19 @@ class Crossings:
         """What they have that the vertex stage has not."""
         self._domains = Domains()
 
-    def attribute(self, leaf: Node, corner: Node | None) -> Node:
-        """A vertex input as the fragment stage sees it, where primitives are expanded that of a
-        corner; a matrix crosses column by column."""
-        return self.to_fragments(leaf if corner is None else self.at_corner(leaf, corner))
+    def attribute(self, leaf: Node, origin: Origin | None) -> Node:
+        """A vertex input as the fragment stage sees it, where vertices are made of those of the
+        mesh that of theirs; a matrix crosses column by column."""
+        return self.to_fragments(leaf if origin is None else self._made(leaf, origin))
 
-    def supplied(self, row: SystemInput, corner: Node | None) -> Node:
+    def supplied(self, row: SystemInput, origin: Origin | None) -> Node:
         """A value of the pipeline's own as the fragment stage sees it."""
         leaf = self._graph.node("input", row.type, (), row)
         if row in FRAGMENT.inputs:
             return leaf
-        return self.attribute(leaf, corner if row in VERTEX.inputs else None)
+        if row.domain == PATCHES:
+            leaf = build.cross(self._graph, leaf, OF_PATCH)
+        return self.attribute(leaf, origin if row in VERTEX.inputs else None)
 
     def domain(self, node: Node) -> Domain | None:
         """What a value varies over; raises ``MixedDomainsError``."""
@@ -86,11 +86,20 @@ class Crossings:
         """A value of the stage before as the fragments see it."""
         return self._across(value, self._crossing)
 
-    def at_corner(self, value: Node, number: Node) -> Node:
-        """A value of the vertices as one corner of the primitive has it that is expanded."""
+    def at_corner(self, value: Node, number: Node, crossing: Crossing) -> Node:
+        """A value of the vertices as one corner of the primitive has it."""
         if self._domains.of(value) == INSTANCES:
             number = build.constant(self._graph, INT, 0)
-        return self._across(value, lambda part: build.at_corner(self._graph, part, number))
+        return self._across(
+            value, lambda part: build.at_corner(self._graph, part, number, crossing)
+        )
+
+    def _made(self, value: Node, origin: Origin) -> Node:
+        """A value of the mesh's vertices at one that is made of them."""
+        is_of_instance = self._domains.of(value) == INSTANCES
+        return self._across(
+            value, lambda part: origin.value(self._graph, part, is_of_instance=is_of_instance)
+        )
 
     def interpolated(self, node: Node, span: Span) -> Node | Failure:
         """``@vertex node``; the node itself where it is the same at every vertex."""
@@ -144,9 +153,9 @@ class Crossings:
 
     def _crossing(self, inner: Node) -> Node:
         domain = self._domains.of(inner)
-        modes = (SMOOTH_EMITTED, FLAT_EMITTED) if domain == EMITTED else (SMOOTH, FLAT)
-        smooth = scalar_kind(inner.type) == "float" and domain in (VERTICES, EMITTED)
-        return build.cross(self._graph, inner, modes[not smooth])
+        smooth, flat = INTO_FRAGMENTS.get(domain or VERTICES, INTO_FRAGMENTS[VERTICES])
+        is_smooth = scalar_kind(inner.type) == "float" and domain in INTO_FRAGMENTS
+        return build.cross(self._graph, inner, smooth if is_smooth else flat)
 
     def _across(self, value: Node, crossed: Callable[[Node], Node]) -> Node:
         """A value all of whose parts cross alike; itself where it is the same all over a draw."""

@@ -10,10 +10,14 @@ from ...diagnostics.source import Span
 from ...ir.expansion import Expansion
 from ...ir.leaves import Buffer, Parameter, Resource
 from ...ir.node import Node
+from ...ir.shader import Result
+from ...ir.stages import VERTEX, Crossing, StageRow, SystemInput
+from ...ir.tessellation import Tessellation
 from ...syntax import ast
 from ..inheritance.records import Definition, Record
 from ..names.modules import Module, Symbol
 from ..types.typenames import Variables
+from .origins import Origin
 
 
 @frozen
@@ -47,14 +51,19 @@ class Instance:
     """Its textures and buffers."""
     attributes: Mapping[str, Node] = fresh(factory=dict)
     replaced: dict[str, Replacement] = fresh(factory=dict)
-    expanded: ExpandedSlots | None = None
-    """Where primitives are expanded, what the surface and the pass are made of."""
+    made: MadeSlots | None = None
+    """Where vertices are made of those of a mesh, what the surface and the pass are made of."""
     values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
 
     @property
-    def corner(self) -> Node | None:
-        """Where primitives are expanded, the number of the corner whose vertex inputs these are."""
-        return None if self.expanded is None else self.expanded.corner
+    def origin(self) -> Origin | None:
+        """Where vertices are made of those of a mesh, how their inputs are."""
+        return None if self.made is None else self.made.origin
+
+    @property
+    def vertex_stage(self) -> StageRow:
+        """The stage that delivers its vertices."""
+        return VERTEX if self.made is None else self.made.stages[-1]
 
     def has(self, name: str) -> bool:
         """Whether the record defines ``name``."""
@@ -81,40 +90,60 @@ class Replacement:
     definition: Definition | None = None
     within: Instance | None = None
     """The instance in whose scope ``definition`` is checked."""
-    emitted: bool = False
-    """Whether an expansion says which value it has at each emitted vertex."""
+    made: bool = False
+    """Whether an expansion or a tessellation says which value it has at each vertex it makes."""
 
 
 @frozen(eq=False)
-class StripGroup:
-    """One group of strips of an expansion."""
+class MadeGroup:
+    """Vertices that are made alike: a group of strips of an expansion, or all of a patch."""
 
     equations: Mapping[str, ast.Slot]
-    """What it says of slots at the vertices that it emits."""
+    """What is said of slots at these vertices."""
     scope: Scope
     """Where these are checked."""
 
 
 @record
-class ExpandedSlots:
-    """A surface whose primitives are expanded: what it and its pass are made of."""
+class MadeSlots:
+    """A surface whose vertices are made of those of a mesh: what it and its pass are made of."""
 
     base: Instance
     """The surface as it is at the mesh's own vertices."""
     passing: Instance | None
     """The pass as it is there; ``None`` where a material's mixin is checked alone."""
     corners: int
-    """How many vertices each primitive of the mesh has."""
-    corner: Node | None = None
-    """For each emitted vertex, the number of the corner that it is like where nothing is said."""
-    groups: tuple[StripGroup, ...] = ()
+    """How many vertices each primitive, or patch, of the mesh has."""
+    stages: tuple[StageRow, ...]
+    """The stages that make the vertices; the last one delivers them."""
+    inputs: Mapping[str, SystemInput]
+    """The names by which expressions read what the pipeline supplies."""
+    origin: Origin | None = None
+    """How the vertex inputs are at the vertices that are made."""
+    groups: tuple[MadeGroup, ...] = ()
+    unset: Instance | None = None
+    """In a tessellation, the surface at these vertices as it is where nothing is set anew."""
+    passing_unset: Instance | None = None
+    """The pass as it is there."""
     expansion: Expansion | None = None
-    """What of it is the same for all primitives; ``None`` if it is wrong."""
-    emitting: tuple[Node, ...] = ()
-    """For each group, whether a strip is emitted."""
+    """Of an expansion, what is the same for all primitives; ``None`` if it is wrong."""
+    tessellation: Tessellation | None = None
+    """Likewise of a tessellation and its patches."""
+    results: tuple[Result, ...] = ()
+    """What the stages deliver besides vertices: which strips there are, or a patch's levels."""
     values: dict[tuple[int, str], Node | Failure] = fresh(factory=dict)
-    """By the number of a group and a slot's name: what the slot is at the vertices emitted there.
+    """By the number of a group and a slot's name: what the slot is at the vertices made there.
     Checked on demand and once."""
+
+    @property
+    def parts(self) -> tuple[Instance, ...]:
+        """All surfaces and passes that its equations read."""
+        parts = (self.base, self.passing, self.unset, self.passing_unset)
+        return tuple(part for part in parts if part is not None)
+
+    def is_set_behind(self, instance: Instance, name: str) -> bool:
+        """Whether ``instance`` is the surface where nothing is set anew, and this slot is."""
+        return instance is self.unset and any(name in group.equations for group in self.groups)
 
     def base_of(self, instance: Instance) -> Instance:
         """The surface or the pass, whichever ``instance`` is, at the mesh's own vertices."""
@@ -126,22 +155,26 @@ class ExpandedSlots:
 
 @frozen
 class Corners:
-    """``corner`` in an expansion: the vertices of the primitive that is being expanded."""
+    """``corner`` or ``end``: vertices of the primitive that others are made of."""
 
-    slots: ExpandedSlots
+    word: str
     instance: Instance
     """Whose slots they have: the surface, or the pass if the expansion stands there, and behind its
     slots those of the surface."""
+    numbers: tuple[int, ...]
+    """Which vertices of the primitive they are."""
+    crossing: Crossing
+    """How values get from them to where they are read."""
 
 
 @frozen
 class Corner:
     """``corner[k]``: a surface or a pass as it is at one of them."""
 
-    slots: ExpandedSlots
     instance: Instance
     """As it is at the mesh's own vertices."""
     number: Node
+    crossing: Crossing
 
 
 @frozen
@@ -218,14 +251,15 @@ class RigEntry:
     span: Span
     """Of the name."""
     record: Record
-    kind: Literal["single", "array"]
+    kind: Literal["single", "array", "buffer"]
     parameters: tuple[Parameter, ...]
-    """Single: one for each ``param``. Array: the array of structs."""
+    """Single: one for each ``param``. Array: the array of structs. Buffer: none, as the lights are
+    the elements of the only one of ``buffers``."""
     resources: tuple[Resource, ...]
     buffers: tuple[Buffer, ...] = ()
     bound: int = 1
     count: Parameter | None = None
-    """Of ``[<= N]``: the run-time count."""
+    """Of ``[<= N]`` and ``[]``: the run-time count."""
     replaced: Mapping[str, Replacement] = fresh(factory=dict)
 
     @property

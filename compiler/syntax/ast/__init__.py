@@ -12,6 +12,7 @@ from .declarations import (
     File,
     Function,
     Import,
+    LightNumber,
     Mixin,
     Record,
     Rig,
@@ -78,6 +79,7 @@ from .members import (
     Strips,
     StripShape,
     Target,
+    Tessellate,
     WorkGroup,
 )
 
@@ -117,6 +119,7 @@ __all__ = [
     "Inheritance",
     "Iterate",
     "Layers",
+    "LightNumber",
     "Map",
     "Member",
     "MemberKind",
@@ -141,6 +144,7 @@ __all__ = [
     "StructDeclaration",
     "StructMember",
     "Target",
+    "Tessellate",
     "Turns",
     "TypeName",
     "TypeParameter",

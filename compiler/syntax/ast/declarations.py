@@ -89,16 +89,22 @@ class Function:
     """The equations behind ``where``, which the body and they themselves can name."""
 
 
+LightNumber = Literal["one", "exactly", "at_most", "any"]
+"""How many lights an entry of a rig is: one, or an array of as many as is said, of at most so many,
+or of any number."""
+
+
 @frozen(eq=False)
 class RigEntry:
-    """``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, with overrides."""
+    """``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, ``all : Lamp[]``, with
+    overrides."""
 
     span: Span
     doc: str
     name: Name
     light: Name
     count: Expression | None
-    at_most: bool
+    number: LightNumber
     overrides: tuple[Slot, ...]
 
 

@@ -95,6 +95,17 @@ def _work_group(span: Span, *sides: Expression) -> members.WorkGroup:
     return members.WorkGroup(span, sides)
 
 
+def _tessellate(
+    span: Span, doc: str, patch: Name, points: Expression | None,
+    ends: tuple[Expression, ...] | None, spacing: Name | None, level: Expression,
+    inside: Expression | None, lines: Expression | None, coordinate: Name | None,
+    *equations: members.Slot,
+) -> members.Tessellate:  # fmt: skip
+    return members.Tessellate(
+        span, doc, patch, points, ends, spacing, level, inside, lines, coordinate, equations
+    )
+
+
 KINDS: tuple[MemberKind, ...] = (
     MemberKind(
         word="param",
@@ -217,6 +228,19 @@ KINDS: tuple[MemberKind, ...] = (
         "like corner[i] { slot = expression } }`, where everything between the number of vertices "
         "and the brace is optional",
         doc="what each primitive of the mesh turns into",
+    ),
+    MemberKind(
+        word="tessellate",
+        node=members.Tessellate,
+        productions={"tessellate": _tessellate},
+        opening=("NAME",),
+        records=("material",),
+        inheritance="gathered",
+        contribution="result",
+        form="a tessellation is `tessellate quad of 16 ends [0, 3, 15, 12] spacing "
+        "fractional_odd by level inside level as at { slot = expression }`, where only the kind of "
+        "patch, `by` with a level and the braces are needed",
+        doc="what each patch of the mesh is divided into",
     ),
     MemberKind(
         word="result",

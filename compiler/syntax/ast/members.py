@@ -149,6 +149,28 @@ class Expand:
 
 
 @frozen(eq=False)
+class Tessellate:
+    """``tessellate triangle by e as at { … }``: what each patch of a mesh is divided into."""
+
+    span: Span
+    doc: str
+    patch: Name
+    points: Expression | None
+    """How many control points a patch has."""
+    ends: tuple[Expression, ...] | None
+    """The numbers of those that are its corners."""
+    spacing: Name | None
+    level: Expression
+    """Into how many steps an edge is divided."""
+    inside: Expression | None
+    lines: Expression | None
+    """How many lines a patch of isolines has."""
+    coordinate: Name | None
+    """What the place of a vertex in its patch is called."""
+    equations: tuple[Slot, ...]
+
+
+@frozen(eq=False)
 class Result:
     """``result after : T[n] = e``: what a kernel writes to each of ``n`` elements."""
 
@@ -194,9 +216,8 @@ class WorkGroup:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Capture | Expand | Result
-    | Scatter | Extent
-    | WorkGroup
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Capture | Expand
+    | Tessellate | Result | Scatter | Extent | WorkGroup
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 

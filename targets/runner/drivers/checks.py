@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import get_args
 
 from .draw import (
-    CORNERS,
     TEXELS,
     BlockSlot,
     BufferSlot,
@@ -185,8 +184,8 @@ def level_size(image: Image, level: int) -> tuple[int, int, int]:
 
 
 def _check_indices(pipeline: Pipeline, draw: Draw) -> None:
-    if not draw.indices or len(draw.indices) % (4 * CORNERS[pipeline.primitive]):
-        whole = f"whole {pipeline.primitive}s"
+    if not draw.indices or len(draw.indices) % (4 * pipeline.corners):
+        whole = f"whole primitives of {pipeline.corners} vertices"
         raise DriverError(f"{len(draw.indices)} bytes of indices are not {whole}")
     largest = max(memoryview(draw.indices).cast("I"))
     if largest >= draw.vertex_count:

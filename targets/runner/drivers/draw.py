@@ -33,13 +33,14 @@ TargetFormat = Literal[
     "r16float", "rg16float", "rgba16float",
 ]  # fmt: skip
 
-Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency"]
-"""What the vertices are, in turn; all but triangles need a geometry stage."""
+Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
+"""What the vertices are, in turn. All but triangles need a geometry stage, and patches need the
+stages of tessellation instead."""
 
 CORNERS: Mapping[Primitive, int] = {
     "point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_adjacency": 6,
 }  # fmt: skip
-"""How many vertices each of them has."""
+"""How many vertices each of them has, but for patches: a pipeline says how many theirs have."""
 
 Sides = tuple[int, int, int]
 """Lengths along x, y and z."""
@@ -215,6 +216,8 @@ class Pipeline:
     layers: int = 0
     """How many layers each target has, if a geometry stage draws to all of them; 0: none."""
     primitive: Primitive = "triangle"
+    patch_points: int = 0
+    """How many vertices each patch has, where that is what the vertices are."""
     cull: Cull = "none"
     flip_y: bool = False
     """Whether the text negates clip y; a Vulkan driver chooses its viewport by it."""
@@ -230,6 +233,11 @@ class Pipeline:
     """What ``glClipControl`` is given (the reflection's ``clip_control``); empty: OpenGL's own."""
     stream_output: StreamOutput | None = None
     """Where vertices are captured; then there are no targets."""
+
+    @property
+    def corners(self) -> int:
+        """How many vertices each primitive has."""
+        return self.patch_points or CORNERS[self.primitive]
 
 
 @dataclass(frozen=True, slots=True)

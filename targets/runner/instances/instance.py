@@ -207,6 +207,19 @@ class Instance:
         width, height = derived.compute(steps, inputs)
         return max(int(width), 0), max(int(height), 0)
 
+    def levels(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """How finely all patches of a draw are divided, as float32: their edges, and their inside.
+
+        Only where the host makes the pattern. Raises ``MissingValuesError``.
+        """
+        rows = self._reflection["draw"]["tessellation"]["levels"]
+        inputs = derived.Inputs(self._names.shapes, self.values())
+        edges, inside = (
+            tuple(rounded(derived.compute(steps, inputs))[0] for steps in rows[name])
+            for name in ("edges", "inside")
+        )
+        return edges, inside
+
     def buffers(self) -> dict[str, Contents]:
         """The contents of every storage buffer by name; one that was not set has no elements."""
         return dict(self._buffers)

@@ -26,6 +26,8 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
         texts = {name: code.text for name, code in pipeline.stages.items()}
         program = context.program(
             vertex_shader=texts["vertex"],
+            tess_control_shader=texts.get("control"),
+            tess_evaluation_shader=texts.get("evaluation"),
             geometry_shader=texts.get("geometry"),
             fragment_shader=texts.get("fragment"),
             varyings=_captured_by_name(pipeline),

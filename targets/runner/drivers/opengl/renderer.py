@@ -111,6 +111,8 @@ def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeli
     context.front_face = pipeline.front_face
     context.cull_face = "front" if pipeline.cull == "front" else "back"
     context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
+    if pipeline.patch_points:
+        context.patch_vertices = pipeline.patch_points
     functions.glEnable(GL_FRAMEBUFFER_SRGB)
     names = pipeline.clip_control or OWN_CLIP_CONTROL
     functions.glClipControl(*(CLIP_CONTROL[name] for name in names))

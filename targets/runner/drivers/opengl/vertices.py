@@ -21,6 +21,7 @@ MODES: Mapping[Primitive, int] = {
     "triangle": moderngl.TRIANGLES,
     "line_adjacency": moderngl.LINES_ADJACENCY,
     "triangle_adjacency": moderngl.TRIANGLES_ADJACENCY,
+    "patch": moderngl.PATCHES,
 }
 
 

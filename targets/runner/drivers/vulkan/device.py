@@ -128,7 +128,9 @@ def _captures(physical: Any) -> bool:
 def _device(owned: ExitStack, physical: Any, family: int, offered: Any, *, captures: bool) -> Any:
     queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=family, pQueuePriorities=[1.0])
     features = vk.VkPhysicalDeviceFeatures(
-        independentBlend=offered.independentBlend, geometryShader=offered.geometryShader
+        independentBlend=offered.independentBlend,
+        geometryShader=offered.geometryShader,
+        tessellationShader=offered.tessellationShader,
     )
     extended = vk.VkPhysicalDeviceTransformFeedbackFeaturesEXT(transformFeedback=True)
     info = vk.VkDeviceCreateInfo(

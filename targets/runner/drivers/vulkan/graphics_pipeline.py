@@ -42,6 +42,8 @@ ALL_LANES = (
 
 STAGES: dict[str, int] = {
     "vertex": vk.VK_SHADER_STAGE_VERTEX_BIT,
+    "control": vk.VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT,
+    "evaluation": vk.VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT,
     "geometry": vk.VK_SHADER_STAGE_GEOMETRY_BIT,
     "fragment": vk.VK_SHADER_STAGE_FRAGMENT_BIT,
 }
@@ -52,6 +54,7 @@ TOPOLOGIES: dict[Primitive, int] = {
     "triangle": vk.VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
     "line_adjacency": vk.VK_PRIMITIVE_TOPOLOGY_LINE_LIST_WITH_ADJACENCY,
     "triangle_adjacency": vk.VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
+    "patch": vk.VK_PRIMITIVE_TOPOLOGY_PATCH_LIST,
 }
 
 RATES: dict[StepMode, int] = {
@@ -105,6 +108,7 @@ def make_pipeline(
             pInputAssemblyState=vk.VkPipelineInputAssemblyStateCreateInfo(
                 topology=TOPOLOGIES[pipeline.primitive]
             ),
+            pTessellationState=_tessellation(pipeline),
             pViewportState=vk.VkPipelineViewportStateCreateInfo(viewportCount=1, scissorCount=1),
             pRasterizationState=_rasterization(pipeline),
             pMultisampleState=vk.VkPipelineMultisampleStateCreateInfo(
@@ -146,6 +150,12 @@ def _vertex_inputs(inputs: Sequence[VertexInput]) -> Any:
     return vk.VkPipelineVertexInputStateCreateInfo(
         pVertexBindingDescriptions=bindings, pVertexAttributeDescriptions=attributes
     )
+
+
+def _tessellation(pipeline: Pipeline) -> Any:
+    if pipeline.primitive != "patch":
+        return None
+    return vk.VkPipelineTessellationStateCreateInfo(patchControlPoints=pipeline.patch_points)
 
 
 def _rasterization(pipeline: Pipeline) -> Any:

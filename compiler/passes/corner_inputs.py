@@ -1,0 +1,111 @@
+"""What vertices read of the primitives of a mesh that are drawn as instances.
+
+``lower_expansion`` and ``lower_tessellation`` use it. What the mesh has at the corners of a
+primitive are vertex inputs per instance, one for each corner that is read.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from operator import itemgetter
+
+from ...frozen import changed
+from ..diagnostics.source import Span
+from ..ir import build
+from ..ir.leaves import Attribute
+from ..ir.node import Node
+from ..ir.rewrite import rewrite
+from ..ir.shader import AttributeInfo, MeshInput, Shader
+from ..ir.stages import INSTANCES, VERTEX, SystemInput
+from ..ir.types import UINT, Array
+
+VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
+
+
+class CornerInputs:
+    """Makes the inputs of the corners that are read, and collects them."""
+
+    def __init__(self, shader: Shader, corners: int, span: Span) -> None:
+        """``span`` is where the primitive is named."""
+        self._graph = shader.graph
+        self._notes = shader.notes
+        self._corners = corners
+        self._infos = [*shader.attributes, *map(partial(_info, span), VERTEX.inputs)]
+        """The inputs of the mesh's vertices, with the numbers that they have in it."""
+        self._place = {info.attribute: place for place, info in enumerate(self._infos)}
+        self._read: dict[tuple[int, int], AttributeInfo] = {}
+        """What is read for each primitive instead: by the place of an input and the corner."""
+        self._known: dict[Node, dict[Node, Node]] = {}
+        """For each corner, what values of the vertices have become there."""
+        self._is_instanced = any(map(_tells_instances_apart, shader.roots.nodes))
+
+    @property
+    def attributes(self) -> tuple[AttributeInfo, ...]:
+        """The vertex inputs that are read, in the order of their declaration and of the corners."""
+        return tuple(info for _, info in sorted(self._read.items(), key=itemgetter(0)))
+
+    def at_corner(self, value: Node, number: Node) -> Node:
+        """A value of the mesh's vertices at one corner, computed from what this corner has."""
+
+        def rule(_graph: object, node: Node, _operands: tuple[Node, ...]) -> Node:
+            row = node.data
+            leaf = (
+                Attribute(row.name, row.type, row.domain) if isinstance(row, SystemInput) else row
+            )
+            assert isinstance(leaf, Attribute)
+            return self._corner_of(self._place[leaf], number)
+
+        known = self._known.setdefault(number, {})
+        ops = ("attribute", "input")
+        return rewrite(self._graph, (value,), rule, self._notes.follow, ops, new=known)[0]
+
+    def number(self, counted: SystemInput) -> Node:
+        """The number of the primitive: that of the instance, unless the mesh itself is drawn in
+        several."""
+        if not self._is_instanced:
+            return self._graph.node("input", UINT, (), INSTANCE_INDEX)
+        info = _info(self._infos[-1].span, counted)
+        return self.added(changed(info, attribute=changed(info.attribute, step=INSTANCES)))
+
+    def added(self, info: AttributeInfo) -> Node:
+        """An input that the mesh does not have, behind all others."""
+        if info not in self._infos:
+            self._infos.append(info)
+        return self._input(self._infos.index(info), 0)
+
+    def _corner_of(self, place: int, number: Node) -> Node:
+        """An input at one corner; where this is not a certain one, an element of all."""
+        leaf = self._infos[place].attribute
+        if leaf.step == INSTANCES or self._corners == 1:
+            return self._input(place, 0)
+        if number.op == "constant" and isinstance(number.data, int):
+            return self._input(place, number.data)
+        found = tuple(self._input(place, corner) for corner in range(self._corners))
+        whole = self._graph.node("array", Array(leaf.type, len(found)), found)
+        return build.index(self._graph, whole, number)
+
+    def _input(self, place: int, corner: int) -> Node:
+        info = self._infos[place]
+        leaf, mesh = info.attribute, info.mesh or MeshInput(info.attribute.name)
+        if mesh.is_of_pattern:
+            pass
+        elif leaf.step != INSTANCES:
+            mesh = changed(mesh, corner=corner)
+            leaf = changed(leaf, name=f"corner{corner}.{leaf.name}", step=INSTANCES)
+        elif mesh.is_number:
+            leaf = changed(leaf, name=f"draw.{leaf.name}")
+        self._read[place, corner] = changed(info, attribute=leaf, mesh=mesh)
+        return self._graph.node("attribute", leaf.type, (), leaf)
+
+
+def _info(span: Span, row: SystemInput) -> AttributeInfo:
+    """An input that gives a number which the pipeline supplies where nothing is lowered."""
+    leaf = Attribute(row.name, row.type, row.domain)
+    return AttributeInfo(leaf, str(row.type), "", span, mesh=MeshInput(row.name, is_number=True))
+
+
+def _tells_instances_apart(node: Node) -> bool:
+    return isinstance(node.data, Attribute | SystemInput) and INSTANCES in (
+        getattr(node.data, "step", ""),
+        getattr(node.data, "domain", ""),
+    )

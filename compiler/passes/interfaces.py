@@ -1,0 +1,60 @@
+"""Packs what crosses between the stages of a chain, from the last stage to the first.
+
+``split_stages`` tells it of each stage in turn, once it is known what the stage has to compute.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from ..ir.node import AGE, Node
+from ..ir.operations import CROSS
+from ..ir.program import Interface, Varying
+from ..ir.shader import Notes, Result
+from ..ir.stages import CAPTURE, StageRow
+from .pack_varyings import pack_varyings
+
+
+class Interfaces:
+    """What crosses between the stages that are known so far."""
+
+    def __init__(self, notes: Notes, results: Iterable[Result]) -> None:
+        """``results`` are all that the stages deliver besides what crosses."""
+        self._notes = notes
+        self._captured = {result.name for result in results if result.kind == CAPTURE}
+        self.all: tuple[Interface, ...] = ()
+        """In pipeline order."""
+        self._onward: Sequence[Node] = ()
+        """The values of the stage behind, if some of what it reads is handed on to it."""
+
+    def leaving(self, row: StageRow) -> tuple[Varying, ...]:
+        """What a stage has to deliver to the next one; what it only hands on is not among it."""
+        return tuple(
+            varying
+            for face in self.all
+            if face.origin == row.domain and face.through is None
+            for varying in face.varyings
+        )
+
+    def enter(self, row: StageRow, before: StageRow, nodes: Sequence[Node]) -> None:
+        """Pack what crosses from the stage ``before`` to this one, which computes ``nodes``.
+
+        Where this stage hands its vertices on, what the next stage reads of them goes through it.
+        That has locations behind those of what this stage itself delivers to the next.
+        """
+        taken = {field.name for face in self.all for field in face.fields} | self._captured
+        first = len(self.leaving(row)) if row.hands_on else 0
+        reading = sorted({*nodes, *self._onward}, key=AGE) if row.hands_on else nodes
+        varyings = pack_varyings(reading, self._notes, before.domain, taken, first)
+        faces = [Interface(before.domain, row.domain, varyings)]
+        if row.hands_on:
+            read = {n.operands[0] for n in self._onward if _crosses_from(n, before)}
+            onward = tuple(v for v in varyings if not read.isdisjoint(v.values))
+            behind = self.all[0].destination
+            faces.append(Interface(before.domain, behind, onward, through=row.domain))
+        self.all = (*faces, *self.all)
+        self._onward = nodes if before.hands_on else ()
+
+
+def _crosses_from(node: Node, row: StageRow) -> bool:
+    return node.op == "cross" and CROSS.data(node).origin == row.domain

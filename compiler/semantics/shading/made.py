@@ -1,0 +1,55 @@
+"""What all surfaces have in common whose vertices are made of those of a mesh.
+
+``expanding.py`` and ``tessellating.py`` make them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ....frozen import changed
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.source import Span
+from ...syntax import ast
+from ..checking.unknown_names import unknown
+from ..state.context import Context
+from ..state.scope import Instance, Replacement
+
+
+def slots_set(ctx: Context, below: Instance, equations: Sequence[ast.Slot]) -> Iterator[str]:
+    """The slots that equations set of what is ``below`` them, a surface or a pass; reported where
+    there is none of that name."""
+    surface = below.surface or below
+    seen: dict[str, Span] = {}
+    for equation in equations:
+        name, span = equation.name.text, equation.name.span
+        if name in seen:
+            label = Label(seen[name], "first defined here")
+            ctx.report.add(rules.DUPLICATE_NAME, span, name=name, labels=[label])
+        elif not below.has(name) and not surface.has(name):
+            known = {**surface.record.definitions, **below.record.definitions}
+            unknown(ctx, f"slot of `{below.record.name}`", name, span, known)
+        else:
+            yield name
+        seen.setdefault(name, span)
+
+
+def by_vertices(names: Iterable[str]) -> dict[str, Replacement]:
+    """Slots that have a value of their own at each vertex that is made."""
+    return {name: Replacement(made=True) for name in names}
+
+
+def apart(surface: Instance, passing: Instance | None) -> tuple[Instance, Instance | None]:
+    """The surface with a pass of its own, so that what the pass overrides reads this surface."""
+    replaced = dict(surface.replaced)
+    base = changed(surface, replaced=replaced)
+    if passing is None:
+        return base, None
+    own = changed(
+        passing, surface=base, replaced=dict(passing.replaced), values=dict(passing.values)
+    )
+    for name, given in surface.replaced.items():
+        if given.within is passing:
+            replaced[name] = changed(given, within=own)
+    return base, own

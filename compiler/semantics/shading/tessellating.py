@@ -1,0 +1,211 @@
+"""Surfaces whose patches are divided: what a ``tessellate`` member makes of a material.
+
+``assembly.py`` calls ``tessellated`` when the parts of a shader have been put together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import cast, get_args
+
+from ....frozen import changed
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...ir.node import Node
+from ...ir.stages import CONTROL, CONTROL_POINT, EVALUATION, PATCH_INDEX
+from ...ir.tessellation import (
+    MOST_POINTS,
+    PATCH_KINDS,
+    Patch,
+    PatchKind,
+    Spacing,
+    Tessellation,
+)
+from ...ir.types import INT
+from ...syntax import ast
+from ..checking.unknown_names import unknown
+from ..declarations.fitting import typed
+from ..names.modules import Symbol
+from ..state.context import Context
+from ..state.crossings import INPUTS
+from ..state.origins import MixedEnds
+from ..state.scope import Corners, Instance, MadeGroup, MadeSlots, Scope, Value
+from .captures import captures
+from .levels import Levels
+from .made import apart, by_vertices, slots_set
+
+SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
+
+
+def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
+    """The surface as it is at the vertices that patches are divided into; itself where none are.
+
+    The pass becomes what it is there. There is none where a mixin is checked alone.
+    """
+    written = list(surface.record.every(ast.Tessellate))
+    if not written:
+        return surface
+    (member, owner, level), *others = written
+    name = surface.record.name
+    label = Label(member.patch.span, "divided here")
+    if others:
+        span = others[0][0].patch.span
+        ctx.report.add(rules.TWO_TESSELLATIONS, span, name=name, labels=[label])
+    if passing is not None and captures(passing.record):
+        ctx.report.add(
+            rules.TESSELLATED_AND_CAPTURED, passing.record.symbol.declaration.name.span,
+            name=passing.record.name, material=name, labels=[label],
+        )  # fmt: skip
+        return surface
+    for holder in filter(None, (surface, passing)):
+        for expansion, _owner, _level in holder.record.every(ast.Expand):
+            span = expansion.primitive.span
+            ctx.report.add(rules.TESSELLATED_AND_EXPANDED, span, name=name, labels=[label])
+            return surface
+    patch = _patch(ctx, member)
+    if patch is None:
+        return surface
+    return _Tessellating(ctx, surface, passing, member, patch, owner, level).surface()
+
+
+def _patch(ctx: Context, member: ast.Tessellate) -> Patch | None:
+    if member.patch.text in PATCH_KINDS:
+        return cast(Patch, member.patch.text)
+    unknown(ctx, "kind of patch", member.patch.text, member.patch.span, PATCH_KINDS)
+    return None
+
+
+def _moved(passing: Instance | None, slots: MadeSlots, surface: Instance) -> Instance | None:
+    """A pass as it is where a surface is that has other vertices than the mesh."""
+    if passing is not None:
+        passing.made = slots
+        passing.surface = surface
+        passing.values.clear()
+    return passing
+
+
+class _Tessellating:
+    def __init__(
+        self,
+        ctx: Context,
+        surface: Instance,
+        passing: Instance | None,
+        member: ast.Tessellate,
+        patch: Patch,
+        owner: Symbol,
+        level: int,
+    ) -> None:
+        self._ctx = ctx
+        self._member = member
+        self._patch = patch
+        self._kind: PatchKind = PATCH_KINDS[patch]
+        self._owner = owner
+        self._level = level
+        self._surface = surface
+        self._passing = passing
+        self._base, self._own = apart(surface, passing)
+
+    def surface(self) -> Instance:
+        """The surface at the vertices that patches are divided into."""
+        ctx, member, coordinate = self._ctx, self._member, self._coordinate()
+        points = self._points()
+        ends = self._ends(points)
+        spacing = self._spacing()
+        slots = MadeSlots(
+            self._base,
+            self._own,
+            points or self._kind.ends,
+            (CONTROL, EVALUATION),
+            {**INPUTS, PATCH_INDEX.name: PATCH_INDEX},
+            MixedEnds(self._patch, ends or self._default_ends(), coordinate),
+        )
+        unset, passing = apart(self._surface, self._passing)
+        slots.unset = changed(unset, made=slots, values={})
+        slots.passing_unset = _moved(passing, slots, slots.unset)
+        set_anew = slots_set(ctx, self._base, member.equations)
+        made = changed(self._surface, made=slots).with_replaced(by_vertices(set_anew))
+        _moved(self._passing, slots, made)
+        corners = Corners("corner", self._base, tuple(range(slots.corners)), CONTROL_POINT)
+        names: dict[str, Value] = {"corner": corners, "inherited": slots.unset}
+        if member.coordinate is not None:
+            names[member.coordinate.text] = coordinate
+        equations = {equation.name.text: equation for equation in member.equations}
+        slots.groups = (MadeGroup(equations, self._scope(made, names)),)
+        levels = Levels(ctx, self._scope(self._base, {}), member, self._patch)
+        results = levels.results(ends or self._default_ends(), slots.corners)
+        if points is not None and ends is not None and spacing is not None:
+            slots.results = results
+            slots.tessellation = Tessellation(self._patch, points, ends, spacing, member.patch.span)
+        return made
+
+    def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
+        known = {"material": instance, **names}
+        return Scope(self._owner.module, instance, self._level, instance, known)
+
+    def _coordinate(self) -> Node:
+        row = self._kind.coordinate
+        return self._ctx.tree.node("input", row.type, (), row)
+
+    def _default_ends(self) -> tuple[int, ...]:
+        return tuple(range(self._kind.ends))
+
+    def _points(self) -> int | None:
+        """How many control points a patch has."""
+        written, least = self._member.points, self._kind.ends
+        if written is None:
+            return least
+        count = self._integer(written)
+        if count is not None and not least <= count <= MOST_POINTS:
+            self._ctx.report.add(
+                rules.WRONG_POINTS, written.span,
+                patch=self._patch, count=count, least=least, most=MOST_POINTS,
+            )  # fmt: skip
+            return None
+        return count
+
+    def _ends(self, points: int | None) -> tuple[int, ...] | None:
+        """Which of them are its corners."""
+        written = self._member.ends
+        if written is None:
+            return self._default_ends()
+        if len(written) != self._kind.ends:
+            self._ctx.report.add(
+                rules.WRONG_ENDS, written[0].span.to(written[-1].span),
+                patch=self._patch, wanted=self._kind.ends, count=len(written),
+            )  # fmt: skip
+            return None
+        found = [self._end(number, points) for number in written]
+        ends = tuple(end for end in found if end is not None)
+        if len(ends) < len(found):
+            return None
+        return ends if self._all_differ(ends, written) else None
+
+    def _end(self, written: ast.Expression, points: int | None) -> int | None:
+        number = self._integer(written)
+        if number is not None and points is not None and not 0 <= number < points:
+            self._ctx.report.add(rules.NO_SUCH_END, written.span, index=number, last=points - 1)
+            return None
+        return number
+
+    def _all_differ(self, ends: Sequence[int], written: Sequence[ast.Expression]) -> bool:
+        for place, end in enumerate(ends):
+            if end in ends[:place]:
+                first = Label(written[ends.index(end)].span, "an end here already")
+                span = written[place].span
+                self._ctx.report.add(rules.END_TWICE, span, index=end, labels=[first])
+                return False
+        return True
+
+    def _spacing(self) -> Spacing | None:
+        written = self._member.spacing
+        if written is None:
+            return "equal"
+        if written.text in SPACINGS:
+            return written.text
+        unknown(self._ctx, "spacing", written.text, written.span, SPACINGS)
+        return None
+
+    def _integer(self, written: ast.Expression) -> int | None:
+        scope = Scope(self._owner.module)
+        node = typed(self._ctx, written, scope, INT, "int")
+        return self._ctx.constants.integer(node, written.span)

@@ -1,0 +1,144 @@
+"""The inputs and outputs of one stage as a text declares them, and what it says of its patches.
+
+``stage.py`` makes ``Fields`` for each stage, and puts what they give into the stage's view.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...compiler.ir.program import Field, Output, Program, Stage
+from ...compiler.ir.stages import CAPTURE, CONTROL, EVALUATION, PATCHES, TARGET
+from ...frozen import changed
+from ..description.shading_language import FieldRole
+from .comments import comment_line
+from .context import Context
+from .views import FieldView, StoreView, TessellationView
+
+DIVIDING = (CONTROL, EVALUATION)
+"""The stages that divide patches."""
+
+
+class Fields:
+    """What one stage reads of others, and hands to them or to the host."""
+
+    def __init__(self, context: Context, stage: Stage) -> None:
+        self._context = context
+        self._stage = stage
+        self._names = context.names
+        self._roles = dict(_roles_of_inputs(context.program, stage))
+        self._inputs = [
+            self._field(field, self._roles[field.name], field.mode == "corner")
+            for field in stage.inputs
+        ]
+        self._handed_on = [self._field(f, "control point", True) for f in stage.handed_on]
+        self._delivered = [self._output(each) for each in stage.results if each.field is not None]
+
+    @property
+    def inputs(self) -> list[FieldView]:
+        """What it reads, besides what is the same all over a patch."""
+        return [field for field in self._inputs if not field.of_patch]
+
+    @property
+    def outputs(self) -> list[FieldView]:
+        """What it hands on, and what it delivers, besides what is the same all over a patch."""
+        return [*self._handed_on, *(field for field in self._delivered if not field.of_patch)]
+
+    @property
+    def delivered(self) -> list[FieldView]:
+        """For each result with a place, where it goes."""
+        return self._delivered
+
+    def names(self) -> list[str]:
+        """What all of them are called."""
+        return [field.name for field in (*self._inputs, *self._handed_on, *self._delivered)]
+
+    def name_of(self, output: Output) -> str:
+        """What an output with a place is called."""
+        assert output.field is not None
+        return self._name(output.field, self._role(output))
+
+    def capture_stride(self) -> int:
+        """The bytes of each vertex that the stage captures, where the text has to say it."""
+        capture = self._context.program.capture
+        stream = self._context.profile.stream_output
+        is_said = stream is not None and stream.told == "text"
+        captures = is_said and self._stage.results_of(CAPTURE)
+        return capture.stride if capture is not None and captures else 0
+
+    def tessellation(self) -> TessellationView | None:
+        """What the two stages say of patches that divide them."""
+        patches = self._context.program.tessellation
+        if patches is None or self._stage.row not in DIVIDING:
+            return None
+        is_control = self._stage.row == CONTROL
+        language, kind = self._context.language, patches.kind
+        crossing = self._delivered if is_control else self._inputs
+        return TessellationView(
+            patch=language.patches[patches.patch],
+            lines=kind.cell == 2,
+            spacing=language.spacings[patches.spacing],
+            points=patches.points,
+            edge_levels=len(kind.edges),
+            inner_levels=len(kind.inner),
+            is_control=is_control,
+            own=[field for field in crossing if field.of_patch],
+            handing=[
+                StoreView(self._name(field, "control point"), self._name(field, "varying"))
+                for field in self._stage.handed_on
+            ],
+        )
+
+    def _output(self, output: Output) -> FieldView:
+        assert output.field is not None
+        view = self._field(output.field, self._role(output))
+        capture = self._context.program.capture
+        if output.kind != CAPTURE or capture is None or not self.capture_stride():
+            return view
+        return changed(view, captured_at=str(capture.member(output.field.name).offset))
+
+    def _role(self, output: Output) -> FieldRole:
+        """Whether an output is a render target, or goes on to the next stage."""
+        if output.kind == TARGET:
+            return "render target"
+        return "of patch" if self._stage.row.domain == PATCHES else "varying"
+
+    def _name(self, field: Field, role: FieldRole) -> str:
+        table = {
+            "attribute": self._names.attributes,
+            "varying": self._names.varyings,
+            "of patch": self._names.varyings,
+            "control point": self._names.points,
+            "render target": self._names.render_targets,
+        }
+        return table[role][field.name]
+
+    def _semantic(self, field: Field, role: FieldRole) -> str:
+        if role == "attribute":
+            return self._names.semantics[field.name]
+        return self._context.language.semantic(role, field.name, field.location)
+
+    def _field(self, field: Field, role: FieldRole, per_corner: bool = False) -> FieldView:
+        name, types = self._name(field, role), self._context.types
+        return FieldView(
+            name=name,
+            type=types.type(field.type),
+            typed=types.declare(name, field.type),
+            location=field.location,
+            semantic=self._semantic(field, role),
+            crosses=role == "varying",
+            flat=field.mode == "flat" and role == "varying",
+            comment=comment_line(field.doc),
+            of_patch=role == "of patch",
+            per_corner=per_corner,
+        )
+
+
+def _roles_of_inputs(program: Program, stage: Stage) -> Iterator[tuple[str, FieldRole]]:
+    """What the inputs of a stage are, by name."""
+    for field in stage.inputs:
+        yield field.name, "attribute"
+    for face in program.interfaces_into(stage):
+        role: FieldRole = "of patch" if face.origin == PATCHES else "varying"
+        for field in face.fields:
+            yield field.name, "control point" if face.through else role

@@ -1,0 +1,114 @@
+"""The patches of a mesh, and the pattern into which each of them is divided.
+
+``expanding.py`` draws with them. A mesh may say which control points its patches have. Otherwise
+its triangles and edges are patches, and its grids have quads of any square number of points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import isqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiler.ir.tessellation import PATCH_KINDS, Patch, Spacing
+from ...compiler.reference.tessellation import ONE, Pattern, quad, triangle
+from .meshes import Indices, Mesh, MeshError
+from .primitives import primitives
+
+
+def patches(mesh: Mesh, kind: Patch, points: int, ends: Sequence[int]) -> Indices:
+    """The control points of each patch, (patches, points). Raises ``MeshError``."""
+    if mesh.patches is not None:
+        if mesh.patches.shape[1] != points:
+            raise MeshError(
+                f"the patches of the mesh have {mesh.patches.shape[1]} control points, and this "
+                f"material divides patches of {points}"
+            )
+        found = mesh.patches
+    elif kind == "quad" and mesh.lattices and isqrt(points) ** 2 == points:
+        found = np.concatenate([_windows(each, points, ends) for each in mesh.lattices])
+    elif points == PATCH_KINDS[kind].ends:
+        found = _MADE[kind](mesh)
+    else:
+        raise MeshError(
+            f"this material divides patches of {points} control points, and the mesh has none"
+        )
+    if not len(found):
+        raise MeshError(f"the mesh has no {kind} patch to divide")
+    return found
+
+
+def pattern(
+    kind: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
+) -> tuple[NDArray[Any], Indices]:
+    """Where the points of a divided patch lie in it, and the triangles between them."""
+    if kind == "triangle":
+        return _arrays(triangle(edges, inside[0], spacing), 3)
+    return _arrays(quad(edges, inside, spacing), 2)
+
+
+def _arrays(found: Pattern, lanes: int) -> tuple[NDArray[Any], Indices]:
+    places = np.array(found.places, np.float64).reshape(-1, 3)[:, :lanes] / ONE
+    return places, np.array(found.cells, np.int64).reshape(-1, 3)
+
+
+def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
+    """Squares of vertices of a grid, row by row, which lie so that neighbours share their ends.
+
+    Four points go round, as ends do. Beyond the border of a small grid its last vertices repeat.
+    """
+    side = isqrt(points)
+    first, following = (divmod(end, side) for end in ends[:2])
+    step = 1 if points == len(ends) else max(abs(following[1] - first[1]), 1)
+    offsets = np.arange(side)
+    found = [
+        lattice[np.ix_(np.minimum(row + offsets, len(lattice) - 1), columns)].reshape(-1)
+        for row in _starts(len(lattice), side, step)
+        for start in _starts(lattice.shape[1], side, step)
+        for columns in [np.minimum(start + offsets, lattice.shape[1] - 1)]
+    ]
+    whole = np.array(found, np.int64)
+    return whole[:, [0, 1, 3, 2]] if points == len(ends) else whole
+
+
+def _starts(count: int, side: int, step: int) -> Iterator[int]:
+    yield from range(0, max(count - side, 0) + 1, step)
+
+
+def _triangles(mesh: Mesh) -> Indices:
+    return mesh.triangles
+
+
+def _lines(mesh: Mesh) -> Indices:
+    return primitives(mesh, "line")
+
+
+def _quads(mesh: Mesh) -> Indices:
+    """Two triangles that follow each other and share an edge, as one quad that goes round both."""
+    if len(mesh.triangles) % 2:
+        raise MeshError("the triangles of the mesh are no pairs, so they make no quads")
+    return np.array([_quad(*pair) for pair in mesh.triangles.reshape(-1, 2, 3)]).reshape(-1, 4)
+
+
+def _quad(one: Indices, other: Indices) -> Indices:
+    """From the vertex of the first one that the second one does not have, round both."""
+    alone = [k for k in range(3) if one[k] not in other]
+    beyond = [vertex for vertex in other if vertex not in one]
+    if len(alone) != 1 or len(beyond) != 1:
+        raise MeshError(
+            f"the triangles {list(map(int, one))} and {list(map(int, other))} share no edge, so "
+            f"they make no quad"
+        )
+    start, following, last = np.roll(one, -alone[0])
+    return np.array([start, following, beyond[0], last])
+
+
+_MADE: Mapping[Patch, Callable[[Mesh], Indices]] = {
+    "triangle": _triangles,
+    "quad": _quads,
+    "isoline": _lines,
+}
+"""Patches of the primitives that a mesh has anyway."""

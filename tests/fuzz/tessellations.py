@@ -1,0 +1,50 @@
+"""Writes into what the patches of random materials are divided."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from .expressions import FUEL, Writer
+from .scope import Scope, variable
+from .tree import Node, listed
+
+PATCHES = {"triangle": ("vec3", 3), "quad": ("vec2", 4)}
+"""The type of a vertex's place in a patch, and how many ends that has."""
+
+
+def tessellation(writer: Writer, scope: Scope) -> Iterator[Node]:
+    """A slot of the tessellation's own, and the tessellation: of levels that a host can compute."""
+    patch = writer.chance.choice([*PATCHES])
+    place, ends = PATCHES[patch]
+    head = f"tessellate {patch}"
+    if writer.maybe(0.3):
+        turned = writer.chance.randrange(ends)
+        order = [str((turned + k) % ends) for k in range(ends)]
+        head += f" of {ends} ends [{', '.join(order)}]"
+    if writer.maybe(0.5):
+        head += f" spacing {writer.chance.choice(('equal', 'fractional_even', 'fractional_odd'))}"
+    head += f" by {writer.chance.choice(('2', '1.5', '3', '1 + 2 * 0.75'))}"
+    if writer.maybe(0.3):
+        head += f" inside {writer.chance.choice(('1', '2', '3.25'))}"
+    lanes = "xyz"[: 3 if place == "vec3" else 2]
+    known = [
+        variable("at", place),
+        variable(f"at.{writer.chance.choice(lanes)}", "float"),
+        variable("float(patch_index)", "float"),
+        variable(f"corner[{writer.chance.randrange(ends)}].uv", "vec2"),
+        variable(f"vec3(corner[{writer.chance.randrange(ends)}].position)", "vec3"),
+    ]
+    plain = [leaf for leaf in scope.leaves if not leaf.needs]
+    inside = replace(scope, leaves=(*plain, *known), can=frozenset[str](), maps=())
+    equations = []
+    for name, type_, form in (
+        ("position", "vec3", "inherited.position + 0.2 * sin(vec3({}))"),
+        ("uv", "vec2", "{}"),
+        ("spread", "float", "saturate({})"),
+    ):
+        if writer.maybe(0.6):
+            value = writer.expression(type_, inside, FUEL // 4)
+            equations.append(Node(f"{name} = {form}", (value,), role="divided", optional=True))
+    yield Node("spread : float = 0.25", role="slot", name="spread")
+    yield listed(f"{head} as at {{{{ {{}} }}}}", equations, "  ", "tessellation")

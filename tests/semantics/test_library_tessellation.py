@@ -1,0 +1,165 @@
+"""The mixins of `std.tessellation`, held against what they are known for."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from burnish.compiler.ir.stages import TARGET
+
+from ..passes.kit import elaborated
+from ..passes.test_lower_expansion import Primitive
+from ..passes.test_lower_tessellation import directly
+
+Floats = NDArray[np.float64]
+
+
+def drawn(mixin: str, value: str, points: Floats, where: Sequence[float] | Floats) -> Floats:
+    """What a slot is at a place of a patch, whose control points are given with their normals."""
+    (shader,) = elaborated(
+        f"import std.tessellation.{{{mixin}}}\n"
+        f"material M : Surface + {mixin} {{ color = vec3({value}.x, {value}.y, {value}.z) }}"
+    )
+    values = {
+        (name, number): tuple(map(float, lanes))
+        for number, point in enumerate(points)
+        for name, lanes in (
+            ("vertex_position", point[:3]),
+            ("vertex_normal", point[3:]),
+            ("vertex_uv", point[:2]),
+        )
+    }
+    place = Primitive(0, 0, tuple(range(len(points))), values)
+    (color,) = shader.results_of(TARGET)
+    return np.array(directly(shader, color.value, place, tuple(map(float, where))))[:3]
+
+
+def on_a_ball(*directions: Sequence[float]) -> Floats:
+    """Points of the unit sphere with its normals."""
+    points = np.array(directions, float)
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    return np.concatenate([points, points], axis=1)
+
+
+def flat(*points: Sequence[float]) -> Floats:
+    normal = np.broadcast_to([0.0, 0.0, 1.0], (len(points), 3))
+    return np.concatenate([np.array(points, float), normal], axis=1)
+
+
+PART_OF_A_BALL = on_a_ball([1, 0, 0.2], [0.3, 1, 0], [0, 0.1, 1])
+PLACES = [(1, 0, 0), (0, 0, 1), (0.5, 0.5, 0), (0.25, 0.25, 0.5), (0.2, 0.3, 0.5)]
+
+
+@pytest.mark.parametrize("mixin", ["PhongTessellation", "PNTriangles"])
+@pytest.mark.parametrize("where", PLACES)
+def test_triangles_are_drawn_towards_the_ball_that_their_normals_are_of(
+    mixin: str, where: tuple[float, ...]
+) -> None:
+    plain = np.array(where) @ PART_OF_A_BALL[:, :3]
+    radius = np.linalg.norm(drawn(mixin, "position", PART_OF_A_BALL, where))
+    missing = 1 - np.linalg.norm(plain)
+    if max(where) == 1:
+        assert radius == pytest.approx(1)
+    else:
+        assert abs(1 - radius) < 0.5 * missing
+
+
+@pytest.mark.parametrize("mixin", ["PhongTessellation", "PNTriangles"])
+@pytest.mark.parametrize("where", PLACES)
+def test_a_flat_triangle_stays_flat(mixin: str, where: tuple[float, ...]) -> None:
+    corners = flat([0, 0, 1], [2, 0, 1], [1, 3, 1])
+    found = drawn(mixin, "position", corners, where)
+    assert found == pytest.approx(np.array(where) @ corners[:, :3])
+
+
+def test_phong_tessellation_is_what_the_paper_says() -> None:
+    where = np.array([0.2, 0.5, 0.3])
+    corners, normals = PART_OF_A_BALL[:, :3], PART_OF_A_BALL[:, 3:]
+    plain = where @ corners
+    projected = [plain - ((plain - p) @ n) * n for p, n in zip(corners, normals, strict=True)]
+    wanted = 0.25 * plain + 0.75 * (where @ np.array(projected))
+    assert drawn("PhongTessellation", "position", PART_OF_A_BALL, where) == pytest.approx(wanted)
+
+
+def test_pn_triangles_are_what_the_paper_says() -> None:
+    """Vlachos and others, equations 1 to 3."""
+    where = np.array([0.2, 0.5, 0.3])
+    p, n = PART_OF_A_BALL[:, :3], PART_OF_A_BALL[:, 3:]
+
+    def near(i: int, j: int) -> Floats:
+        return np.array((2 * p[i] + p[j] - ((p[j] - p[i]) @ n[i]) * n[i]) / 3)
+
+    edges = {(i, j): near(i, j) for i in range(3) for j in range(3) if i != j}
+    mean = sum(edges.values()) / 6
+    middle = mean + (mean - p.mean(axis=0)) / 2
+    u = where
+    wanted = sum(u[i] ** 3 * p[i] for i in range(3)) + 6 * u.prod() * middle
+    wanted += sum(3 * u[i] ** 2 * u[j] * value for (i, j), value in edges.items())
+    assert drawn("PNTriangles", "position", PART_OF_A_BALL, where) == pytest.approx(wanted)
+
+    def between(i: int, j: int) -> Floats:
+        edge, both = p[j] - p[i], n[i] + n[j]
+        found = both - 2 * (edge @ both) / (edge @ edge) * edge
+        return np.array(found / np.linalg.norm(found))
+
+    normal = sum(u[i] ** 2 * n[i] for i in range(3))
+    normal += sum(u[i] * u[j] * between(i, j) for i, j in ((0, 1), (1, 2), (2, 0)))
+    normal /= np.linalg.norm(normal)
+    assert drawn("PNTriangles", "normal", PART_OF_A_BALL, where) == pytest.approx(normal)
+
+
+def bezier(t: float) -> Floats:
+    s = 1 - t
+    return np.array([s**3, 3 * s * s * t, 3 * s * t * t, t**3])
+
+
+def cubic(t: float) -> Floats:
+    """A uniform B-spline's weights, as Cox and de Boor's recursion gives them."""
+    return np.array([cox_de_boor(3, k, t + 3) for k in range(4)])
+
+
+def quadratic(t: float) -> Floats:
+    return np.array([cox_de_boor(2, k, t + 2) for k in range(3)])
+
+
+def cox_de_boor(degree: int, start: int, t: float) -> float:
+    """A B-spline over the knots ``start``, ``start + 1`` …"""
+    if degree == 0:
+        return float(start <= t < start + 1)
+    rise = (t - start) / degree * cox_de_boor(degree - 1, start, t)
+    fall = (start + degree + 1 - t) / degree * cox_de_boor(degree - 1, start + 1, t)
+    return rise + fall
+
+
+NETS = {
+    "BezierPatches": (4, bezier),
+    "SplinePatches": (4, cubic),
+    "QuadraticSplines": (3, quadratic),
+}
+
+
+@pytest.mark.parametrize("mixin", NETS)
+@pytest.mark.parametrize("where", [(0.0, 0.0), (0.3, 0.75), (0.99, 0.1)])
+def test_a_net_is_mixed_by_its_weights(mixin: str, where: tuple[float, float]) -> None:
+    side, weights = NETS[mixin]
+    dice = random.Random(side)
+    points = flat(*(
+        (i + 0.3 * dice.random(), j + 0.3 * dice.random(), dice.random())
+        for j in range(side) for i in range(side)
+    ))  # fmt: skip
+
+    def at(u: float, v: float) -> Floats:
+        net = points[:, :3].reshape(side, side, 3)
+        return np.array(np.einsum("j,i,jik->k", weights(v), weights(u), net))
+
+    u, v = where
+    assert drawn(mixin, "position", points, where) == pytest.approx(at(u, v))
+    step = 1e-5
+    along_u, along_v = at(u + step, v) - at(u, v), at(u, v + step) - at(u, v)
+    normal = np.cross(along_u, along_v)
+    normal /= np.linalg.norm(normal)
+    assert drawn(mixin, "normal", points, where) == pytest.approx(normal, abs=1e-3)

@@ -1,0 +1,114 @@
+"""The texts of the stages that divide patches.
+
+``BURNISH_UPDATE_GOLDEN=1`` writes the texts anew. What drivers make of them is tried in
+``tests/conformance/test_tessellation_stages.py``.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+import burnish
+from burnish.api import _compiled
+from burnish.compiled import CompiledMaterial
+from burnish.compiler.diagnostics.render import render
+from burnish.compiler.passes.pipeline import Options, stage
+from burnish.targets import registry
+from burnish.targets.emit.emitter import EmitOptions
+
+from ..passes.test_tessellated_graphs import divided
+from .test_geometry_stage import refused
+
+GOLDEN = Path(__file__).parent / "golden" / "tessellation"
+PROFILES = ("glsl:vulkan", "glsl:gl450", "hlsl:sm6")
+
+
+def material(profile: str, options: EmitOptions) -> CompiledMaterial:
+    """Triangles whose levels are lengths of edges, with one of them handed on to all vertices."""
+    _, shader = divided()
+    return _compiled(shader, stage(shader, Options()), {}, [registry.select(profile)], options)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_texts(profile: str) -> None:
+    files = material(profile, EmitOptions()).files
+    assert [file.stage for file in files] == ["vertex", "control", "evaluation", "fragment"]
+    for file in files:
+        assert_golden(file.name, file.text)
+
+
+@pytest.mark.parametrize("flip_y", [False, True])
+@pytest.mark.parametrize("profile", PROFILES)
+def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
+    assert refused(material(profile, EmitOptions(flip_y=flip_y))) == []
+
+
+def test_compilers_accept_all_stages_in_one_text() -> None:
+    made = material("hlsl:sm6", EmitOptions(single_file=True))
+    assert [set(file.entry_points.values()) for file in made.files] == [
+        {"vs_main", "hs_main", "ds_main", "fs_main"}
+    ]
+    assert refused(made) == []
+
+
+BLANKET = """
+/// A blanket that is finer where it is wider.
+material Blanket {
+    param detail : float in 1..16 = 4
+    /// How far the middles of the triangles rise.
+    param bump : float in 0..1 = 0.25
+
+    tessellate quad spacing fractional_odd
+        by 1 + detail * abs(end[0].uv.x - end[1].uv.x)
+        as at {
+            position = inherited.position + bump * at.x * (1 - at.x) * inherited.normal
+        }
+    color = vec3(uv, 0)
+}
+"""
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_texts_of_a_material(profile: str) -> None:
+    (found,) = burnish.compile(BLANKET, profile, native_stages=True).materials
+    assert refused(found) == []
+    for file in found.files:
+        if file.stage in ("control", "evaluation"):
+            assert_golden(file.name, file.text)
+
+
+def assert_golden(name: str, text: str) -> None:
+    """Compare a text with the one that is kept."""
+    path = GOLDEN / name
+    if os.environ.get("BURNISH_UPDATE_GOLDEN"):
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    assert text == path.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("profile", ["wgsl:webgpu", "glsl:es300", "glsl:gl330", "msl:metal2"])
+def test_a_profile_without_the_stages(profile: str) -> None:
+    text = "material M {\n    tessellate triangle by 3 { }\n    color = vec3(uv, 0)\n}\n"
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(text, profile, native_stages=True)
+    assert [render(found) for found in caught.value.diagnostics] == [
+        f"""error[B0701]: {profile} has no control stage
+ --> <text>:2:16
+  |
+2 |     tessellate triangle by 3 {{ }}
+  |                ^^^^^^^^
+  = help: without `--native-stages`, each patch is drawn as an instance of a pattern"""
+    ]
+    burnish.compile(text, profile)
+
+
+def test_what_is_handed_on_keeps_its_place() -> None:
+    program = material("glsl:vulkan", EmitOptions()).staged.program
+    vertex, control, evaluation, _ = program.stages
+    assert control.handed_on == vertex.outputs == control.inputs
+    assert set(evaluation.inputs) == {*control.handed_on, *control.outputs}
+    locations = [field.location for field in evaluation.inputs]
+    assert len(set(locations)) == len(locations)
