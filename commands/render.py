@@ -217,6 +217,9 @@ def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route])
 def _refuse_kernels(subjects: Sequence[Subject]) -> None:
     """End the command if something has no picture."""
     for subject in subjects:
+        if subject.material.reflection["capture"] is not None:
+            fail(f"{subject.label} captures vertices, so its pass draws nothing: "
+                 "`burnish conform` runs it")  # fmt: skip
         if not subject.material.reflection["targets"]:
             fail(f"{subject.label} is a kernel over buffers, which draws nothing: "
                  "`burnish conform` runs it")  # fmt: skip
