@@ -235,6 +235,18 @@ def test_a_value_that_only_one_material_has() -> None:
     assert result.stderr == "error: there is no parameter `wrm`: did you mean `warm`?\n"
 
 
+def test_a_pass_that_captures_has_no_picture(folder: Path) -> None:
+    Path("c.burnish").write_text(
+        "material A { }\npass Moved { capture position : vec3 = position }"
+    )
+    before = tree(folder)
+    result = invoke("render", "c.burnish", "--pass", "Moved", "-o", "x.png", "--size", 4)
+    assert (result.exit_code, result.stderr) == (
+        1, "error: A captures vertices, so its pass draws nothing: `burnish conform` runs it\n",
+    )  # fmt: skip
+    assert tree(folder) == before
+
+
 LACKING = (
     "nothing is drawn by llvmpipe:gl330, llvmpipe:gl450, llvmpipe:es310: "
     "llvmpipe is missing; to install it: apt-get install -y --no-install-recommends "
