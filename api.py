@@ -20,6 +20,7 @@ from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
+from .compiler.ir.stages import COMPUTED
 from .compiler.passes.emit_strips import count_strips
 from .compiler.passes.lower_stages import lower_stages
 from .compiler.passes.pipeline import Options, Staged, stage
@@ -188,6 +189,10 @@ def _compiled(
     chosen: list[tuple[Language, Profile]],
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
+    if shader.chain == COMPUTED:
+        # What a kernel writes has its first row at the top, also where a pass draws it.
+        given = emit_options
+        emit_options = EmitOptions(False, given.single_file, given.line_directives)
     forms = (
         (form_for(staged, profile), target, profile)
         for target, profile in chosen

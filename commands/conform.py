@@ -6,16 +6,18 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import remark, show
+from .compared import Request, Subjects, subjects_of
+from .console import remark
 from .failures import told
 from .options import (
     check_device,
     device_option,
     hoist_option,
+    native_stages_option,
     pass_option,
     pixel,
     rig_option,
@@ -24,8 +26,6 @@ from .options import (
 from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
-    from ..api import CompiledMaterial, CompileResult
-    from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
@@ -37,23 +37,6 @@ COLORS = {
     "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
     "failed": "red", "not run": "yellow",
 }  # fmt: skip
-
-
-class Request(NamedTuple):
-    """The command line after parsing; the names are those of the options."""
-
-    files: tuple[Path, ...]
-    routes: str
-    device: str
-    report: Path | None
-    strict: bool
-    explain: tuple[int, int] | None
-    case: str | None
-    seed: int
-    rig: str | None
-    pass_: str | None
-    search_path: tuple[Path, ...]
-    hoist: bool
 
 
 @click.command()
@@ -87,6 +70,7 @@ class Request(NamedTuple):
 @pass_option
 @search_option
 @hoist_option
+@native_stages_option
 def conform(**chosen: Any) -> None:
     """Draw each FILE with every route, and compare the pictures with the reference.
 
@@ -103,6 +87,9 @@ def conform(**chosen: Any) -> None:
     --explain shows the way of the error at one pixel: its value and its bounds, what each route has
     drawn, which operations contribute how much, and where precision is lost. Pixels are counted
     from 0,0 in the upper left corner.
+
+    With --native-stages, routes draw with the stages that their target has for primitives, and what
+    the reference draws is the same: a route whose target has no such stage is not run.
 
     \b
     Example:
@@ -149,10 +136,6 @@ def _check_report(folder: Path | None) -> None:
         raise unwritable(folder, reason)
 
 
-Subjects = list[tuple[str, "CompiledMaterial"]]
-"""Materials, each with the label that the table shows."""
-
-
 def _routes(request: Request) -> Sequence[Route]:
     from ..targets.conformance.explaining import PixelError, check_pixel
     from ..targets.runner.routes import select
@@ -184,11 +167,15 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
     ):
         if request.device:
             _check_named_device(runner, routes)
-        subjects = _subjects(request, routes)
+        subjects = subjects_of(request, routes, native_stages=False)
+        drawn = subjects
+        if request.native_stages:
+            drawn = subjects_of(request, routes, native_stages=True)
         # Processes take a while to start, which pays off for several materials.
         with References(os.cpu_count() or 1 if len(subjects) >= SEVERAL else 0) as references:
             rows = run(
-                subjects, routes, runner, toolchain, seed=request.seed, draw=references.expected,
+                drawn, routes, runner, toolchain, seed=request.seed, draw=references.expected,
+                meant=dict(subjects),
                 done=lambda done, total: progress.tell(done / total),
             )  # fmt: skip
     return subjects, rows
@@ -235,92 +222,6 @@ def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Ro
     materials = dict(subjects)
     groups = by_material(rows).items()
     return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
-
-
-def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
-    """Every material with every rig and pass, each with the label that the table shows.
-
-    Raises ``CompileError`` with the errors of all files.
-    """
-    from ..compiler.diagnostics.diagnostic import CompileError
-
-    profiles = sorted({route.profile for route in routes})
-    found: Subjects = []
-    warnings: list[Diagnostic] = []
-    errors: list[Diagnostic] = []
-    for path in request.files:
-        try:
-            for variant in _variants(path, request):
-                for result in _compiled(path, variant, request, profiles):
-                    warnings += result.diagnostics
-                    for material in result.materials:
-                        label = _label(path, request.files, material.name, variant)
-                        found.append((label, material))
-        except CompileError as error:
-            errors += error.diagnostics
-    if errors:
-        raise CompileError(errors)
-    show(warnings)
-    return found
-
-
-def _compiled(
-    path: Path, variant: Variant, request: Request, profiles: Sequence[str]
-) -> list[CompileResult]:
-    """The materials of a file with a rig and a pass, without those that lack a slot for the pass.
-
-    Such materials are told. Raises ``CompileError``, also if no material has the slot.
-    """
-    from .. import api
-    from ..compiler.diagnostics import rules
-    from ..compiler.diagnostics.diagnostic import CompileError
-
-    def compiled(material: str | None, pass_: str | None) -> CompileResult:
-        return api.compile(
-            path, profiles, material=material, rig=variant[0], pass_=pass_,
-            search_path=request.search_path, hoist=request.hoist, partial=True,
-        )  # fmt: skip
-
-    try:
-        return [compiled(None, variant[1])]
-    except CompileError as error:
-        if variant[1] is None or {one.rule for one in error.diagnostics} != {rules.UNKNOWN_NAME}:
-            raise
-        fitting: list[CompileResult] = []
-        lacking: dict[str, str] = {}
-        for name in [material.name for material in compiled(None, None)]:
-            try:
-                fitting.append(compiled(name, variant[1]))
-            except CompileError as reason:
-                lacking[name] = reason.diagnostics[0].message
-        if not fitting:
-            raise
-        for name, message in lacking.items():
-            label = _label(path, request.files, name, variant)
-            remark("warning", f"{label}: not drawn, as it does not fit this pass: {message}")
-        return fitting
-
-
-Variant = tuple[str | None, str | None]
-"""The names of a rig and of a pass; ``None`` means the library's."""
-
-
-def _variants(path: Path, request: Request) -> list[Variant]:
-    """The combinations of rig and pass that the command line does not exclude."""
-    from .. import api
-
-    found = api.variants(path, search_path=request.search_path)
-    chosen = [(request.rig or rig, request.pass_ or pass_) for rig, pass_ in found]
-    return list(dict.fromkeys(chosen))
-
-
-def _label(path: Path, paths: Sequence[Path], material: str, variant: Variant) -> str:
-    """The label of a material: its file's name, or the whole path if two names are equal."""
-    from ..compiler.diagnostics.file_names import readable
-
-    alike = sum(other.name == path.name for other in paths) > 1
-    file = readable(str(path) if alike else path.name)
-    return " × ".join([f"{file}: {material}", *filter(None, variant)])
 
 
 def _tell(rows: Sequence[Row], *, strict: bool) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 from click.decorators import FC
 
-from .compile_options import HOIST, INCLUDE, PASS, RIG, Option
+from .compile_options import HOIST, INCLUDE, NATIVE_STAGES, PASS, RIG, Option
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
@@ -40,6 +40,7 @@ rig_option = option(RIG)
 pass_option = option(PASS)
 search_option = option(INCLUDE)
 hoist_option = option(HOIST)
+native_stages_option = option(NATIVE_STAGES)
 format_option = click.option(
     "--format",
     "form",

@@ -18,6 +18,7 @@ from .options import (
     device_option,
     file_argument,
     hoist_option,
+    native_stages_option,
     pass_option,
     rig_option,
     search_option,
@@ -113,6 +114,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @pass_option
 @search_option
 @hoist_option
+@native_stages_option
 def render(**chosen: Any) -> None:
     """Draw the materials of FILE.
 
@@ -150,6 +152,11 @@ def _render(request: Request) -> None:
 
     _check_output(request.output)
     routes = _routes(request.on)
+    if request.native_stages and None in routes:
+        raise click.UsageError(
+            "--native-stages is for routes, and the reference draws without such stages: name "
+            "routes, as in `--on lavapipe`"
+        )
     drivers = [route for route in routes if route is not None]
     check_device(request.device, drivers)
     with Progress("drawing") as progress, Runner(drivers, device=request.device) as runner:
@@ -210,6 +217,9 @@ def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route])
 def _refuse_kernels(subjects: Sequence[Subject]) -> None:
     """End the command if something has no picture."""
     for subject in subjects:
+        if subject.material.reflection["capture"] is not None:
+            fail(f"{subject.label} captures vertices, so its pass draws nothing: "
+                 "`burnish conform` runs it")  # fmt: skip
         if not subject.material.reflection["targets"]:
             fail(f"{subject.label} is a kernel over buffers, which draws nothing: "
                  "`burnish conform` runs it")  # fmt: skip

@@ -45,6 +45,7 @@ class Request(NamedTuple):
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+    native_stages: bool
 
     @property
     def draws_everything(self) -> bool:
@@ -109,6 +110,7 @@ def _compiled(
         rig: api.compile(
             request.file, profiles, material=request.material, rig=rig, pass_=request.pass_,
             search_path=request.search_path, hoist=request.hoist, partial=request.draws_everything,
+            native_stages=request.native_stages,
         )
         for rig in rigs
     }  # fmt: skip

@@ -1,8 +1,8 @@
 """Reads and links the standard library.
 
 The front end asks for ``standard_library``, the files that are imported from ``std``. Semantics
-asks for ``conversions``, and the passes that expand builtins ask for ``expansion``. The syntax
-trees are usually made when the package is built (``library_trees.py``).
+asks for ``conversions`` and for the ``tessellator``, and the passes that expand builtins ask for
+``expansion``. The syntax trees are usually made when the package is built (``library_trees.py``).
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ from .syntax.load import load_source
 FOLDER = Path(__file__).parent.parent / "stdlib"
 MEANING = "meaning.burnish"
 CONVERSIONS = "spaces.burnish"
+TESSELLATOR = "tessellator.burnish"
 
 T = TypeVar("T")
 
@@ -79,8 +80,19 @@ def trees_to_generate() -> Precomputations:
 @once
 def conversions() -> Module:
     """The module with the functions that convert values from one space to another."""
-    path = FOLDER / CONVERSIONS
-    file = flawless(Source(f"std/{CONVERSIONS}", path.read_text(encoding="utf-8")), parse_library)
+    return _alone(CONVERSIONS)
+
+
+@once
+def tessellator() -> Module:
+    """The module with the functions that say where the vertices of a divided patch lie."""
+    return _alone(TESSELLATOR)
+
+
+def _alone(name: str) -> Module:
+    """A file of the library that imports nothing, as a module that the compiler itself uses."""
+    path = FOLDER / name
+    file = flawless(Source(f"std/{name}", path.read_text(encoding="utf-8")), parse_library)
     module = Module(file, path)
     for declaration in file.declarations:
         assert not isinstance(declaration, ast.Import)

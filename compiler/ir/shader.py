@@ -236,6 +236,16 @@ class Notes:
                 table.setdefault(new.id, table[id_])
 
 
+@frozen
+class PatchPattern:
+    """What is known of a vertex of a patch: values of its number and of the levels of the patch."""
+
+    place: Node
+    """Its coordinate in the patch, as the evaluation stage gets it."""
+    is_there: Node
+    """Whether the patch is divided into that many."""
+
+
 @record
 class Shader:
     """One material under one pass and one rig, before any optimisation."""
@@ -274,6 +284,10 @@ class Shader:
     """What each patch of the mesh is divided into, whichever stage does it."""
     levels: tuple[Result, ...] = ()
     """Where the host divides all patches alike, what the control stage would have delivered."""
+    pattern: PatchPattern | None = None
+    """Where the vertices of a patch lie, for pipelines that do not divide patches."""
+    listed: int = 0
+    """How many vertices each patch is drawn with where the vertices themselves find out."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
 

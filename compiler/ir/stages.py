@@ -179,6 +179,10 @@ PATCH_WEIGHTS = SystemInput("patch_weights", VEC3, TESSELLATED)
 PATCH_COORDINATE = SystemInput("patch_coordinate", VEC2, TESSELLATED)
 """Where it lies in a quad (u, v), or on the lines of an isoline patch: u along a line, and v tells
 the lines apart."""
+PATTERN_VERTEX = SystemInput("pattern_vertex", INT, TESSELLATED)
+"""The number of a vertex among those of its patch, as a list. No pipeline supplies it: it becomes
+that of a vertex in a draw of instances."""
+
 EVALUATION = StageRow(
     "evaluation", TESSELLATED, "tese", "ds_main",
     inputs=(PATCH_WEIGHTS, PATCH_COORDINATE),

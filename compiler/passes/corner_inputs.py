@@ -13,13 +13,33 @@ from ...frozen import changed
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.leaves import Attribute
-from ..ir.node import Node
+from ..ir.node import Graph, Node
 from ..ir.rewrite import rewrite
 from ..ir.shader import AttributeInfo, MeshInput, Shader
 from ..ir.stages import INSTANCES, VERTEX, SystemInput
-from ..ir.types import UINT, Array
+from ..ir.types import INT, UINT, VEC4, Array
 
 VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
+
+NOWHERE = (0.0, 0.0, -1.0, 1.0)
+"""A place in clip space that no picture shows."""
+
+
+def listed_vertex(graph: Graph, count: int) -> Node:
+    """The number of a vertex in a draw of so many."""
+    last = build.constant(graph, UINT, count - 1)
+    index = graph.node("input", UINT, (), VERTEX_INDEX)
+    # The host draws no more vertices: what this says is how large the numbers can become.
+    index = graph.node("call", UINT, (index, last), "min")
+    return graph.node("call", INT, (index,), "to_int")
+
+
+def placed(shader: Shader, is_there: Node, position: Node) -> Node:
+    """Where a vertex lies in clip space that may have nothing to show."""
+    nowhere = build.constant(shader.graph, VEC4, NOWHERE)
+    value = shader.graph.node("select", VEC4, (is_there, position, nowhere))
+    shader.notes.names.setdefault(value.id, "placed")
+    return value
 
 
 class CornerInputs:

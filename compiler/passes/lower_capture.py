@@ -43,15 +43,23 @@ def lower_capture(shader: Shader) -> Shader:
     """
     if shader.capture is None:
         return shader
+    before = len(shader.graph)
     reading = _Reading(shader)
     values = rewrite(
         shader.graph, shader.roots, reading.rule, shader.notes.follow, ("attribute", "input")
     )
     lowered = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
     written = _written(shader, reading.span)
+    results = (
+        Result(EXTENT, COMPUTE, reading.extent), *_stores(shader, written, lowered),
+    )  # fmt: skip
+    # What is read and counted stands nowhere, but where the first value is that is captured.
+    for node in reachable([result.value for result in results]):
+        if node.id >= before:
+            shader.notes.spans.setdefault(node.id, reading.span)
     return changed(
         shader,
-        results=(Result(EXTENT, COMPUTE, reading.extent), *_stores(shader, written, lowered)),
+        results=results,
         parameters=(*shader.parameters, reading.mesh.count),
         attributes=(),
         buffers=(*shader.buffers, reading.mesh),
@@ -70,7 +78,8 @@ class _Reading:
         self._is_expanded = shader.expansion is not None
         self._listed = 1 if shader.expansion is None else shader.expansion.listed
         """How many vertices come of each element of the buffer."""
-        self.span = next(iter(shader.notes.spans.values()))
+        self.span = _first_span(shader)
+        """Where the first value is that is captured."""
         infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
         self._members = {info.attribute: _member_name(info.attribute) for info in infos}
         self.mesh = _mesh(shader, infos, self._members, is_primitive=self._is_expanded)
@@ -124,6 +133,13 @@ class _Reading:
 
     def _call(self, type_: Type, name: str, *operands: Node) -> Node:
         return self._graph.node("call", type_, operands, name)
+
+
+def _first_span(shader: Shader) -> Span:
+    """Where the first value is written that is captured and stands somewhere."""
+    spans = shader.notes.spans
+    places = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))
+    return next((span for span in places if span is not None), next(iter(spans.values())))
 
 
 def _as_attribute(row: SystemInput) -> Attribute:

@@ -41,11 +41,8 @@ from ..ir.stages import (
     VERTEX,
     SystemInput,
 )
-from ..ir.types import BOOL, INT, UINT, VEC4
-from .corner_inputs import VERTEX_INDEX, CornerInputs
-
-NOWHERE = (0.0, 0.0, -1.0, 1.0)
-"""A place in clip space that no picture shows."""
+from ..ir.types import BOOL, INT
+from .corner_inputs import CornerInputs, listed_vertex, placed
 
 LAYER_OF_DRAW = "draw.layer"
 """What the parameter is called that says for which layer a draw is; with ``_`` behind it if a light
@@ -87,9 +84,7 @@ def _placed(shader: Shader, result: Result, drawn: Node | None) -> Result:
         return result
     value = result.value
     if result.kind == CLIP_POSITION and drawn is not None:
-        nowhere = build.constant(shader.graph, VEC4, NOWHERE)
-        value = shader.graph.node("select", VEC4, (drawn, result.value, nowhere))
-        shader.notes.names.setdefault(value.id, "placed")
+        value = placed(shader, drawn, value)
     return changed(result, stage=VERTEX, value=value)
 
 
@@ -168,11 +163,7 @@ class EmittedNumbers:
         self._graph = graph
         self._groups = expansion.groups
         self._starts = expansion.starts
-        last = build.constant(graph, UINT, expansion.listed - 1)
-        index = graph.node("input", UINT, (), VERTEX_INDEX)
-        # The host draws no more vertices: what this says is how large the numbers can become.
-        index = graph.node("call", UINT, (index, last), "min")
-        self._vertex = self._call("to_int", index)
+        self._vertex = listed_vertex(graph, expansion.listed)
         """The number of the vertex in the draw."""
 
     def of(self, row: SystemInput) -> Node:

@@ -1,13 +1,21 @@
 """Tessellations without their stages: each patch of the mesh is drawn as an instance.
 
-``api.py`` calls ``lower_tessellation`` before all passes. If all patches of a draw are divided
-alike, the host computes into how many steps, once for the draw, and makes the pattern of triangles.
-Its points are the vertices of the draw, and where they lie in a patch is a vertex input. What the
-mesh has at the control points are vertex inputs per instance, one for each that is read. The order
-of triangles is that of the tessellator: patch after patch.
+``api.py`` calls ``lower_tessellation`` before all passes. What the mesh has at the control points
+are vertex inputs per instance, one for each that is read. Where the vertices lie in their patch:
+
+- If all patches of a draw are divided alike, the host computes into how many steps, once for the
+  draw, and makes the pattern of triangles. Its points are the vertices of the draw, and where they
+  lie is a vertex input.
+- If not, an instance has as many vertices as its patch can have at most, and each of them finds out
+  by its number where it lies, if it is there at all: the library's tessellator says so. A triangle
+  that the patch does not have has all its vertices in one place, beyond the picture.
+
+The order of triangles is that of the tessellator: patch after patch.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from ...frozen import changed
 from ..ir import build
@@ -15,21 +23,30 @@ from ..ir.domains import Domains
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
 from ..ir.operations import CROSS, INPUT
+from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..ir.shader import AttributeInfo, MeshInput, Result, Shader
+from ..ir.shader import AttributeInfo, MeshInput, PatchPattern, Result, Shader
 from ..ir.stages import (
+    CLIP_POSITION,
     CONTROL,
+    EDGE_LEVEL,
     EVALUATION,
     FLAT,
+    INNER_LEVEL,
     PATCH_INDEX,
+    PATTERN_VERTEX,
     RASTERISED,
     SMOOTH,
     TESSELLATED,
     VERTEX,
     VERTICES,
 )
-from ..ir.tessellation import Tessellation
-from .corner_inputs import CornerInputs
+from ..ir.tessellation import MOST_LEVEL, Tessellation
+from ..reference.tessellation import divided
+from .corner_inputs import CornerInputs, listed_vertex, placed
+
+TRIANGLE = 3
+"""The vertices of one."""
 
 _KNOWN_TO_HOST = frozenset(
     {"constant", "parameter", "call", "select", "vector", "splat", "matrix", "swizzle", "index"}
@@ -42,10 +59,13 @@ def lower_tessellation(shader: Shader) -> Shader:
     """The shader with vertices instead of vertices in patches; itself if it divides none, or if the
     host cannot divide all of them alike."""
     patches = shader.tessellation
-    if patches is None or not _can_divide(shader, patches):
+    if patches is None or shader.pattern is None or patches.kind.cell != TRIANGLE:
         return shader
     before = len(shader.graph)
-    lowering = _Lowering(shader, patches)
+    levels = tuple(result for result in shader.results if result.stage == CONTROL)
+    by_host = _can_divide([level.value for level in levels])
+    count = 0 if by_host else most_vertices(patches, levels)
+    lowering = _Lowering(shader, patches, None if by_host else shader.pattern, count)
     drawn = [result for result in shader.results if result.stage != CONTROL]
     results = [lowering.lowered(result) for result in drawn]
     # What tells the vertices apart stands nowhere, but where the tessellation does.
@@ -57,27 +77,44 @@ def lower_tessellation(shader: Shader) -> Shader:
         results=tuple(results),
         attributes=lowering.attributes,
         chain=RASTERISED,
-        levels=tuple(result for result in shader.results if result.stage == CONTROL),
+        levels=levels if by_host else (),
+        listed=count,
     )
 
 
-def _can_divide(shader: Shader, patches: Tessellation) -> bool:
-    """Whether a host can make the pattern: of triangles, by levels that it can compute."""
-    levels = [result.value for result in shader.results if result.stage == CONTROL]
+def _can_divide(levels: Sequence[Node]) -> bool:
+    """Whether a host can make the pattern: by levels that it can compute."""
     domains = Domains()
-    return (
-        patches.kind.cell == 3
-        and all(domains.of(level) is None for level in levels)
-        and all(node.op in _KNOWN_TO_HOST for node in reachable(levels))
+    return all(domains.of(level) is None for level in levels) and all(
+        node.op in _KNOWN_TO_HOST for node in reachable(levels)
     )
+
+
+def most_vertices(patches: Tessellation, levels: Sequence[Result]) -> int:
+    """How many vertices a patch has at most, as a list of triangles."""
+    ranges = Ranges(())
+    edges, inside = (
+        [_bounded(ranges.of(level.value).hi) for level in levels if level.kind == kind]
+        for kind in (EDGE_LEVEL, INNER_LEVEL)
+    )
+    return TRIANGLE * len(divided(patches.patch, edges, inside, patches.spacing).cells)
+
+
+def _bounded(level: float) -> float:
+    return min(level, MOST_LEVEL)
 
 
 class _Lowering:
     """Makes vertices of those in patches, and collects what these read of the mesh."""
 
-    def __init__(self, shader: Shader, patches: Tessellation) -> None:
+    def __init__(
+        self, shader: Shader, patches: Tessellation, pattern: PatchPattern | None, count: int
+    ) -> None:
+        """Without ``pattern``, it is a vertex input; otherwise a patch has ``count`` vertices."""
         self._shader = shader
         self._patches = patches
+        self._pattern = pattern
+        self._count = count
         self._inputs = CornerInputs(shader, patches.points, patches.span)
         self._known: dict[Node, Node] = {}
 
@@ -88,17 +125,25 @@ class _Lowering:
 
     def lowered(self, result: Result) -> Result:
         """A result of the evaluation stage as one of the vertices, and the fragments' own."""
+        value = self._value(result.value)
+        if result.stage != EVALUATION:
+            return changed(result, value=value)
+        if result.kind == CLIP_POSITION and self._pattern is not None:
+            value = placed(self._shader, self._value(self._pattern.is_there), value)
+        return changed(result, stage=VERTEX, value=value)
+
+    def _value(self, value: Node) -> Node:
         graph, follow = self._shader.graph, self._shader.notes.follow
         ops = ("cross", "input")
-        (value,) = rewrite(graph, (result.value,), self._rule, follow, ops, new=self._known)
-        stage = VERTEX if result.stage == EVALUATION else result.stage
-        return changed(result, stage=stage, value=value)
+        return rewrite(graph, (value,), self._rule, follow, ops, new=self._known)[0]
 
     def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op == "input":
             row = INPUT.data(node)
             if row == PATCH_INDEX:
                 return self._inputs.number(row)
+            if row == PATTERN_VERTEX:
+                return listed_vertex(graph, self._count)
             return self._coordinate() if row.domain == TESSELLATED else None
         crossing = CROSS.data(node)
         if crossing.mode == "corner":
@@ -109,6 +154,10 @@ class _Lowering:
 
     def _coordinate(self) -> Node:
         """Where the vertex lies in its patch."""
+        if self._pattern is not None:
+            place = self._value(self._pattern.place)
+            self._shader.notes.names.setdefault(place.id, self._patches.kind.coordinate.name)
+            return place
         row = self._patches.kind.coordinate
         leaf = Attribute(f"pattern.{row.name}", row.type, VERTICES)
         mesh = MeshInput(row.name, is_of_pattern=True)

@@ -30,7 +30,7 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import CAPTURE, EMITTING, EXTENT, IMAGE, VARYING, StageRow
+from ..ir.stages import CAPTURE, EDGE_LEVEL, EMITTING, EXTENT, IMAGE, INNER_LEVEL, VARYING, StageRow
 from ..ir.types import UINT, scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
@@ -50,6 +50,7 @@ def split_stages(
     It is the last pass, and what ``targets/legalise`` ends with that has changed some values.
     """
     blocks = _blocks(shader, derived)
+    _name_levels(results, shader.notes)
     works: list[_Work] = []
     interfaces = Interfaces(shader.notes, results)
     for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
@@ -83,6 +84,14 @@ def split_stages(
         shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
         shader.expansion, shader.tessellation, shader.capture, shader.work_group,
     )  # fmt: skip
+
+
+def _name_levels(results: Sequence[Result], notes: Notes) -> None:
+    """Give the levels of patches names, where they are computed and nobody has named them."""
+    for kind in (EDGE_LEVEL, INNER_LEVEL):
+        for number, result in enumerate(result for result in results if result.kind == kind):
+            if result.value.operands and result.value.op != "cross":
+                notes.names.setdefault(result.value.id, f"{kind}_{number}")
 
 
 def _groups(

@@ -155,6 +155,7 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
             "primitive": PATCHES,
             "corners": patches.points,
             "tessellation": _tessellation_row(shader, patches),
+            "vertices": shader.listed or None,
         }
     if expansion is not None:
         native = GEOMETRY in shader.chain
@@ -174,7 +175,7 @@ def _tessellation_row(shader: Shader, patches: Tessellation) -> dict[str, Any]:
         "ends": list(patches.ends),
         "spacing": patches.spacing,
         "divided_by": EVALUATION.name if native else "instances",
-        "levels": None if native else _levels_row(shader),
+        "levels": _levels_row(shader) if shader.levels else None,
     }
 
 

@@ -6,12 +6,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 from threading import Event
 
 from ...compiler.ir.stages import COMPUTED
+from ...frozen import EMPTY
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError
@@ -44,14 +45,20 @@ def conform(
     size: Size = SIZE,
     keep: bool = True,
     draw: Draw = expected,
+    meant: Mapping[str, Subject] = EMPTY,
 ) -> list[Row]:
     """A row for each labelled material and each route, in this order.
 
-    Without ``keep``, what the reference draws is not kept: random programs are drawn only once.
-    ``draw`` draws with the reference; that of ``References`` makes use of several processors.
+    ``meant`` has, by the label, the form of a material that the reference draws, where this is not
+    the one that routes draw. Without ``keep``, what the reference draws is not kept: random
+    programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes
+    use of several processors.
     """
     store = Store(STORE) if keep else Store(STORE, limit=0)
-    plans = [_plan(label, subject, seed, store, size, draw) for label, subject in subjects]
+    plans = [
+        _plan(label, subject, seed, store, size, draw, meant.get(label))
+        for label, subject in subjects
+    ]
     rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
@@ -75,7 +82,13 @@ def conform(
 
 
 def _plan(
-    label: str, subject: Subject, seed: int, store: Store, size: Size, draw: Draw
+    label: str,
+    subject: Subject,
+    seed: int,
+    store: Store,
+    size: Size,
+    draw: Draw,
+    meant: Subject | None,
 ) -> Plan | KernelPlan | CapturePlan | tuple[str, str]:
     """The plan of a material or a kernel; or its label, and the reason why nothing can draw it."""
     try:
@@ -83,7 +96,7 @@ def _plan(
             return CapturePlan(label, subject, seed, size)
         if subject.shader.chain == COMPUTED and not has_images(subject.reflection):
             return KernelPlan(label, subject, seed)
-        return Plan(label, subject, seed, store, size, draw)
+        return Plan(label, subject, seed, store, size, draw, meant)
     except ValueError as error:
         return label, str(error)
 
@@ -99,7 +112,7 @@ def _row(
     if isinstance(plan, tuple):
         label, reason = plan
         return Row(label, route, "failed", reason)
-    problem = runner.problem(route) or plan.subject.lacking.get(route.profile)
+    problem = runner.problem(route) or _lacking(plan, route.profile)
     if problem is not None:
         return Row(plan.label, route, "not run", problem)
     made = partial(Row, plan.label, route, versions=runner.versions(route))
@@ -122,6 +135,12 @@ def _row(
     except (CodeError, DriverError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
+
+
+def _lacking(plan: Plan | KernelPlan | CapturePlan, profile: str) -> str | None:
+    """Why there is nothing to draw for a profile, or nothing to compare with."""
+    meant = plan.meant if isinstance(plan, Plan) else plan.subject
+    return plan.subject.lacking.get(profile) or meant.lacking.get(profile)
 
 
 def _status(results: Sequence[CaseResult]) -> Status:

@@ -61,17 +61,24 @@ class Plan:
         store: Store,
         size: Size,
         draw: Draw = drawn_here,
+        meant: Subject | None = None,
     ) -> None:
         """``draw`` draws with the reference, and ``store`` keeps what it has drawn. ``size`` is
-        that of all pictures.
+        that of all pictures. ``meant`` is the form of the material that the reference draws, if
+        that is another: one without stages that only some profiles have.
 
         Raises what ``Instance`` and ``set_up`` raise, although a case should lack no value.
         """
         self.label = label
         self.subject = subject
+        self.meant = meant or subject
         self.work = [
-            (series, tuple(case.state.draw() for case in series.cases))
-            for series in series_of(subject.reflection, seed, size)
+            (series, tuple(case.state.draw() for case in drawn.cases))
+            for series, drawn in zip(
+                series_of(self.meant.reflection, seed, size),
+                series_of(subject.reflection, seed, size),
+                strict=True,
+            )
         ]
         """Each series with its draws."""
         self._expected: Known[Expected] = Known()
@@ -120,7 +127,7 @@ class Plan:
         """The program as emitted for a profile, or that of the source."""
 
         def made() -> Program:
-            emitted = self.subject.shader if profile is None else self.subject.emitted(profile)
+            emitted = self.meant.shader if profile is None else self.meant.emitted(profile)
             return Program.of(to_targets(drawable(emitted), exact=exact))
 
         return self._programs.value((profile, exact), made)

@@ -64,7 +64,11 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     if row["divided_by"] == EVALUATION.name:
         return Drawn(data, found, copies)
-    places, triangles = pattern(row["kind"], row["spacing"], *instance.levels())
+    if row["levels"] is None:
+        # No input is of the pattern: the vertices find out by their numbers.
+        places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
+    else:
+        places, triangles = pattern(row["kind"], row["spacing"], *instance.levels())
     attributes = {
         each["name"]: places
         if each["mesh"]["is_of_pattern"]

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.tessellation import PATCH_KINDS, Patch, Spacing
-from ...compiler.reference.tessellation import ONE, Pattern, quad, triangle
+from ...compiler.ir.types import width
+from ...compiler.reference.tessellation import ONE, divided
 from .meshes import Indices, Mesh, MeshError
 from .primitives import primitives
 
@@ -45,12 +46,8 @@ def pattern(
     kind: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
 ) -> tuple[NDArray[Any], Indices]:
     """Where the points of a divided patch lie in it, and the triangles between them."""
-    if kind == "triangle":
-        return _arrays(triangle(edges, inside[0], spacing), 3)
-    return _arrays(quad(edges, inside, spacing), 2)
-
-
-def _arrays(found: Pattern, lanes: int) -> tuple[NDArray[Any], Indices]:
+    found = divided(kind, edges, inside, spacing)
+    lanes = width(PATCH_KINDS[kind].coordinate.type)
     places = np.array(found.places, np.float64).reshape(-1, 3)[:, :lanes] / ONE
     return places, np.array(found.cells, np.int64).reshape(-1, 3)
 

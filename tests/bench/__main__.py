@@ -7,7 +7,18 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from . import aims, chains, drawing, first, guard_cost, lean, stages, tiles, times
+from . import (
+    aims,
+    chains,
+    drawing,
+    first,
+    guard_cost,
+    lean,
+    stage_lengths,
+    stages,
+    tiles,
+    times,
+)
 from .checkout import Checkout
 from .growth import measure as growth
 from .table import Section
@@ -19,6 +30,7 @@ Part = Callable[[Namespace], Iterator[Section]]
 
 PARTS: dict[str, Part] = {
     "lean": lambda _: lean.measure(),
+    "stage_lengths": lambda _: stage_lengths.measure(),
     "guards": lambda _: guard_cost.measure(),
     "aims": lambda asked: aims.measure(_checkouts(asked)),
     "first": lambda asked: first.measure(_checkouts(asked)),

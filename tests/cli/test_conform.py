@@ -454,3 +454,28 @@ def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
     assert wide <= 500, "what is wide scrolls by itself"
     assert "not run: chromium:webgpu, chromium:webgl2" in text
     assert [url for url in asked if not url.startswith(("file:", "data:"))] == []
+
+
+EXPANDED = """
+material Sprites {
+    expand point {
+        strip of 4 as i {
+            position = corner[0].position + 0.1 * vec3(float(i mod 2), float(i / 2), 0)
+        }
+    }
+    color = 0.5 + 0.5 * normal
+}
+"""
+
+
+def test_native_stages(folder: Path) -> None:
+    """A geometry stage draws what the reference draws; a profile without one is left out."""
+    (folder / "s.burnish").write_text(EXPANDED)
+    named = ("lavapipe:glsl", "lavapipe:wgsl-naga")
+    result = invoke("conform", "s.burnish", "--native-stages", "--routes", ",".join(named))
+    lines = filter(None, map(str.split, result.stdout.splitlines()))
+    rows = {words[0]: words[1:3] for words in lines}
+    assert rows["lavapipe:glsl"][0] == "agrees"
+    assert rows["lavapipe:wgsl-naga"] == ["not", "run"]
+    assert "not run by lavapipe:wgsl-naga: wgsl:webgpu has no geometry stage" in result.stdout
+    assert result.exit_code == 1  # It was named.

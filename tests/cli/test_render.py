@@ -318,3 +318,29 @@ def test_images_without_texels_or_with_too_many_are_refused(
         "render", tmp_path / "k.burnish", "-o", tmp_path / "k.png", "--set", f"width={width}"
     )
     assert (result.exit_code, result.stderr) == (1, f"{CHART}error: {told}\n")
+
+
+def test_native_stages(tmp_path: Path) -> None:
+    """Routes draw with a geometry stage what they draw without one."""
+    source = tmp_path / "s.burnish"
+    source.write_text("""
+        material Sprites {
+            expand point {
+                strip of 4 as i {
+                    position = corner[0].position + 0.1 * vec3(float(i mod 2), float(i / 2), 0)
+                }
+            }
+        }
+    """)
+    pictures = []
+    for options in (["--native-stages"], []):
+        output = tmp_path / f"{len(options)}.png"
+        invoke(
+            "render", str(source), "-o", str(output), "--on", "lavapipe:glsl", "--size", "48",
+            *options,
+        )  # fmt: skip
+        pictures.append(output.read_bytes())
+    assert pictures[0] == pictures[1]
+    refused = invoke("render", str(source), "-o", str(tmp_path / "r.png"), "--native-stages")
+    assert refused.exit_code == 2
+    assert "--native-stages is for routes" in refused.stderr

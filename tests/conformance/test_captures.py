@@ -6,8 +6,11 @@ last bit. And what is captured is a mesh again, which is drawn like any other.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any
 
 import numpy as np
@@ -15,9 +18,13 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
+from burnish.compiler.ir.types import UINT
+from burnish.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.capturing import Vertices, capture
+from burnish.targets.runner.drivers.draw import Captured, Written
+from burnish.targets.runner.kernels import elements_of
 from burnish.targets.runner.meshes import MeshError, cube, plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
@@ -187,3 +194,158 @@ def test_vertices_without_a_position_are_no_mesh(studio: Studio) -> None:
     text = "material Dust { color = vec3(1) } pass Moved { capture number : float = uv.x }"
     with pytest.raises(MeshError, match="captured `position`"):
         captured(studio, text).mesh()
+
+
+Change = Callable[[Any], Callable[..., Any]]
+"""Makes something wrong of a function that is right."""
+
+
+def _shifted(right: Any) -> Callable[..., Any]:
+    """Each output is written where the one before it belongs."""
+
+    def found(*given: Any) -> Any:
+        stream = right(*given)
+        offsets = [0, *(output.offset for output in stream.outputs)]
+        pairs = zip(stream.outputs, offsets, strict=False)
+        moved = tuple(replace(output, offset=offset) for output, offset in pairs)
+        return replace(stream, outputs=moved)
+
+    return found
+
+
+def _one_place_on(right: Any) -> Callable[..., Any]:
+    """A kernel writes the first two numbers of a vertex in each other's place."""
+
+    def found(self: Any, expressions: Any, store: Any, value: Any) -> Any:
+        exchanged = {0: 1, 1: 0}.get(store.offset, store.offset)
+        return right(self, expressions, changed(store, offset=exchanged), value)
+
+    return found
+
+
+def _member_later(right: Any) -> Callable[..., Any]:
+    return lambda words, row: right(words, {**row, "offset": row["offset"] ^ 4})
+
+
+def _all_there(_right: Any) -> Callable[..., Any]:
+    """What no strip emits is kept."""
+
+    def found(state: SceneState, written: Written) -> Captured:
+        stride = state.instance.reflection["capture"]["stride"]
+        (data,) = elements_of(state.instance, written).values()
+        words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
+        return Captured(len(words), words[:, :stride].tobytes())
+
+    return found
+
+
+def _never_turned(_right: Any) -> Callable[..., Any]:
+    """The triangles of a strip all go around alike."""
+    return lambda group: [t + n for t in range(group.listed_each // 3) for n in range(3)]
+
+
+def _next_corner(right: Any) -> Callable[..., Any]:
+    return lambda lanes, corner, corners: right(lanes, corner, np.roll(corners, 1, axis=1))
+
+
+def _converted(_right: Any) -> Callable[..., Any]:
+    """Floats are written as whole numbers, and not as their bits."""
+    return lambda shader, value: (
+        value if value.type == UINT else shader.graph.node("native", UINT, (value,), "to_uint")
+    )
+
+
+def _no_end(_right: Any) -> Callable[..., Any]:
+    """The triangles of a list are one strip."""
+    return lambda _group: False
+
+
+NOTICED: Mapping[str, tuple[str, str, str, Change]] = {
+    "outputs where others belong": (
+        "Plain", "lavapipe:hlsl-dxc", "runner.binding._stream_output", _shifted,
+    ),
+    "a member read elsewhere": (
+        "Plain", "llvmpipe:gl330", "runner.capturing._member", _member_later,
+    ),
+    "a list as one strip": ("Tent", "lavapipe:glsl", "emit.strips._stands_alone", _no_end),
+    "numbers in each other's place": (
+        "Plain", "lavapipe:wgsl-naga", "emit.stage.StagePrinter._store", _one_place_on,
+    ),
+    "vertices that are not there": (
+        "Sparks", "lavapipe:wgsl-naga", "runner.capturing._compacted", _all_there,
+    ),
+    "no bits of floats": (
+        "Plain", "lavapipe:wgsl-naga", "..compiler.passes.split_stages._bits_of", _converted,
+    ),
+    "the reference does not turn": (
+        "Tent", "lavapipe:glsl", "..compiler.reference.capture._listed", _never_turned,
+    ),
+    "the reference reads the next corner": (
+        "Tent", "lavapipe:glsl", "..compiler.reference.capture._at_corner", _next_corner,
+    ),
+}  # fmt: skip
+"""Planted errors that ``conform`` has to notice: a material, a route, what is changed, and how."""
+
+
+def place(path: str) -> str:
+    """The whole name of something in ``targets``, or in the folder beside it."""
+    return path.replace("..", "burnish.") if path.startswith("..") else f"burnish.targets.{path}"
+
+
+@pytest.mark.parametrize("error", NOTICED)
+def test_planted_errors_are_noticed(
+    studio: Studio, error: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name, route, path, change = NOTICED[error]
+    plant(monkeypatch, place(path), change)
+    (material,) = burnish.compile(
+        FILE, ROUTES[route].profile, material=name, pass_="Captured",
+        native_stages="wgsl" not in route,
+    ).materials  # fmt: skip
+    (row,) = conform([(name, material)], [ROUTES[route]], studio.runner, studio.toolchain)
+    assert row.status == "differs", row.problem
+
+
+def plant(patch: pytest.MonkeyPatch, path: str, change: Change) -> None:
+    """Replace a function by what ``change`` makes of it."""
+    owner, _, name = path.rpartition(".")
+    holder: Any = resolve_name(owner)
+    patch.setattr(holder, name, change(getattr(holder, name)))
+
+
+def _of_next(right: Any) -> Callable[..., Any]:
+    return lambda row, state: np.roll(right(row, state), 1, axis=0)
+
+
+def _first_of_all(_right: Any) -> Callable[..., Any]:
+    return lambda self, _number: self._number(0)
+
+
+def _never_empty(_right: Any) -> Callable[..., Any]:
+    return lambda _self, _results: None
+
+
+APART: Mapping[str, tuple[str, str, Change]] = {
+    "a mesh that begins elsewhere": ("as they are", "runner.capturing._of_elements", _of_next),
+    "every strip is the first": (
+        "points", "..compiler.passes.lower_expansion.EmittedNumbers._strip", _first_of_all,
+    ),
+    "conditions are forgotten": (
+        "groups", "..compiler.passes.lower_expansion._Lowering.drawn", _never_empty,
+    ),
+}  # fmt: skip
+"""Planted errors that only the comparison of both forms can notice, since the reference evaluates
+what the lowering has made."""
+
+
+@pytest.mark.parametrize("error", APART)
+def test_the_comparison_of_both_forms_notices(
+    studio: Studio, error: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name, path, change = APART[error]
+    native = captured(studio, TEXT.format(EXACT[name]), native_stages=True)
+    plant(monkeypatch, place(path), change)
+    lowered = captured(studio, TEXT.format(EXACT[name]))
+    assert native.count != lowered.count or any(
+        (values != lowered.members[member]).any() for member, values in native.members.items()
+    )

@@ -21,7 +21,7 @@ from burnish.targets.conformance.rows import Row
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
-from ..examples.kit import EXAMPLES, LACKING, VARIANTS, Variant
+from ..examples.kit import EXAMPLES, VARIANTS, Variant
 from .kit import PROFILES, Studio
 
 LEAST_COVERED = 0.1
@@ -45,6 +45,10 @@ ROUGH_SINES = {"swiftshader", "webgpu", "webgl2"}
 HANGS_ON_SINES = {"mixins"}
 """Examples whose vertices are where a sine is: it hangs on the sine's error which side of an edge
 many pixels are on."""
+
+CROWDED = {"particles"}
+"""Examples of many small triangles, one before the other: WebGL 2 tells so little of how it rounds
+that which of them is seen is undecided at most pixels."""
 
 CASES = [
     pytest.param(
@@ -87,10 +91,12 @@ def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
 @pytest.mark.parametrize("key", CASES)
 def test_it_agrees(rows: Callable[[Path], dict[Key, Row]], key: Key) -> None:
     row = rows(key[0].path)[key]
-    if ROUTES[key[2]].profile in LACKING.get(key[0].path.stem, ()):
+    if ROUTES[key[2]].profile in key[0].lacking:
         assert row.status == "not run", row.status
         return
-    if key[0].path.stem in HANGS_ON_SINES and ROUTES[key[2]].driver in ROUGH_SINES:
+    stem, driver = key[0].path.stem, ROUTES[key[2]].driver
+    is_crowded = stem in CROWDED and driver == "webgl2"
+    if is_crowded or (stem in HANGS_ON_SINES and driver in ROUGH_SINES):
         assert row.status in {"agrees", "proves little"}, "\n".join(details(row)) or row.status
         return
     assert row.status == "agrees", "\n".join(details(row)) or row.status

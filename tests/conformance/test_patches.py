@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from typing import Any, TypeAlias, cast
 
 import numpy as np
@@ -30,7 +31,7 @@ from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.fields import Fields
 from burnish.targets.emit.views import TessellationView
 from burnish.targets.runner import expanding
-from burnish.targets.runner.meshes import Indices, plane
+from burnish.targets.runner.meshes import Indices, plane, sphere
 from burnish.targets.runner.patches import pattern
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
@@ -41,6 +42,7 @@ from .test_tessellation_stages import ON, PROFILES, SPACINGS
 Plant: TypeAlias = Callable[[pytest.MonkeyPatch], None]
 """What makes something wrong, as long as a test lasts."""
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE = (64, 48)
 CLEAR = (9.0, 9.0, 9.0, 9.0)
 
@@ -139,6 +141,27 @@ def test_both_forms_are_one_picture(studio: Studio, name: str, route: str) -> No
     covered = (expected != np.array(CLEAR, np.float32)).any(axis=-1)
     assert covered.sum() > 100
     assert len(np.unique(expected[covered], axis=0)) > 5
+
+
+@pytest.mark.parametrize("route", ON)
+@pytest.mark.parametrize("name", ["displacement", "splines"])
+def test_the_forms_of_examples_differ_by_rounding_only(
+    studio: Studio, name: str, route: str
+) -> None:
+    path = EXAMPLES / f"{name}.burnish"
+    native, lowered = (
+        burnish.compile(path, PROFILES, native_stages=stage).materials[0] for stage in (True, False)
+    )
+    one, other = (
+        set_up(material.instance(), sphere(12, 12), Scene(), SIZE, CLEAR)
+        for material in (native, lowered)
+    )
+    (found,) = studio.draw(route, native, one)
+    (expected,) = studio.draw(route, lowered, other)
+    covered = (expected != np.array(CLEAR, np.float32)).any(axis=-1)
+    assert (covered == (found != np.array(CLEAR, np.float32)).any(axis=-1)).mean() > 0.999
+    assert np.isclose(found, expected, rtol=1e-3, atol=1e-3).mean() > 0.995
+    assert covered.sum() > 500
 
 
 # --- levels that differ --------------------------------------------------------------------------

@@ -28,12 +28,15 @@ NEEDING: Mapping[str, str] = {
     "histogram": "kernels over buffers",
     "ray_tracer": "kernels over buffers",
     "swarm": "kernels over buffers",
+    # Without a stage of its own for that, a capture is a kernel.
+    "particles-Step": "kernels over buffers",
 }
-"""By example, the capability that it shows, if there are profiles without it."""
+"""By example, or by one of its variants, the capability that it shows, if there are profiles
+without it."""
 LACKING: Mapping[str, frozenset[str]] = {
     name: profiles("absent", capability) for name, capability in NEEDING.items()
 }
-"""By example, the profiles that lack what it shows."""
+"""Likewise, the profiles that lack what it shows."""
 
 
 @dataclass(frozen=True)
@@ -48,10 +51,14 @@ class Variant:
         return "-".join(filter(None, (self.path.stem, self.rig, self.pass_)))
 
     @property
+    def lacking(self) -> frozenset[str]:
+        """The profiles that lack what it shows."""
+        return LACKING.get(f"{self}", LACKING.get(self.path.stem, frozenset()))
+
+    @property
     def profiles(self) -> tuple[str, ...]:
         """Those of all targets that have what it shows."""
-        lacking = LACKING.get(self.path.stem, frozenset())
-        return tuple(profile for profile in PROFILES if profile not in lacking)
+        return tuple(profile for profile in PROFILES if profile not in self.lacking)
 
     def compile(self) -> burnish.CompileResult:
         """All its materials, compiled for every profile that can have them."""

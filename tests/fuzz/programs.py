@@ -32,6 +32,8 @@ FORMATS = {
     "vec2": ("rg8", "rg16f", "rg32f"),
     "vec4": ("rgba8", "rgba8_srgb", "bgra8", "rgb10a2", "rgba16f", "rgba32f"),
 }
+CAPTURED = ("float", "vec2", "vec3", "vec4", "int", "uint", "ivec2", "uvec2")
+"""Some types of what can be captured."""
 BLENDS = ("none", "none", "add", "multiply")
 BLENDS_BY_ALPHA = ("alpha", "premultiplied")
 """How targets of four lanes are blended besides."""
@@ -108,7 +110,7 @@ class _Program:
             self.file.append(declarations.light(writer, callables, mixed=mixed))
         usable = (*callables, *(signature for signature, _ in terms))
         materials = list(self._materials(replace(outside, callables=usable)))
-        passes = [self._pass(usable)] if writer.maybe(0.3) else []
+        passes = [self._any_pass(usable)] if writer.maybe(0.3) else []
         rigs = [declarations.rig(writer, own=own_light, any_number=self.has_buffers)]
         imports = [Node(f"import {path}", optional=True) for path in dict.fromkeys(self.imports)]
         items = [*imports, *self.file, *materials, *passes, *rigs]
@@ -283,6 +285,31 @@ class _Program:
         return scope, items
 
     # --- passes ----------------------------------------------------------------------------------
+
+    def _any_pass(self, callables: tuple[Signature, ...]) -> Node:
+        """A pass that draws or, now and then, one that captures vertices."""
+        return self._capturing() if self.writer.maybe(0.15) else self._pass(callables)
+
+    def _capturing(self) -> Node:
+        """A pass that captures values of several types, of what every surface has at vertices."""
+        writer = self.writer
+        leaves = (
+            variable("vec3(position)", "vec3"), variable("vec3(normal)", "vec3"),
+            variable("uv", "vec2"), variable("vertex_index", "uint"),
+        )  # fmt: skip
+        scope = Scope(leaves, can=frozenset[str]())
+        items = []
+        for node, reference in declarations.parameters(writer, "r", 1):
+            items.append(node)
+            scope = scope.having(reference)
+        for number in range(writer.chance.randint(1, 4)):
+            type_ = writer.chance.choice(CAPTURED)
+            value = writer.expression(type_, scope, FUEL // 2)
+            if type_[0] in "fv":
+                value = self._tamed(value)
+            text = f"capture o{number} : {type_} = {{}}"
+            items.append(Node(text, (value,), role="capture", optional=number > 0))
+        return replace(listed("pass Drawn {{\n    {}\n}}", items, "\n    ", "pass"), optional=True)
 
     def _pass(self, callables: tuple[Signature, ...]) -> Node:
         """A pass with targets of several formats, blending and discarding."""

@@ -15,6 +15,8 @@ from burnish.targets.runner.reference import expected
 from .kit import shader
 
 PLACES = "kernel K { result i : image2d<rgba32f>[ivec2(7, 5)] = vec4(vec2(texel), 0, 1) }"
+DRAWN = "kernel K { result i : image2d<rg16f>[ivec2(7, 5)] = vec2(texel) }"
+"""Which all profiles draw, as none is sure to write this format."""
 
 
 def test_a_triangle_covers_all_texels_and_each_knows_its_place() -> None:
@@ -41,6 +43,15 @@ def test_what_only_the_size_reads_is_in_no_text() -> None:
     (kernel,) = burnish.compile(text, "all").materials
     assert not kernel.reflection["blocks"]
     assert kernel.instance().size() == (4, 4)
+
+
+def test_the_images_of_a_kernel_are_never_turned_over() -> None:
+    for profile in ("glsl:gl330", "wgsl"):
+        usual, flipped = (
+            burnish.compile(DRAWN, profile, flip_y=flip)["K"] for flip in (False, True)
+        )
+        assert [file.text for file in usual.files] == [file.text for file in flipped.files]
+        assert usual.reflection["backends"] == flipped.reflection["backends"]
 
 
 def test_every_statement_has_its_place_in_the_source() -> None:

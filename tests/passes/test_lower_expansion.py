@@ -32,7 +32,8 @@ from burnish.compiler.ir.stages import (
     SystemInput,
 )
 from burnish.compiler.ir.types import scalar_kind, width
-from burnish.compiler.passes.lower_expansion import NOWHERE, lower_expansion
+from burnish.compiler.passes.corner_inputs import NOWHERE
+from burnish.compiler.passes.lower_expansion import lower_expansion
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.namespace import Lanes
 

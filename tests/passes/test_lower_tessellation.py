@@ -191,16 +191,23 @@ def evaluate_mixed(ends: list[Lanes], weights: Lanes) -> list[float]:
     ]
 
 
-KEPT = {
-    "levels of the ends": "tessellate triangle by 8 * end[0].uv.x { }",
-    "lines": "tessellate isoline by 4 { }",
-}
-
-
-@pytest.mark.parametrize("members", KEPT.values(), ids=KEPT)
-def test_what_the_host_cannot_divide_alike_keeps_its_stages(members: str) -> None:
-    (whole,) = elaborated(f"material M {{ {members} }}")
+def test_lines_keep_their_stages() -> None:
+    (whole,) = elaborated("material M { tessellate isoline by 4 { } }")
     assert lower_tessellation(whole) is whole
+
+
+@pytest.mark.parametrize(("most", "count"), [("1", 3), ("2", 3 * 6), ("5", 3 * 37)])
+def test_patches_whose_levels_differ_have_as_many_vertices_as_they_can(
+    most: str, count: int
+) -> None:
+    """Two steps divide a triangle into six parts; five into three rings and the one inside."""
+    (whole,) = elaborated(
+        f"material M {{ tessellate triangle by clamp(8 * end[0].uv.x, 1, {most}) {{ }} }}"
+    )
+    made = lower_tessellation(whole)
+    assert made.chain == RASTERISED
+    assert (made.listed, made.levels) == (count, ())
+    assert not any(info.mesh and info.mesh.is_of_pattern for info in made.attributes)
 
 
 def test_the_larger_of_both_ways_along_an_edge_counts() -> None:

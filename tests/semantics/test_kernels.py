@@ -242,6 +242,14 @@ def test_a_kernel_of_the_other_kind_has_another_place() -> None:
     assert str(found.hint) == "this kernel has `texel`, of type ivec2"
 
 
+def test_an_image_is_no_parameter() -> None:
+    with pytest.raises(CompileError) as error:
+        shader("kernel K { param p : image2d<rgba8>  result r : float[4] = 1 }")
+    (found,) = error.value.diagnostics
+    assert found.message == "unknown type `image2d`"
+    assert "what is read is a texture, `map name : texture2d`" in str(found.hint)
+
+
 def test_a_material_has_no_results() -> None:
     with pytest.raises(CompileError) as error:
         shader("material M { result r : float[4] = 1  color = vec3(1) }")

@@ -6,6 +6,6 @@ are Direct3D's: places are in units of 2^-16, and every rounding is the one that
 """
 
 from .levels import ONE
-from .patterns import Pattern, isolines, quad, triangle
+from .patterns import Pattern, divided, isolines, quad, triangle
 
-__all__ = ["ONE", "Pattern", "isolines", "quad", "triangle"]
+__all__ = ["ONE", "Pattern", "divided", "isolines", "quad", "triangle"]

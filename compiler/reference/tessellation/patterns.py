@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
-from ...ir.tessellation import MOST_LEVEL, Spacing
+from ...ir.tessellation import MOST_LEVEL, Patch, Spacing
 from .levels import ONE, Steps, steps_of
 from .stitching import Row, Triangle, between_levels, between_rings
 
@@ -30,6 +30,21 @@ class Pattern:
 
 
 _NOTHING = Pattern((), ())
+
+
+def divided(
+    patch: Patch, edges: Sequence[float], inside: Sequence[float], spacing: Spacing
+) -> Pattern:
+    """A patch of some kind; the levels are those of its edges and of its inside, in the order of
+    the control stage's results."""
+    match patch:
+        case "triangle":
+            return triangle(edges, inside[0], spacing)
+        case "quad":
+            return quad(edges, inside, spacing)
+        case "isoline":
+            lines, segments = edges
+            return isolines(lines, segments, spacing)
 
 
 def triangle(edges: Sequence[float], inside: float, spacing: Spacing) -> Pattern:

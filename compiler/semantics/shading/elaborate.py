@@ -7,7 +7,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from ....frozen import changed
 from ...diagnostics import rules
 from ...ir.node import Node
-from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
+from ...ir.shader import (
+    ExternInfo,
+    ParameterInfo,
+    PatchPattern,
+    RenderTarget,
+    Result,
+    Shader,
+)
 from ...ir.stages import (
     CAPTURE,
     CLIP_POSITION,
@@ -28,7 +35,7 @@ from ..inheritance.records import Record
 from ..lowering.outlining import lowered
 from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.scope import Failure, Instance, Scope
+from ..state.scope import Failure, Instance, MadeSlots, Scope
 from .assembly import Setting, is_declared_abstract
 from .captures import capture_of, captures, captures_of
 from .formats import FORMATS, texel_value
@@ -90,7 +97,9 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     made = setting.surface.made
     leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
     everything = (*leaves, *lights)
-    values, graph, notes = lowered(ctx, [result.value for result in results])
+    told = _of_pattern(made)
+    values, graph, notes = lowered(ctx, [*(result.value for result in results), *told])
+    values, told = values[: len(results)], values[len(results) :]
     return Shader(
         name=setting.surface.record.name,
         doc=declaration.doc,
@@ -106,9 +115,16 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         chain=_chain(setting),
         expansion=None if made is None else made.expansion,
         tessellation=None if made is None else made.tessellation,
+        pattern=PatchPattern(*told) if told else None,
         capture=capture_of(setting.passing.record, results),
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
     )
+
+
+def _of_pattern(made: MadeSlots | None) -> list[Node]:
+    """What tells the vertices of patches apart where no stage divides them."""
+    pattern = None if made is None else made.pattern
+    return [] if pattern is None else [pattern.place, pattern.is_there]
 
 
 def delivers_vertices(results: Iterable[Result]) -> bool:

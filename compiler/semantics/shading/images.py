@@ -15,10 +15,8 @@ from ...ir.types import INT, IVEC2, Type
 from ...syntax import ast
 from ..state.context import Context
 from ..state.scope import Failure, Scope
+from ..types.typenames import IMAGE_TYPE
 from .formats import texel_value
-
-IMAGE_TYPE = "image2d"
-"""The word for the type of a result whose elements are texels."""
 
 
 def is_image(member: ast.Result | ast.Scatter) -> bool:

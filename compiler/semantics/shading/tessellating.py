@@ -33,6 +33,7 @@ from ..state.scope import Corners, Instance, MadeGroup, MadeSlots, Scope, Value
 from .captures import captures
 from .levels import Levels
 from .made import apart, by_vertices, slots_set
+from .pattern import pattern_of
 
 SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 
@@ -135,6 +136,9 @@ class _Tessellating:
         results = levels.results(ends or self._default_ends(), slots.corners)
         if points is not None and ends is not None and spacing is not None:
             slots.results = results
+            if results:
+                span = member.patch.span
+                slots.pattern = pattern_of(ctx, self._patch, spacing, results, span)
             slots.tessellation = Tessellation(self._patch, points, ends, spacing, member.patch.span)
         return made
 

@@ -10,7 +10,7 @@ from ...diagnostics.source import Span
 from ...ir.expansion import Expansion
 from ...ir.leaves import Buffer, Parameter, Resource
 from ...ir.node import Node
-from ...ir.shader import Result
+from ...ir.shader import PatchPattern, Result
 from ...ir.stages import VERTEX, Crossing, StageRow, SystemInput
 from ...ir.tessellation import Tessellation
 from ...syntax import ast
@@ -131,6 +131,8 @@ class MadeSlots:
     """Likewise of a tessellation and its patches."""
     results: tuple[Result, ...] = ()
     """What the stages deliver besides vertices: which strips there are, or a patch's levels."""
+    pattern: PatchPattern | None = None
+    """Of a tessellation, where the vertices of a patch lie."""
     values: dict[tuple[int, str], Node | Failure] = fresh(factory=dict)
     """By the number of a group and a slot's name: what the slot is at the vertices made there.
     Checked on demand and once."""

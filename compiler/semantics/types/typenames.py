@@ -79,6 +79,9 @@ NAMED: Mapping[str, Named] = {
     **{str(texture): Named(texture) for texture in TEXTURES},
 }
 
+IMAGE_TYPE = "image2d"
+"""The word for the type of a kernel's result whose elements are texels."""
+
 GENERIC_VECTOR = "vec"
 """``vec<K, N>`` in a function with such type parameters."""
 
@@ -234,6 +237,11 @@ def _elsewhere(name: ast.Name) -> Hint:
         return fix_it(said, (name.span, now), sure=True)
     if name.text in TYPES:
         return called_here(name.text, name.span, TYPES[name.text])
+    if name.text == IMAGE_TYPE:
+        return (
+            "an image is what a kernel writes, `result name : image2d<rgba8>[size] = …`; what is "
+            "read is a texture, `map name : texture2d`"
+        )
     if _SEMANTICS.fullmatch(name.text):
         return "a semantic is no type, and is not written: the compiler connects the stages"
     return ""

@@ -21,23 +21,24 @@ void main() {
     p_object_position[gl_InvocationID] = v_object_position[gl_InvocationID];
     p_vertex_normal[gl_InvocationID] = v_vertex_normal[gl_InvocationID];
     p_uv_2[gl_InvocationID] = v_uv_2[gl_InvocationID];
-    if (gl_InvocationID != 0) { return; }
-    float at_least = max(
-        1.0 + detail * abs(v_uv_2[0].x - v_uv_2[3].x), 1.0 + detail * abs(v_uv_2[3].x - v_uv_2[0].x)
-    );
-    float at_least_ = max(
-        1.0 + detail * abs(v_uv_2[0].x - v_uv_2[1].x), 1.0 + detail * abs(v_uv_2[1].x - v_uv_2[0].x)
-    );
-    float at_least_2 = max(
-        1.0 + detail * abs(v_uv_2[1].x - v_uv_2[2].x), 1.0 + detail * abs(v_uv_2[2].x - v_uv_2[1].x)
-    );
-    float at_least_3 = max(
-        1.0 + detail * abs(v_uv_2[3].x - v_uv_2[2].x), 1.0 + detail * abs(v_uv_2[2].x - v_uv_2[3].x)
-    );
-    gl_TessLevelOuter[0] = at_least;
-    gl_TessLevelOuter[1] = at_least_;
-    gl_TessLevelOuter[2] = at_least_2;
-    gl_TessLevelOuter[3] = at_least_3;
-    gl_TessLevelInner[0] = max(at_least_, at_least_3);
-    gl_TessLevelInner[1] = max(at_least, at_least_2);
+    if (gl_InvocationID == 0) {
+        float edge_level_0 = max(
+            1.0 + detail * abs(v_uv_2[0].x - v_uv_2[3].x), 1.0 + detail * abs(v_uv_2[3].x - v_uv_2[0].x)
+        );
+        float edge_level_1 = max(
+            1.0 + detail * abs(v_uv_2[0].x - v_uv_2[1].x), 1.0 + detail * abs(v_uv_2[1].x - v_uv_2[0].x)
+        );
+        float edge_level_2 = max(
+            1.0 + detail * abs(v_uv_2[1].x - v_uv_2[2].x), 1.0 + detail * abs(v_uv_2[2].x - v_uv_2[1].x)
+        );
+        float edge_level_3 = max(
+            1.0 + detail * abs(v_uv_2[3].x - v_uv_2[2].x), 1.0 + detail * abs(v_uv_2[2].x - v_uv_2[3].x)
+        );
+        gl_TessLevelOuter[0] = edge_level_0;
+        gl_TessLevelOuter[1] = edge_level_1;
+        gl_TessLevelOuter[2] = edge_level_2;
+        gl_TessLevelOuter[3] = edge_level_3;
+        gl_TessLevelInner[0] = max(edge_level_1, edge_level_3);
+        gl_TessLevelInner[1] = max(edge_level_0, edge_level_2);
+    }
 }

@@ -24,29 +24,29 @@ struct PatchOutput {
 };
 
 PatchOutput levels_of_patch(InputPatch<ControlInput, 4> input) {
-    float at_least = max(
+    float edge_level_0 = max(
         1.0 + detail * abs(input[0].uv_2.x - input[3].uv_2.x),
         1.0 + detail * abs(input[3].uv_2.x - input[0].uv_2.x)
     );
-    float at_least_ = max(
+    float edge_level_1 = max(
         1.0 + detail * abs(input[0].uv_2.x - input[1].uv_2.x),
         1.0 + detail * abs(input[1].uv_2.x - input[0].uv_2.x)
     );
-    float at_least_2 = max(
+    float edge_level_2 = max(
         1.0 + detail * abs(input[1].uv_2.x - input[2].uv_2.x),
         1.0 + detail * abs(input[2].uv_2.x - input[1].uv_2.x)
     );
-    float at_least_3 = max(
+    float edge_level_3 = max(
         1.0 + detail * abs(input[3].uv_2.x - input[2].uv_2.x),
         1.0 + detail * abs(input[2].uv_2.x - input[3].uv_2.x)
     );
     PatchOutput output;
-    output.edge_levels[0] = at_least;
-    output.edge_levels[1] = at_least_;
-    output.edge_levels[2] = at_least_2;
-    output.edge_levels[3] = at_least_3;
-    output.inner_levels[0] = max(at_least_, at_least_3);
-    output.inner_levels[1] = max(at_least, at_least_2);
+    output.edge_levels[0] = edge_level_0;
+    output.edge_levels[1] = edge_level_1;
+    output.edge_levels[2] = edge_level_2;
+    output.edge_levels[3] = edge_level_3;
+    output.inner_levels[0] = max(edge_level_1, edge_level_3);
+    output.inner_levels[1] = max(edge_level_0, edge_level_2);
     return output;
 }
 

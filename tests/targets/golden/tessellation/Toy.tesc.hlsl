@@ -11,17 +11,17 @@ struct ControlOutput {
 struct PatchOutput {
     float edge_levels[3] : SV_TessFactor;
     float inner_levels[1] : SV_InsideTessFactor;
-    [[vk::location(0)]] float varying_2 : TEXCOORD0;
+    [[vk::location(0)]] float edge_level_0 : TEXCOORD0;
 };
 
 PatchOutput levels_of_patch(InputPatch<ControlInput, 3> input) {
-    float length_ = length(input[1].place - input[2].place);
+    float edge_level_0 = length(input[1].place - input[2].place);
     PatchOutput output;
-    output.varying_2 = length_;
-    output.edge_levels[0] = length_;
+    output.edge_level_0 = edge_level_0;
+    output.edge_levels[0] = edge_level_0;
     output.edge_levels[1] = length(input[2].place - input[0].place);
     output.edge_levels[2] = length(input[0].place - input[1].place);
-    output.inner_levels[0] = length_;
+    output.inner_levels[0] = edge_level_0;
     return output;
 }
 

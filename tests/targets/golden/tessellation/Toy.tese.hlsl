@@ -12,7 +12,7 @@ struct EvaluationOutput {
 struct PatchInput {
     float edge_levels[3] : SV_TessFactor;
     float inner_levels[1] : SV_InsideTessFactor;
-    [[vk::location(0)]] float varying_2 : TEXCOORD0;
+    [[vk::location(0)]] float edge_level_0 : TEXCOORD0;
 };
 
 [domain("tri")]
@@ -23,7 +23,7 @@ EvaluationOutput main(
         input[0].place * patch_weights.x
             + input[1].place * patch_weights.y
             + input[2].place * patch_weights.z,
-        patch.varying_2
+        patch.edge_level_0
     );
     EvaluationOutput output;
     output.varying = joined;

@@ -1,0 +1,129 @@
+"""What ``burnish conform`` compares: every material of its files, with every rig and pass."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from .console import remark, show
+
+if TYPE_CHECKING:
+    from ..api import CompiledMaterial, CompileResult
+    from ..compiler.diagnostics.diagnostic import Diagnostic
+    from ..targets.runner.routes import Route
+
+
+class Request(NamedTuple):
+    """The command line after parsing; the names are those of the options."""
+
+    files: tuple[Path, ...]
+    routes: str
+    device: str
+    report: Path | None
+    strict: bool
+    explain: tuple[int, int] | None
+    case: str | None
+    seed: int
+    rig: str | None
+    pass_: str | None
+    search_path: tuple[Path, ...]
+    hoist: bool
+    native_stages: bool
+
+
+Subjects = list[tuple[str, "CompiledMaterial"]]
+"""Materials, each with the label that the table shows."""
+
+
+def subjects_of(request: Request, routes: Sequence[Route], *, native_stages: bool) -> Subjects:
+    """Every material with every rig and pass, each with the label that the table shows.
+
+    With ``native_stages``, only routes can draw what has such stages. Raises ``CompileError`` with
+    the errors of all files.
+    """
+    from ..compiler.diagnostics.diagnostic import CompileError
+
+    profiles = sorted({route.profile for route in routes})
+    found: Subjects = []
+    warnings: list[Diagnostic] = []
+    errors: list[Diagnostic] = []
+    for path in request.files:
+        try:
+            for variant in _variants(path, request):
+                for result in _compiled(path, variant, request, profiles, native_stages):
+                    warnings += result.diagnostics
+                    for material in result.materials:
+                        label = _label(path, request.files, material.name, variant)
+                        found.append((label, material))
+        except CompileError as error:
+            errors += error.diagnostics
+    if errors:
+        raise CompileError(errors)
+    if not native_stages:  # The same is said of both forms.
+        show(warnings)
+    return found
+
+
+def _compiled(
+    path: Path,
+    variant: Variant,
+    request: Request,
+    profiles: Sequence[str],
+    native_stages: bool,
+) -> list[CompileResult]:
+    """The materials of a file with a rig and a pass, without those that lack a slot for the pass.
+
+    Such materials are told. Raises ``CompileError``, also if no material has the slot.
+    """
+    from .. import api
+    from ..compiler.diagnostics import rules
+    from ..compiler.diagnostics.diagnostic import CompileError
+
+    def compiled(material: str | None, pass_: str | None) -> CompileResult:
+        return api.compile(
+            path, profiles, material=material, rig=variant[0], pass_=pass_,
+            search_path=request.search_path, hoist=request.hoist, partial=True,
+            native_stages=native_stages,
+        )  # fmt: skip
+
+    try:
+        return [compiled(None, variant[1])]
+    except CompileError as error:
+        if variant[1] is None or {one.rule for one in error.diagnostics} != {rules.UNKNOWN_NAME}:
+            raise
+        fitting: list[CompileResult] = []
+        lacking: dict[str, str] = {}
+        for name in [material.name for material in compiled(None, None)]:
+            try:
+                fitting.append(compiled(name, variant[1]))
+            except CompileError as reason:
+                lacking[name] = reason.diagnostics[0].message
+        if not fitting:
+            raise
+        for name, message in lacking.items():
+            label = _label(path, request.files, name, variant)
+            remark("warning", f"{label}: not drawn, as it does not fit this pass: {message}")
+        return fitting
+
+
+Variant = tuple[str | None, str | None]
+"""The names of a rig and of a pass; ``None`` means the library's."""
+
+
+def _variants(path: Path, request: Request) -> list[Variant]:
+    """The combinations of rig and pass that the command line does not exclude."""
+    from .. import api
+
+    found = api.variants(path, search_path=request.search_path)
+    chosen = [(request.rig or rig, request.pass_ or pass_) for rig, pass_ in found]
+    return list(dict.fromkeys(chosen))
+
+
+def _label(path: Path, paths: Sequence[Path], material: str, variant: Variant) -> str:
+    """The label of a material: its file's name, or the whole path if two names are equal."""
+    from ..compiler.diagnostics.file_names import readable
+
+    alike = sum(other.name == path.name for other in paths) > 1
+    file = readable(str(path) if alike else path.name)
+    return " × ".join([f"{file}: {material}", *filter(None, variant)])

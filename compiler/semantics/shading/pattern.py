@@ -1,0 +1,49 @@
+"""Where the vertices of divided patches lie, for pipelines that do not divide patches themselves.
+
+``tessellating.py`` asks for the pattern of a tessellation. The arithmetic is that of the library's
+tessellator, ``stdlib/tessellator.burnish``; here its functions are called.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import get_args
+
+from ...diagnostics.source import Span
+from ...ir import build
+from ...ir.node import Node
+from ...ir.shader import PatchPattern, Result
+from ...ir.stages import EDGE_LEVEL, INNER_LEVEL, OF_PATCH, PATTERN_VERTEX
+from ...ir.tessellation import PATCH_KINDS, Patch, Spacing
+from ...ir.types import INT, width
+from ...library import tessellator
+from ..checking.applications import library_call
+from ..state.context import Context
+
+_FUNCTIONS: Mapping[Patch, str] = {
+    "triangle": "triangle_vertex",
+    "quad": "quad_vertex",
+    "isoline": "line_vertex",
+}
+_SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
+"""In the order of the library's numbers."""
+
+
+def pattern_of(
+    ctx: Context, patch: Patch, spacing: Spacing, levels: Sequence[Result], span: Span
+) -> PatchPattern:
+    """The place of a vertex by its number, where these are the levels of its patch."""
+    tree = ctx.tree
+    edges, inside = (
+        tuple(build.cross(tree, level.value, OF_PATCH) for level in levels if level.kind == kind)
+        for kind in (EDGE_LEVEL, INNER_LEVEL)
+    )
+    given = edges if patch == "isoline" else (build.vector(tree, edges), build.vector(tree, inside))
+    number = tree.node("input", INT, (), PATTERN_VERTEX)
+    arguments = (*given, build.constant(tree, INT, _SPACINGS.index(spacing)), number)
+    (function,) = tessellator().find(_FUNCTIONS[patch])
+    found = library_call(ctx, function, arguments, span)
+    assert isinstance(found, Node), ctx.report.diagnostics
+    place = build.member(tree, found, "place")
+    lanes = tuple(range(width(PATCH_KINDS[patch].coordinate.type)))
+    return PatchPattern(build.swizzle(tree, place, lanes), build.member(tree, found, "there"))

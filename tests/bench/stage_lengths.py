@@ -1,0 +1,62 @@
+"""How long geometry and tessellation stages are, beside stages that are written by hand.
+
+The ``twins`` compute the same as the examples with the same meaning: where a normal may vanish that
+is interpolated, they take care of it, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import burnish
+from burnish.compiler.ir.stages import STAGES
+from burnish.targets.toolchain import Job, Toolchain, count_instructions, optimise
+
+from .table import Row, Section
+
+TWINS = Path(__file__).with_name("twins")
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CHECKER, PROFILE = "glslang-vulkan", "glsl:vulkan"
+LIMIT = 1.05
+
+MEASURED = (
+    ("sprites", "geometry", "balls.geom.glsl"),
+    ("displacement", "control", "ripples.tesc.glsl"),
+    ("displacement", "evaluation", "ripples.tese.glsl"),
+)
+"""Examples, a stage of each, and its twin."""
+
+
+def measure() -> Iterator[Section]:
+    """Instructions of the examples' stages and of their twins."""
+    title = f"Instructions in stages, {CHECKER} and spirv-opt -O, at most {LIMIT} of the twin's"
+    yield Section("stage_lengths", title, [_row(*each) for each in MEASURED])
+
+
+def _row(example: str, stage: str, twin: str) -> Row:
+    path = EXAMPLES / f"{example}.burnish"
+    (material, *_) = burnish.compile(path, PROFILE, native_stages=True).materials
+    own, by_hand = (
+        _count(stage, text)
+        for text in (material.text(PROFILE, stage), (TWINS / twin).read_text(encoding="utf-8"))
+    )
+    ratio = own / by_hand
+    return {
+        "example": example,
+        "stage": stage,
+        "burnish": own,
+        "twin": by_hand,
+        "ratio": ratio,
+        f"at most {LIMIT}": ratio <= LIMIT,
+    }
+
+
+def _count(stage: str, text: str) -> int:
+    """The instructions of a stage's functions."""
+    job = Job(CHECKER, STAGES[stage].suffix, text)
+    with Toolchain() as toolchain:
+        (verdict,) = toolchain.check([job], keep_spirv=True)
+    if verdict.spirv is None:
+        raise SystemExit(verdict.report())
+    return count_instructions(optimise(verdict.spirv))
