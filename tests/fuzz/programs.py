@@ -78,6 +78,8 @@ class _Program:
     """References to the members of the host's block."""
     has_bench: bool = False
     """Whether there is a space of the program's own."""
+    divides_patches: bool = False
+    """Whether a material divides patches, which no pass may expand then."""
     has_buffers: bool = False
     """Whether there may be storage buffers, and so nothing that compares neighbouring pixels: Mesa
     reads zeros where a pixel is there for its neighbours only (``docs/drivers.md``)."""
@@ -167,6 +169,7 @@ class _Program:
             made = writer.chance.choice((expansion, expansion, tessellation))
             items += made(writer, scope)
             scope = scope.having(SPREAD)
+            self.divides_patches |= made is tessellation
         below = scope.having(*_OWN)
         last_scope, slots = self._slots(below, "c", most=1)
         color = writer.expression("rgb", last_scope)
@@ -317,7 +320,7 @@ class _Program:
         for node, reference in declarations.parameters(writer, "r", 1):
             items.append(node)
             scope = scope.having(reference)
-        if writer.maybe(0.2):
+        if not self.divides_patches and writer.maybe(0.2):
             # What the color follows from cannot follow from the color.
             before = replace(scope, leaves=scope.leaves[2:])
             items += expansion(writer, before, layers=writer.chance.choice((0, 2, 3)))
