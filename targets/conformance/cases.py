@@ -38,6 +38,10 @@ BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 """The clear colour for blending."""
 
 
+FEW_TRIANGLES = 4
+"""Into so many a patch may be divided before meshes get fewer patches."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Case:
     """One picture of a material."""
@@ -91,15 +95,21 @@ def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:
     return instance
 
 
-def _cells(usual: int, size: Size) -> int:
-    """How many cells a mesh has in one direction, which has ``usual`` ones in the usual size."""
-    return max(3, round(usual * min(1.0, max(size) / max(SIZE))))
+def _cells(usual: int, reflection: Mapping[str, Any], size: Size) -> int:
+    """How many cells a mesh has in one direction, which has ``usual`` ones in the usual size.
+
+    There are fewer if each patch is drawn with many vertices.
+    """
+    divided = reflection["draw"]["tessellation"] is not None
+    triangles = (reflection["draw"]["vertices"] or 0) / 3 if divided else 0
+    share = min(1.0, math.sqrt(FEW_TRIANGLES / triangles)) if triangles else 1.0
+    return max(3, round(usual * share * min(1.0, max(size) / max(SIZE))))
 
 
 def _defaults(reflection: Mapping[str, Any], size: Size) -> Case:
     instance = Instance(reflection)
     sample_values(instance, 0, missing=True)
-    mesh = sphere(_cells(32, size), _cells(16, size))
+    mesh = sphere(_cells(32, reflection, size), _cells(16, reflection, size))
     return _case("defaults", instance, mesh, Scene(light_count=2), size)
 
 
@@ -113,7 +123,7 @@ def _stretched(
         light_distance=0.35,
         light_count=64,
     )
-    mesh = torus(_cells(24, size), _cells(16, size))
+    mesh = torus(_cells(24, reflection, size), _cells(16, reflection, size))
     return _case(name, _sampled(reflection, seed), mesh, scene, size, clear)
 
 

@@ -64,8 +64,8 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     if row["divided_by"] == EVALUATION.name:
         return Drawn(data, found, copies)
-    if row["levels"] is None:
-        # No input is of the pattern: the vertices find out by their numbers.
+    if row["divided_by"] == "vertices":
+        # No input is of the pattern: each vertex finds out by its number where it lies.
         places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
     else:
         places, triangles = pattern(row["kind"], row["spacing"], *instance.levels())

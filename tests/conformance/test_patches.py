@@ -33,6 +33,7 @@ from burnish.targets.emit.views import TessellationView
 from burnish.targets.runner import expanding
 from burnish.targets.runner.meshes import Indices, plane, sphere
 from burnish.targets.runner.patches import pattern
+from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
@@ -166,7 +167,8 @@ def test_the_forms_of_examples_differ_by_rounding_only(
 
 # --- levels that differ --------------------------------------------------------------------------
 
-DIFFERING = """tessellate triangle spacing {} by 1 + 4 * (end[0].uv.x + end[1].uv.x) as at {{
+DIFFERING = """tessellate triangle spacing {}
+    by clamp(1 + 4 * (end[0].uv.x + end[1].uv.x), 1, 9) as at {{
     mark = at.x + 2 * at.y
     part = int(64 * at.x + 8 * at.y)
 }}"""
@@ -196,10 +198,28 @@ def drawn_with_levels(studio: Studio, spacing: Spacing, route: str) -> tuple[Flo
     return found, expected
 
 
+EVERYWHERE = tuple(name for name in ROUTES if "chromium" not in name)
+"""Every language, and all drivers but browsers."""
+
+
+@pytest.mark.parametrize("route", EVERYWHERE)
+@pytest.mark.parametrize("spacing", SPACINGS)
+def test_vertices_find_out_where_they_lie(studio: Studio, spacing: Spacing, route: str) -> None:
+    source = text(DIFFERING.format(spacing))
+    (native,) = burnish.compile(source, PROFILES, native_stages=True).materials
+    (lowered,) = burnish.compile(source, ROUTES[route].profile).materials
+    assert lowered.reflection["draw"]["tessellation"]["divided_by"] == "vertices"
+    (found,) = studio.draw(route, lowered, state_of(lowered))
+    (expected,) = studio.draw(route, given(), in_triangles(state_of(native), spacing))
+    assert (found == expected).all()
+    assert len(np.unique(expected[..., 2])) > 20
+
+
 @cache
 def given() -> CompiledMaterial:
     """The material whose vertices say themselves what they are."""
-    return burnish.compile(text(GIVEN, "given", "whole"), PROFILES).materials[0]
+    profiles = sorted({route.profile for route in ROUTES.values()})
+    return burnish.compile(text(GIVEN, "given", "whole"), profiles).materials[0]
 
 
 def in_triangles(state: SceneState, spacing: Spacing) -> SceneState:
