@@ -174,7 +174,7 @@ def _tessellation_row(shader: Shader, patches: Tessellation) -> dict[str, Any]:
         "kind": patches.patch,
         "ends": list(patches.ends),
         "spacing": patches.spacing,
-        "divided_by": EVALUATION.name if native else "vertices" if shader.listed else "instances",
+        "divided_by": EVALUATION.name if native else "instances",
         "levels": _levels_row(shader) if shader.levels else None,
     }
 

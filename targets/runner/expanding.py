@@ -64,7 +64,7 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     if row["divided_by"] == EVALUATION.name:
         return Drawn(data, found, copies)
-    if row["divided_by"] == "vertices":
+    if row["levels"] is None:
         # No input is of the pattern: each vertex finds out by its number where it lies.
         places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
     else:

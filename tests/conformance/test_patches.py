@@ -208,7 +208,7 @@ def test_vertices_find_out_where_they_lie(studio: Studio, spacing: Spacing, rout
     source = text(DIFFERING.format(spacing))
     (native,) = burnish.compile(source, PROFILES, native_stages=True).materials
     (lowered,) = burnish.compile(source, ROUTES[route].profile).materials
-    assert lowered.reflection["draw"]["tessellation"]["divided_by"] == "vertices"
+    assert lowered.reflection["draw"]["tessellation"]["levels"] is None
     (found,) = studio.draw(route, lowered, state_of(lowered))
     (expected,) = studio.draw(route, given(), in_triangles(state_of(native), spacing))
     assert (found == expected).all()
