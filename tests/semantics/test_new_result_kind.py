@@ -52,8 +52,8 @@ KINDS: tuple[MemberKind, ...] = (
     ),
     (
         DELIVERS,
-        "        *_targets(ctx, passing.record, passing),\n",
-        "        *_targets(ctx, passing.record, passing),\n"
+        "        *_targets(ctx, passing.record, passing, layers),\n",
+        "        *_targets(ctx, passing.record, passing, layers),\n"
         "        *_pictures(ctx, passing.record, passing),\n",
     ),
     (
@@ -66,7 +66,7 @@ def _pictures(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result
         target = ast.Target(
             picture.span, picture.doc, picture.name, format_, picture.value, None
         )
-        result = _target(ctx, drawn, passing, target, owner, level)
+        result = _target(ctx, drawn, passing, 0, target, owner, level)
         if result is not None:
             yield result
 
@@ -104,7 +104,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return changed_package(tmp_path_factory.mktemp("pictures"), CHANGES)
 
 
-def test_three_files_are_changed() -> None:
+def test_four_files_are_changed() -> None:
     assert {name for name, _, _ in CHANGES} == {GRAMMAR, MEMBERS, KINDS, DELIVERS}
 
 
