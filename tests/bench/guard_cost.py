@@ -1,9 +1,9 @@
 """What guards cost in the examples of local shading: instructions with them and without any.
 
-The examples are those that ``examples/README.md`` lists under "Local shading", which are the rows A
-of the curriculum. Each is compiled twice; the second time every operation with a domain counts as
-safe, as hand-written code takes it for granted. What remains in both is no guard: the clamped
-indices of arrays and texels, and what a profile has to say in other operations.
+The examples are those that ``examples/README.md`` lists under "Local shading". Each is compiled
+twice; the second time every operation with a domain counts as safe, as hand-written code takes it
+for granted. What remains in both is no guard: the clamped indices of arrays and texels, and what a
+profile has to say in other operations.
 """
 
 from __future__ import annotations
