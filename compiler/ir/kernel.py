@@ -32,8 +32,13 @@ def invocations(group: WorkGroup) -> int:
     return x * y * z
 
 
+def ends(*, signed: bool) -> tuple[int, int]:
+    """The least and the greatest number that an element can have which is scattered to."""
+    return (-(2**31), 2**31 - 1) if signed else (0, 2**32 - 1)
+
+
 def neutral(operator: ScatterOperator, *, signed: bool) -> int:
     """What an element has before anything is scattered to it: joining that changes nothing."""
-    lowest, highest = (-(2**31), 2**31 - 1) if signed else (0, 2**32 - 1)
+    lowest, highest = ends(signed=signed)
     ones = -1 if signed else highest
     return {"add": 0, "or": 0, "and": ones, "min": highest, "max": lowest}[operator]

@@ -133,11 +133,6 @@ class RenderTarget:
     """How many it has; 0 where it is a single picture and no array of them. All targets of a shader
     have equally many."""
 
-    @property
-    def fixed_point(self) -> bool:
-        """Whether the format holds 0..1 in equal steps, and no floats."""
-        return not self.format.endswith("f")
-
 
 @frozen(key=True)
 class Store:

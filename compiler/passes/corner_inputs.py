@@ -1,7 +1,8 @@
 """What vertices read of the primitives of a mesh that are drawn as instances.
 
-``lower_expansion`` and ``lower_tessellation`` use it. What the mesh has at the corners of a
-primitive are vertex inputs per instance, one for each corner that is read.
+``lower_expansion`` and ``lower_tessellation`` use it, and ``lower_capture`` a part of it. What the
+mesh has at the corners of a primitive are vertex inputs per instance, one for each corner that is
+read.
 """
 
 from __future__ import annotations
@@ -32,6 +33,11 @@ def listed_vertex(graph: Graph, count: int) -> Node:
     # The host draws no more vertices: what this says is how large the numbers can become.
     index = graph.node("call", UINT, (index, last), "min")
     return graph.node("call", INT, (index,), "to_int")
+
+
+def as_attribute(row: SystemInput) -> Attribute:
+    """A vertex input that gives what the pipeline supplies where nothing is lowered."""
+    return Attribute(row.name, row.type, row.domain)
 
 
 def placed(shader: Shader, is_there: Node, position: Node) -> Node:
@@ -68,10 +74,7 @@ class CornerInputs:
         """A value of the mesh's vertices at one corner, computed from what this corner has."""
 
         def rule(_graph: object, node: Node, _operands: tuple[Node, ...]) -> Node:
-            row = node.data
-            leaf = (
-                Attribute(row.name, row.type, row.domain) if isinstance(row, SystemInput) else row
-            )
+            leaf = as_attribute(node.data) if isinstance(node.data, SystemInput) else node.data
             assert isinstance(leaf, Attribute)
             return self._corner_of(self._place[leaf], number)
 
@@ -120,8 +123,8 @@ class CornerInputs:
 
 def _info(span: Span, row: SystemInput) -> AttributeInfo:
     """An input that gives a number which the pipeline supplies where nothing is lowered."""
-    leaf = Attribute(row.name, row.type, row.domain)
-    return AttributeInfo(leaf, str(row.type), "", span, mesh=MeshInput(row.name, is_number=True))
+    mesh = MeshInput(row.name, is_number=True)
+    return AttributeInfo(as_attribute(row), str(row.type), "", span, mesh=mesh)
 
 
 def _tells_instances_apart(node: Node) -> bool:

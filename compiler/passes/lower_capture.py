@@ -1,11 +1,11 @@
 """Captures without a stream output: a kernel writes the vertices, one by each invocation.
 
-``api.py`` calls ``lower_capture`` before all passes, when expansions have been lowered. What the
-mesh has is read from one storage buffer. Each of its elements is a vertex that is drawn or, where
-primitives are expanded, a primitive with what is read of its corners. The numbers of a vertex are
-written as they lie in the buffer of a stream output, each as the 32 bits that it has. A vertex that
-no strip emits is written, too: one more number says of each vertex whether it is there, and a host
-leaves the others out.
+``lower_stages`` calls ``lower_capture`` before all passes, when expansions have been lowered. What
+the mesh has is read from one storage buffer. Each of its elements is a vertex that is drawn or,
+where primitives are expanded, a primitive with what is read of its corners. The numbers of a vertex
+are written as they lie in the buffer of a stream output, each as the 32 bits that it has. A vertex
+that no strip emits is written, too: one more number says of each vertex whether it is there, and a
+host leaves the others out.
 """
 
 from __future__ import annotations
@@ -16,23 +16,21 @@ from ...frozen import changed
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.capture import NUMBER_SIZE
-from ..ir.kernel import USUAL
+from ..ir.kernel import USUAL, WRITTEN_GROUP
 from ..ir.leaves import MOST_ELEMENTS, Attribute, Buffer, Parameter
 from ..ir.node import Graph, Node, reachable
 from ..ir.rewrite import rewrite
 from ..ir.shader import AttributeInfo, BufferInfo, MeshInput, ParameterInfo, Result, Shader, Store
 from ..ir.stages import CAPTURE, COMPUTE, COMPUTED, EMITTING, EXTENT, STORE, VERTEX, SystemInput
 from ..ir.types import INT, UINT, RuntimeArray, Struct, Type, Vector, width
+from .corner_inputs import VERTEX_INDEX, as_attribute
 
 MESH = "mesh"
-"""The buffer that is read."""
+"""The buffer that is read; a host binds it with what the kernel writes."""
 VERTEX_STRUCT, PRIMITIVE_STRUCT = "MeshVertex", "MeshPrimitive"
 """What its elements are."""
 CAPTURED = "captured"
 """The buffer that is written."""
-GROUP = "draw"
-
-VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
 INDEX = changed(next(row for row in COMPUTE.inputs if row.type == INT), most=int(MOST_ELEMENTS) - 1)
 
 
@@ -110,7 +108,7 @@ class _Reading:
             if self._is_expanded:
                 number = self._vertex if leaf.name == VERTEX_INDEX.name else self._element
                 return self._call(UINT, "to_uint", number)
-            leaf = _as_attribute(leaf)
+            leaf = as_attribute(leaf)
         assert isinstance(leaf, Attribute)
         buffer = self.mesh.buffer
         # There are as many invocations as the elements ask for, so none is beyond the last one.
@@ -129,7 +127,7 @@ class _Reading:
     def _counted(self, row: SystemInput) -> AttributeInfo:
         """A number that the host counts."""
         mesh = MeshInput(row.name, 0 if self._is_expanded else None, is_number=True)
-        return AttributeInfo(_as_attribute(row), str(row.type), "", self.span, mesh=mesh)
+        return AttributeInfo(as_attribute(row), str(row.type), "", self.span, mesh=mesh)
 
     def _call(self, type_: Type, name: str, *operands: Node) -> Node:
         return self._graph.node("call", type_, operands, name)
@@ -140,10 +138,6 @@ def _first_span(shader: Shader) -> Span:
     spans = shader.notes.spans
     places = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))
     return next((span for span in places if span is not None), next(iter(spans.values())))
-
-
-def _as_attribute(row: SystemInput) -> Attribute:
-    return Attribute(row.name, row.type, row.domain)
 
 
 def _member_name(leaf: Attribute) -> str:
@@ -171,7 +165,7 @@ def _mesh(
         ParameterInfo(Parameter(name, type_, ""), str(type_), None, None, info.doc, span)
         for (name, type_), (_, info) in zip(struct.members, rows, strict=True)
     )
-    buffer = Buffer(_free(MESH, _names(shader)), RuntimeArray(struct), GROUP)
+    buffer = Buffer(_free(MESH, _names(shader)), RuntimeArray(struct), WRITTEN_GROUP)
     element = ParameterInfo(Parameter("", struct, ""), struct.name, None, None, "", span, described)
     return changed(_info(buffer, element, span), of_mesh=tuple(rows))
 
@@ -179,7 +173,7 @@ def _mesh(
 def _written(shader: Shader, span: Span) -> BufferInfo:
     """The buffer of which each invocation writes the numbers of a vertex."""
     assert shader.capture is not None
-    buffer = Buffer(_free(CAPTURED, _names(shader)), RuntimeArray(UINT), GROUP)
+    buffer = Buffer(_free(CAPTURED, _names(shader)), RuntimeArray(UINT), WRITTEN_GROUP)
     element = ParameterInfo(Parameter("", UINT, ""), str(UINT), None, None, "", span)
     conditions = shader.results_of(EMITTING)
     return changed(_info(buffer, element, span), each=shader.capture.numbers + len(conditions))

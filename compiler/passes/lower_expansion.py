@@ -1,12 +1,12 @@
 """Expansions without a geometry stage: each primitive of the mesh is drawn as an instance.
 
-``api.py`` calls ``lower_expansion`` before all passes. The draw has as many vertices as a primitive
-emits at most, as a list of triangles, and a vertex knows by its number in which group, strip and
-triangle it is. What the mesh has at the corners of the primitive are vertex inputs per instance,
-one for each corner that is read. A strip that is not emitted has all its vertices in one place,
-beyond the picture. Where render targets have layers, each of these is a draw of its own, in which
-the strips of all others are not emitted. The result is the same, as are the order of triangles and
-the vertex that each begins with: triangle ``t`` of a strip has the vertices ``t``,
+``lower_stages`` calls ``lower_expansion`` before all passes. The draw has as many vertices as a
+primitive emits at most, as a list of triangles, and a vertex knows by its number in which group,
+strip and triangle it is. What the mesh has at the corners of the primitive are vertex inputs per
+instance, one for each corner that is read. A strip that is not emitted has all its vertices in one
+place, beyond the picture. Where render targets have layers, each of these is a draw of its own, in
+which the strips of all others are not emitted. The result is the same, as are the order of
+triangles and the vertex that each begins with: triangle ``t`` of a strip has the vertices ``t``,
 ``t + 1 + t mod 2`` and ``t + 2 - t mod 2``, as in Vulkan.
 """
 
@@ -58,19 +58,19 @@ def lower_expansion(shader: Shader) -> Shader:
     values = lowering.lowered([result.value for result in shader.results])
     results = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
     drawn = lowering.drawn(results)
-    placed = [
+    delivered = [
         _placed(shader, result, drawn) for result in results if result.kind not in (EMITTING, LAYER)
     ]
     if drawn is not None and shader.capture is not None:
         # There is no place for a vertex that is not captured, so it has to be left out.
-        placed.append(Result(EMITTING, VERTEX, drawn))
+        delivered.append(Result(EMITTING, VERTEX, drawn))
     # What tells the vertices apart stands nowhere, but where the expansion does.
-    for node in reachable([result.value for result in placed]):
+    for node in reachable([result.value for result in delivered]):
         if node.id >= before:
             shader.notes.spans.setdefault(node.id, shader.expansion.span)
     return changed(
         shader,
-        results=tuple(placed),
+        results=tuple(delivered),
         attributes=lowering.attributes,
         parameters=lowering.parameters,
         layer=lowering.layer,

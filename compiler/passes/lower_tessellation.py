@@ -1,7 +1,8 @@
 """Tessellations without their stages: each patch of the mesh is drawn as an instance.
 
-``api.py`` calls ``lower_tessellation`` before all passes. What the mesh has at the control points
-are vertex inputs per instance, one for each that is read. Where the vertices lie in their patch:
+``lower_stages`` calls ``lower_tessellation`` before all passes. What the mesh has at the control
+points are vertex inputs per instance, one for each that is read. Where the vertices lie in their
+patch:
 
 - If all patches of a draw are divided alike, the host computes into how many steps, once for the
   draw, and makes the pattern of triangles. Its points are the vertices of the draw, and where they

@@ -33,7 +33,7 @@ from ..ir.stages import (
 from ..ir.types import width
 from .bounds import Bounded, Bounds, Errors, exact, hull
 from .evaluate import Evaluator
-from .held_values import HeldValues, as_rounded
+from .held_values import HeldValues, as_rounded, rounded_constants
 from .kernel import computed
 from .namespace import Lanes
 from .picture.sampler import TextureReader
@@ -175,7 +175,7 @@ class _Capturing:
         return Listed(found, certain, possible, meant)
 
     def _evaluator(self, leaves: Any) -> Evaluator:
-        return Evaluator(leaves, self._bounds, _rounded_constants)
+        return Evaluator(leaves, self._bounds, rounded_constants)
 
     def _of_vertex(self, node: Node) -> Lanes | None:
         """A leaf at all vertices of the mesh."""
@@ -193,11 +193,6 @@ class _Capturing:
             image = Image(self._textures[node.data.name], node.data, self._rules)
             self._readers[node.data] = TextureReader(image)
         return (self._readers[node.data],)
-
-
-def _rounded_constants(node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
-    made: Lanes = as_rounded(value) if node.op == "constant" else value
-    return made
 
 
 def _numbered(expansion: Expansion, primitives: int) -> dict[str, Ints]:

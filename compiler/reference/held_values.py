@@ -71,3 +71,9 @@ def as_rounded(value: Any) -> Any:
     if isinstance(value, tuple):
         return tuple(map(as_rounded, value))
     return constant(value) if isinstance(value, float) else value
+
+
+def rounded_constants(node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+    """What an ``Evaluator`` makes of each node's value: a constant is as a text has it."""
+    made: Lanes = as_rounded(value) if node.op == "constant" else value
+    return made

@@ -19,7 +19,7 @@ from ..ir.shader import Shader, Store
 from ..ir.stages import COMPUTED, CONDITION, PLACE, SCATTER, STORE
 from .bounds import Bounded, Bounds, Errors, exact
 from .evaluate import Evaluator
-from .held_values import HeldValues, as_rounded
+from .held_values import HeldValues, as_rounded, rounded_constants
 from .namespace import Lanes
 from .picture.sampler import TextureReader
 from .picture.scene import RasterRules, Texels
@@ -72,10 +72,6 @@ def computed(
                 readers[node.data] = TextureReader(image)
             return (readers[node.data],)
         return held.value(node)
-
-    def rounded_constants(node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
-        made: Lanes = as_rounded(value) if node.op == "constant" else value
-        return made
 
     evaluator = Evaluator(leaves, Bounds(errors), rounded_constants)
 

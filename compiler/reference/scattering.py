@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..ir.kernel import ScatterOperator, neutral
+from ..ir.kernel import ScatterOperator, ends, neutral
 from ..ir.shader import Store
 from ..ir.types import INT
 from .bounds import Bounded
@@ -46,12 +46,12 @@ def joined(
     sure = chosen & certain
     JOINING[operator].at(low, places[sure], values[sure])
     JOINING[operator].at(high, places[sure], values[sure])
-    everything = _ends(signed=signed)
+    everything = ends(signed=signed)
     for at in np.flatnonzero(~certain):
         for element in _possible(place, condition, int(at), length):
-            ends = int(value.low[at]), int(value.high[at])
+            joining = int(value.low[at]), int(value.high[at])
             low[element], high[element] = _widened(
-                operator, (int(low[element]), int(high[element])), ends, everything
+                operator, (int(low[element]), int(high[element])), joining, everything
             )
     least, most = everything
     around = (low < least) | (high > most)
@@ -101,10 +101,6 @@ def _widened(
     if operator == "max":
         return low, max(high, value[1])
     return everything
-
-
-def _ends(*, signed: bool) -> tuple[int, int]:
-    return (-(2**31), 2**31 - 1) if signed else (0, 2**32 - 1)
 
 
 def _wrapped(values: Array, *, signed: bool) -> Array:

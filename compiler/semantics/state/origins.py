@@ -43,11 +43,6 @@ class MixedEnds:
     coordinate: Node
     """Where in the patch the vertex lies."""
 
-    @property
-    def crossing(self) -> Crossing:
-        """How a control point's value gets to the vertex."""
-        return CONTROL_POINT
-
     def value(self, graph: Graph, part: Node, *, is_of_instance: bool) -> Node:
         """A value of the mesh at this vertex; what is no float is that of the first end."""
         ends = [
