@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import hypot
 
 from ....frozen import EMPTY, changed, frozen
@@ -14,7 +14,14 @@ from ...diagnostics.source import Span
 from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
-from ...ir.shader import AttributeInfo, BufferInfo, ConstantValue, ParameterInfo, ResourceInfo
+from ...ir.shader import (
+    AttributeInfo,
+    BufferInfo,
+    ConstantValue,
+    ExternInfo,
+    ParameterInfo,
+    ResourceInfo,
+)
 from ...ir.stages import INSTANCES, VERTICES
 from ...ir.types import (
     FLOAT,
@@ -64,6 +71,16 @@ class Leaves:
     resources: tuple[ResourceInfo, ...] = ()
     buffers: tuple[BufferInfo, ...] = ()
     attributes: tuple[AttributeInfo, ...] = ()
+
+
+def all_parameters(
+    leaves: Sequence[Leaves], externs: Iterable[ExternInfo]
+) -> tuple[ParameterInfo, ...]:
+    """All that a shader has: those that are declared, those that count elements, and the members of
+    the host's blocks."""
+    own = [info for part in leaves for info in part.parameters]
+    counts = [info.count for part in leaves for info in part.buffers]
+    return (*own, *counts, *(member.info for block in externs for member in block.members))
 
 
 def leaves_of(

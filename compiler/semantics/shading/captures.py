@@ -21,7 +21,8 @@ from ..inheritance.records import Record
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
-from ..state.scope import Failure, Instance, Scope
+from ..state.scope import Failure, Instance
+from .instances import pass_scope
 
 MOST_NUMBERS = 64
 """So many numbers of a vertex every device captures (OpenGL, ES 3.0, Vulkan and Direct3D)."""
@@ -82,9 +83,7 @@ def _value(
     if not isinstance(declared.type, Scalar | Vector) or scalar_kind(declared.type) == "bool":
         ctx.report.add(rules.CANNOT_CAPTURE, member.type.span, type=declared.text)
         return None
-    surface = passing.surface
-    assert surface is not None
-    scope = Scope(owner.module, passing, level, surface, {"material": surface})
+    scope = pass_scope(owner, passing, level)
     found = as_declared(ctx, node_of(ctx, member.value, scope), declared, member.value, scope)
     if isinstance(found, Failure):
         return None

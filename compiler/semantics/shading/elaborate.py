@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from ....frozen import changed
 from ...diagnostics import rules
 from ...ir.node import Node
 from ...ir.shader import (
-    ExternInfo,
-    ParameterInfo,
     PatchPattern,
     RenderTarget,
     Result,
@@ -30,16 +28,17 @@ from ..checking.slots import slot
 from ..checking.unknown_names import unknown
 from ..declarations.externs import read_externs
 from ..declarations.fitting import fit, typed
-from ..declarations.parameters import Leaves
+from ..declarations.parameters import all_parameters
 from ..inheritance.records import Record
 from ..lowering.outlining import lowered
 from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.scope import Failure, Instance, MadeSlots, Scope
+from ..state.scope import Failure, Instance, MadeSlots
 from .assembly import Setting, is_declared_abstract
 from .captures import capture_of, captures, captures_of
 from .formats import FORMATS, texel_value
 from .host_names import check_host_names
+from .instances import pass_scope
 from .layers import layer_count, layer_of
 from .slot_checks import check_rig, check_slots
 
@@ -107,7 +106,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         rig_name=parts.rig.name,
         graph=graph,
         notes=notes,
-        parameters=_all_parameters(everything, ctx.externs.infos),
+        parameters=all_parameters(everything, ctx.externs.infos),
         resources=tuple(resource for part in everything for resource in part.resources),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
@@ -137,21 +136,6 @@ def _chain(setting: Setting) -> Chain:
     made = setting.surface.made
     before = (VERTEX, *(() if made is None else made.stages))
     return before if captures(setting.passing.record) else (*before, FRAGMENT)
-
-
-def _all_parameters(
-    leaves: Sequence[Leaves], externs: Iterable[ExternInfo]
-) -> tuple[ParameterInfo, ...]:
-    """Those that are declared, those that count elements, and the members of the host's blocks."""
-    own = [info for part in leaves for info in part.parameters]
-    counts = [info.count for part in leaves for info in part.buffers]
-    return (*own, *counts, *(member.info for block in externs for member in block.members))
-
-
-def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
-    surface = passing.surface
-    assert surface is not None
-    return Scope(symbol.module, passing, level, surface, {"material": surface})
 
 
 def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
@@ -201,7 +185,7 @@ def _target(
     level: int,
 ) -> Result | None:
     blend = _blend(ctx, drawn, target)
-    value = texel_value(ctx, target.format, target.value, _scope(owner, passing, level))
+    value = texel_value(ctx, target.format, target.value, pass_scope(owner, passing, level))
     if isinstance(value, Failure):
         return None
     name, state = target.name.text, RenderTarget(target.format.text, blend, layers)
@@ -229,7 +213,7 @@ def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
 def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     combined: Node | None = None
     for discard, owner, level in drawn.every(ast.Discard):
-        scope = _scope(owner, passing, level)
+        scope = pass_scope(owner, passing, level)
         condition = typed(ctx, discard.condition, scope, BOOL, "bool")
         if isinstance(condition, Failure):
             continue

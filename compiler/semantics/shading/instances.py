@@ -10,8 +10,9 @@ from ...ir.types import Matrix
 from ..declarations.overrides import check_overrides
 from ..declarations.parameters import Leaves
 from ..inheritance.records import Record
+from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.scope import Instance
+from ..state.scope import Instance, Scope
 
 
 def instance_of(ctx: Context, record: Record, leaves: Leaves) -> Instance:
@@ -32,6 +33,13 @@ def instance_of(ctx: Context, record: Record, leaves: Leaves) -> Instance:
     instance = Instance(record, parameters=nodes, resources=resources, attributes=inputs)
     check_overrides(ctx, instance)
     return instance
+
+
+def pass_scope(owner: Symbol, passing: Instance, level: int) -> Scope:
+    """What expressions in a member of a pass can name; ``owner`` is the record that declares it."""
+    surface = passing.surface
+    assert surface is not None
+    return Scope(owner.module, passing, level, surface, {"material": surface})
 
 
 def _vertex_inputs(ctx: Context, infos: Iterable[AttributeInfo]) -> Iterator[tuple[str, Node]]:

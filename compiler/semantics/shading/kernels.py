@@ -19,7 +19,7 @@ from ...syntax import ast
 from ..checking.expressions import RULES
 from ..declarations.contracts import as_declared
 from ..declarations.externs import read_externs
-from ..declarations.parameters import leaves_of
+from ..declarations.parameters import all_parameters, leaves_of
 from ..declarations.written_types import declared_type
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
@@ -85,7 +85,6 @@ def kernel_shader(
     if made is None:
         return None
     lowered_results, graph, notes = made
-    counts = [info.count for info in leaves.buffers]
     externs = ctx.externs.infos
     return Shader(
         name=symbol.name,
@@ -94,9 +93,7 @@ def kernel_shader(
         rig_name="",
         graph=graph,
         notes=notes,
-        parameters=(
-            *leaves.parameters, *counts, *(m.info for block in externs for m in block.members),
-        ),
+        parameters=all_parameters((leaves,), externs),
         resources=leaves.resources,
         attributes=(),
         results=lowered_results,
