@@ -156,7 +156,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return changed_package(tmp_path_factory.mktemp("knobs"), (*KNOB, *MIXING))
 
 
-def test_three_files_are_changed() -> None:
+def test_four_files_are_changed() -> None:
     assert {name for name, _, _ in KNOB} == {GRAMMAR, MEMBERS, KINDS, CONTRIBUTES}
     assert {name for name, _, _ in MIXING} == {GRAMMAR, MEMBERS, KINDS, DELIVERS}
 

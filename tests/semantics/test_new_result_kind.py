@@ -104,7 +104,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return changed_package(tmp_path_factory.mktemp("pictures"), CHANGES)
 
 
-def test_three_files_are_changed() -> None:
+def test_four_files_are_changed() -> None:
     assert {name for name, _, _ in CHANGES} == {GRAMMAR, MEMBERS, KINDS, DELIVERS}
 
 
