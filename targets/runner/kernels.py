@@ -14,6 +14,7 @@ import numpy as np
 
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
+from ...compiler.ir.stages import RASTERISED
 from ...frozen import changed
 from .drivers.draw import Dispatch, Draw, Job, KernelJob, Picture, Pipeline, Written
 from .instances.instance import Instance
@@ -30,6 +31,16 @@ class EmptyImageError(ValueError):
     def __init__(self, kernel: str, width: int, height: int) -> None:
         super().__init__(f"the images of {kernel} have {width} x {height} texels: set what tells "
                          "their size")  # fmt: skip
+
+
+class UndrawableError(ValueError):
+    """A material has stages that the reference does not draw, such as those that make lines of
+    patches."""
+
+    def __init__(self, material: str) -> None:
+        super().__init__(
+            f"{material} has other stages than the reference draws: only routes draw it"
+        )
 
 
 def has_images(reflection: Mapping[str, Any]) -> bool:
@@ -115,8 +126,13 @@ def pictures_of(
 
 
 def drawable(shader: Shader) -> Shader:
-    """The shader as the reference draws it: a kernel over images as a full-screen pass."""
+    """The shader as the reference draws it: a kernel over images as a full-screen pass.
+
+    Raises ``UndrawableError``.
+    """
     if not writes_images(shader):
+        if shader.chain != RASTERISED:
+            raise UndrawableError(shader.name)
         return shader
     # It adds nodes, and others may walk over the graph that was given.
     return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))
