@@ -28,14 +28,11 @@ from ..runner.runner import Runner
 from ..runner.subject import Subject
 from .compare import compare
 from .once import Known
-from .plan import Bounds, bounds_of, summed_up
+from .plan import FLOATS, Bounds, bounds_of, summed_up
 from .rows import CaseResult
 from .sample import sample_buffers, sample_textures, sample_values
 
 Floats = NDArray[np.float64]
-
-FLOATS = "rgba32f"
-"""The format that holds every value that is compared."""
 
 BUFFER_SIZES = (0, 1, 64, 70, 200)
 """How many elements storage buffers get: none, one, a whole work group, and parts of one."""
