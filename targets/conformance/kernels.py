@@ -51,7 +51,7 @@ class Run:
     @property
     def width(self) -> int:
         """The elements of the longest buffer, as a picture's pixels."""
-        return max(1, *self.instance.counts().values())
+        return max(1, *self.instance.result_counts().values())
 
     @property
     def count(self) -> int:
@@ -125,7 +125,7 @@ def _run(name: str, subject: Subject, seed: int) -> Run:
 
 def _lanes(shader: Shader, run: Run, rules: RasterRules, errors: Errors) -> Sequence[Lane]:
     values, texels = values_for(shader, run.instance), texels_of(run.instance)
-    return computed(shader, values, texels, run.count, run.instance.counts(), errors, rules)
+    return computed(shader, values, texels, run.count, run.instance.result_counts(), errors, rules)
 
 
 def _parts(lanes: Sequence[Lane]) -> list[list[Lane]]:

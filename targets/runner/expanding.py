@@ -67,7 +67,7 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
         # No input is of the pattern: each vertex finds out by its number where it lies.
         places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
     else:
-        places, triangles = pattern(row["kind"], row["spacing"], *instance.levels())
+        places, triangles = pattern(row["kind"], row["spacing"], *instance.patch_levels())
     attributes = {
         each["name"]: places
         if each["mesh"]["is_of_pattern"]

@@ -62,7 +62,7 @@ def dispatch_of(instance: Instance) -> Dispatch:
     blocks, textures, buffers = instance.blocks(), instance.textures(), instance.buffers()
     count = instance.extent()
     read = [buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]]
-    counts = instance.counts()
+    counts = instance.result_counts()
     written = [_before(row, counts[row["name"]]) for row in reflection["results"]]
     return Dispatch(
         extent=(count, 1, 1),
@@ -84,7 +84,7 @@ def _before(row: Mapping[str, Any], count: int) -> bytes:
 
 def elements_of(instance: Instance, written: Written) -> dict[str, bytes]:
     """The bytes of the elements of each result, by name."""
-    counts = instance.counts()
+    counts = instance.result_counts()
     return {
         row["name"]: data[: counts[row["name"]] * row["stride"]]
         for row, data in zip(instance.reflection["results"], written.buffers, strict=True)
@@ -96,7 +96,7 @@ def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
 
     Raises ``MissingValuesError``, and ``EmptyImageError``.
     """
-    reflection, (width, height) = instance.reflection, instance.size()
+    reflection, (width, height) = instance.reflection, instance.image_size()
     if not width * height:
         raise EmptyImageError(reflection["material"], width, height)
     corners = np.arange(CORNERS)[None]

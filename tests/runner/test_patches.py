@@ -108,7 +108,7 @@ def test_every_patch_is_an_instance_of_the_pattern() -> None:
     assert row["tessellation"]["divided_by"] == "instances"
     instance, plane = material.instance(), mesh("plane")
     instance.set("detail", 2.5)
-    assert instance.levels() == ((2.5,) * 4, (2.5,) * 2)
+    assert instance.patch_levels() == ((2.5,) * 4, (2.5,) * 2)
     names = {each["mesh"]["name"] for each in material.reflection["vertex_inputs"]}
     data = {name: np.zeros((len(plane), 3)) for name in names}
     data["vertex_position"] = plane.channels["position"]
