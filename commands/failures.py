@@ -33,6 +33,7 @@ def told() -> Iterator[None]:
         from ..targets.runner.drivers.draw import DriverError
         from ..targets.runner.instances.instance import MissingValuesError
         from ..targets.runner.instances.values import ParameterError
+        from ..targets.runner.kernels import UndrawableError
         from ..targets.runner.meshes import MeshError
         from ..targets.runner.routes import UnknownRouteError
         from ..targets.runner.textures.kinds import PictureError
@@ -47,7 +48,9 @@ def told() -> Iterator[None]:
         raise click.UsageError(str(error)) from error
     except DriverError as error:
         fail(str(error).replace("\n", "\n  "))
-    except (CodeError, MeshError, MissingValuesError, ParameterError, PictureError) as error:
+    except (
+        CodeError, MeshError, MissingValuesError, ParameterError, PictureError, UndrawableError,
+    ) as error:  # fmt: skip
         fail(str(error))
     except MemoryError:
         fail("there is not enough memory to draw this: a smaller picture may do")

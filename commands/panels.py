@@ -23,7 +23,7 @@ _UNDEFINED = "the pixels that use it are not defined"
 NOT_RUN = "not run"
 """The title of a panel whose route lacks its tools, or a feature that the material needs."""
 BROKEN = "failed"
-"""The title of a panel for which a compiler or a driver failed."""
+"""The title of a panel for which a compiler, a driver or the reference failed."""
 
 
 def panels(
@@ -36,10 +36,11 @@ def panels(
     """A panel for each subject and route, one row per subject; the route ``None`` is the reference.
 
     ``target`` names the render target to show. If something could not be drawn, its panel says so;
-    if there is only one panel, ``CodeError`` or ``DriverError`` is raised instead.
+    if there is only one panel, its ``CodeError``, ``DriverError`` or ``UndrawableError`` is raised.
     """
     from ..targets.runner.codes import CodeError
     from ..targets.runner.drivers.draw import DriverError
+    from ..targets.runner.kernels import UndrawableError
     from ..targets.runner.sheet import Panel
     from ..targets.toolchain import Toolchain
 
@@ -57,7 +58,7 @@ def panels(
                 continue
             try:
                 note, targets = _drawn(subject, route, runner, toolchain, tell)
-            except (CodeError, DriverError) as error:
+            except (CodeError, DriverError, UndrawableError) as error:
                 if len(pairs) == 1:
                     raise
                 yield Panel(titles, str(error), None, BROKEN)

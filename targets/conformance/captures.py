@@ -29,14 +29,11 @@ from ..runner.scene_state import SceneState
 from ..runner.subject import Subject
 from .cases import Case, Size, series_of
 from .compare import Comparison, compare
-from .plan import bounds_of, summed_up
+from .plan import FLOATS, bounds_of, summed_up
 from .rows import CaseResult
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-
-FLOATS = "rgba32f"
-"""The format that holds every value that is compared."""
 
 
 class CapturePlan:

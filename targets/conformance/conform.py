@@ -16,7 +16,7 @@ from ...frozen import EMPTY
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError
-from ..runner.kernels import has_images, pictures_of
+from ..runner.kernels import UndrawableError, has_images, pictures_of
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -132,7 +132,7 @@ def _row(
                 results.append(result)
                 if interrupted.is_set():
                     break
-    except (CodeError, DriverError) as error:
+    except (CodeError, DriverError, UndrawableError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
 

@@ -28,14 +28,11 @@ from ..runner.runner import Runner
 from ..runner.subject import Subject
 from .compare import compare
 from .once import Known
-from .plan import Bounds, bounds_of, summed_up
+from .plan import FLOATS, Bounds, bounds_of, summed_up
 from .rows import CaseResult
 from .sample import sample_buffers, sample_textures, sample_values
 
 Floats = NDArray[np.float64]
-
-FLOATS = "rgba32f"
-"""The format that holds every value that is compared."""
 
 BUFFER_SIZES = (0, 1, 64, 70, 200)
 """How many elements storage buffers get: none, one, a whole work group, and parts of one."""
@@ -54,7 +51,7 @@ class Run:
     @property
     def width(self) -> int:
         """The elements of the longest buffer, as a picture's pixels."""
-        return max(1, *self.instance.counts().values())
+        return max(1, *self.instance.result_counts().values())
 
     @property
     def count(self) -> int:
@@ -128,7 +125,7 @@ def _run(name: str, subject: Subject, seed: int) -> Run:
 
 def _lanes(shader: Shader, run: Run, rules: RasterRules, errors: Errors) -> Sequence[Lane]:
     values, texels = values_for(shader, run.instance), texels_of(run.instance)
-    return computed(shader, values, texels, run.count, run.instance.counts(), errors, rules)
+    return computed(shader, values, texels, run.count, run.instance.result_counts(), errors, rules)
 
 
 def _parts(lanes: Sequence[Lane]) -> list[list[Lane]]:

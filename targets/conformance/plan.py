@@ -37,8 +37,8 @@ Floats = NDArray[np.float64]
 _ANY: tuple[Platform, ...] = ("vulkan",)
 """The errors of functions that were not measured follow from those that were, on any platform. So
 all routes to a driver share one picture."""
-_EXACT = "rgba32f"
-"""A format that holds every float, for series that show what shaders write."""
+FLOATS = "rgba32f"
+"""The format that holds every float that is compared, in series that show what shaders write."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -269,7 +269,7 @@ def _to_target(result: Result, *, exact: bool) -> Result:
     if state is None:
         return result
     if exact:
-        return changed(result, state=changed(state, format=_EXACT, blend="none"))
+        return changed(result, state=changed(state, format=FLOATS, blend="none"))
     drawn = FORMATS[state.format]
     name = next(name for name, other in FORMATS.items() if other == drawn)
     return changed(result, state=changed(state, format=name))

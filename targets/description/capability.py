@@ -65,7 +65,8 @@ class Capability:
     doc: str
     """What it is, and how a program says that it wants it."""
     ways: tuple[Way, ...]
-    """The first is by the profile's own means. The compiler takes the first whose needs are met."""
+    """The first is by the profile's own means. Where these are not there, or are not asked for, the
+    compiler takes the first of the others whose needs are met."""
     instead: str = ""
     """What a user can write where there is no way: an imperative, behind "help:"."""
 

@@ -41,16 +41,15 @@ def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     if draw["tessellation"] is not None:
         return _divided(instance, data, mesh)
     corners = primitives(mesh, draw["primitive"])
-    if draw["expanded_by"] is None:
-        return Drawn(data, corners, mesh.instance_count)
-    if not len(corners):
-        raise MeshError(f"the mesh has no {draw['primitive']} to expand")
-    if draw["expanded_by"] == GEOMETRY.name:
+    captured, is_expanded = reflection["capture"], draw["expanded_by"] is not None
+    if not len(corners) and (is_expanded or captured is not None):
+        work = "expand" if is_expanded else "capture"
+        raise MeshError(f"the mesh has no {draw['primitive']} to {work}")
+    if draw["expanded_by"] in (None, GEOMETRY.name):
         return Drawn(data, corners, mesh.instance_count)
     copies = mesh.instance_count
     rows = reflection["vertex_inputs"]
     attributes = {row["name"]: _values(row["mesh"], data, corners, copies) for row in rows}
-    captured = reflection["capture"]
     emits_points = captured is not None and captured["primitive"] == "point"
     listed = np.arange(draw["vertices"]).reshape(-1, 1 if emits_points else 3)
     return Drawn(attributes, listed, copies * len(corners))
@@ -68,7 +67,7 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
         # No input is of the pattern: each vertex finds out by its number where it lies.
         places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
     else:
-        places, triangles = pattern(row["kind"], row["spacing"], *instance.levels())
+        places, triangles = pattern(row["kind"], row["spacing"], *instance.patch_levels())
     attributes = {
         each["name"]: places
         if each["mesh"]["is_of_pattern"]

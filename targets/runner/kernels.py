@@ -14,6 +14,7 @@ import numpy as np
 
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
+from ...compiler.ir.stages import RASTERISED
 from ...frozen import changed
 from .drivers.draw import Dispatch, Draw, Job, KernelJob, Picture, Pipeline, Written
 from .instances.instance import Instance
@@ -30,6 +31,16 @@ class EmptyImageError(ValueError):
     def __init__(self, kernel: str, width: int, height: int) -> None:
         super().__init__(f"the images of {kernel} have {width} x {height} texels: set what tells "
                          "their size")  # fmt: skip
+
+
+class UndrawableError(ValueError):
+    """A material has stages that the reference does not draw, such as those that make lines of
+    patches."""
+
+    def __init__(self, material: str) -> None:
+        super().__init__(
+            f"{material} has other stages than the reference draws: only routes draw it"
+        )
 
 
 def has_images(reflection: Mapping[str, Any]) -> bool:
@@ -51,7 +62,7 @@ def dispatch_of(instance: Instance) -> Dispatch:
     blocks, textures, buffers = instance.blocks(), instance.textures(), instance.buffers()
     count = instance.extent()
     read = [buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]]
-    counts = instance.counts()
+    counts = instance.result_counts()
     written = [_before(row, counts[row["name"]]) for row in reflection["results"]]
     return Dispatch(
         extent=(count, 1, 1),
@@ -73,7 +84,7 @@ def _before(row: Mapping[str, Any], count: int) -> bytes:
 
 def elements_of(instance: Instance, written: Written) -> dict[str, bytes]:
     """The bytes of the elements of each result, by name."""
-    counts = instance.counts()
+    counts = instance.result_counts()
     return {
         row["name"]: data[: counts[row["name"]] * row["stride"]]
         for row, data in zip(instance.reflection["results"], written.buffers, strict=True)
@@ -85,7 +96,7 @@ def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
 
     Raises ``MissingValuesError``, and ``EmptyImageError``.
     """
-    reflection, (width, height) = instance.reflection, instance.size()
+    reflection, (width, height) = instance.reflection, instance.image_size()
     if not width * height:
         raise EmptyImageError(reflection["material"], width, height)
     corners = np.arange(CORNERS)[None]
@@ -115,8 +126,13 @@ def pictures_of(
 
 
 def drawable(shader: Shader) -> Shader:
-    """The shader as the reference draws it: a kernel over images as a full-screen pass."""
+    """The shader as the reference draws it: a kernel over images as a full-screen pass.
+
+    Raises ``UndrawableError``.
+    """
     if not writes_images(shader):
+        if shader.chain != RASTERISED:
+            raise UndrawableError(shader.name)
         return shader
     # It adds nodes, and others may walk over the graph that was given.
     return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))

@@ -58,8 +58,7 @@ def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
     Four points go round, as ends do. Beyond the border of a small grid its last vertices repeat.
     """
     side = isqrt(points)
-    first, following = (divmod(end, side) for end in ends[:2])
-    step = 1 if points == len(ends) else max(abs(following[1] - first[1]), 1)
+    step = 1 if points == len(ends) else _distance(side, ends[0], ends[1])
     offsets = np.arange(side)
     found = [
         lattice[np.ix_(np.minimum(row + offsets, len(lattice) - 1), columns)].reshape(-1)
@@ -69,6 +68,12 @@ def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
     ]
     whole = np.array(found, np.int64)
     return whole[:, [0, 1, 3, 2]] if points == len(ends) else whole
+
+
+def _distance(side: int, one: int, other: int) -> int:
+    """How far apart two points of a square are: along a row or a column, or 1 if in one place."""
+    (row, column), (other_row, other_column) = divmod(one, side), divmod(other, side)
+    return max(abs(other_row - row), abs(other_column - column), 1)
 
 
 def _starts(count: int, side: int, step: int) -> Iterator[int]:

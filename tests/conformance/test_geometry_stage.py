@@ -9,7 +9,7 @@ in different stages.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -20,8 +20,6 @@ from burnish.compiled import CompiledMaterial
 from burnish.compiler.ir.expansion import CORNERS, Expansion
 from burnish.compiler.ir.node import Node
 from burnish.compiler.passes.lower_expansion import EmittedNumbers, _Lowering
-from burnish.frozen import changed
-from burnish.targets import registry
 from burnish.targets.conformance.cases import series_of
 from burnish.targets.runner import expanding
 from burnish.targets.runner.expanding import _values
@@ -32,6 +30,7 @@ from burnish.targets.runner.scene_state import SceneState, set_up
 
 from ..targets.standings import routes
 from .kit import Floats, Studio
+from .planted.planting import Plant, form, replaced
 
 ON = tuple(
     name
@@ -154,41 +153,25 @@ def _too_early(expansion: Expansion) -> tuple[int, ...]:
     return (0, *[2] * (len(expansion.groups) - 1))
 
 
-def _form(**changes: str) -> Callable[[pytest.MonkeyPatch], None]:
-    """Change forms of GLSL."""
-
-    def plant(patch: pytest.MonkeyPatch) -> None:
-        load = registry.load
-        right = load("glsl")
-        wrong = changed(right, forms=changed(right.forms, **changes))
-        patch.setattr(registry, "load", lambda name: wrong if name == "glsl" else load(name))
-
-    return plant
-
-
-def _replaced(owner: object, name: str, value: object) -> Callable[[pytest.MonkeyPatch], None]:
-    return lambda patch: patch.setattr(owner, name, value)
-
-
 PLANTED = {
     "triangles of a strip are not turned": (
-        "a long strip", _replaced(EmittedNumbers, "_strip_vertex", _without_turning)
+        "a long strip", replaced(EmittedNumbers, "_strip_vertex", _without_turning)
     ),
     "all vertices are of the first strip": (
-        "triangle", _replaced(EmittedNumbers, "_strip", lambda numbers, _group: numbers._number(0))
+        "triangle", replaced(EmittedNumbers, "_strip", lambda numbers, _group: numbers._number(0))
     ),
     "every strip is drawn": (
-        "triangle", _replaced(_Lowering, "drawn", lambda _lowering, _results: None)
+        "triangle", replaced(_Lowering, "drawn", lambda _lowering, _results: None)
     ),
-    "groups begin elsewhere": ("groups", _replaced(Expansion, "starts", property(_too_early))),
-    "each vertex is like the first corner": ("a list", _form(corner="{name}[0]")),
-    "strips are joined": ("triangle", _form(end_strip="// EndPrimitive();")),
+    "groups begin elsewhere": ("groups", replaced(Expansion, "starts", property(_too_early))),
+    "each vertex is like the first corner": ("a list", form("glsl", corner="{name}[0]")),
+    "strips are joined": ("triangle", form("glsl", end_strip="// EndPrimitive();")),
     "the first vertex is left out": (
-        "point", _form(loop="for ({index_typed} = 1; {index} < {count}; {index}++) {{")
+        "point", form("glsl", loop="for ({index_typed} = 1; {index} < {count}; {index}++) {{")
     ),
     "corners in another order": (
         "triangle_adjacency",
-        _replaced(expanding, "_values", lambda wanted, data, corners, copies: _values(
+        replaced(expanding, "_values", lambda wanted, data, corners, copies: _values(
             wanted, data, np.roll(corners, 2, axis=1), copies
         )),
     ),
@@ -199,12 +182,13 @@ PLANTED = {
 def test_the_comparison_shows_what_is_wrong(
     studio: Studio,
     name: str,
-    plant: Callable[[pytest.MonkeyPatch], None],
+    plant: Plant,
     monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
 ) -> None:
     """The reference draws what the lowering has made, so that only this comparison can tell."""
     with monkeypatch.context() as patch:
-        plant(patch)
+        plant(patch, tmp_path)
         found, expected = drawn_both(studio, name, "lavapipe:glsl")
     assert (found != expected).any()
 

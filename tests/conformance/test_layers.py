@@ -6,7 +6,7 @@ compared to the last bit. What the picture of a layer has to be is computed dire
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,7 +19,6 @@ from burnish.compiler.passes import lower_expansion
 from burnish.compiler.semantics.shading import elaborate
 from burnish.compiler.semantics.shading.layers import layer_of
 from burnish.frozen import changed
-from burnish.targets import registry
 from burnish.targets.runner import binding, layers, runner
 from burnish.targets.runner.drivers.draw import Draw
 from burnish.targets.runner.meshes import plane
@@ -29,6 +28,7 @@ from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
 from .kit import Floats, Studio
+from .planted.planting import Plant, form, replaced
 
 ON = ("lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "llvmpipe:gl330",
       "llvmpipe:gl450")  # fmt: skip
@@ -142,22 +142,6 @@ def test_a_host_draws_the_layers_one_by_one() -> None:
     assert state_of(native).draw().layers == ()
 
 
-def _replaced(owner: object, name: str, value: object) -> Callable[[pytest.MonkeyPatch], None]:
-    return lambda patch: patch.setattr(owner, name, value)
-
-
-def _in_glsl(**changes: str) -> Callable[[pytest.MonkeyPatch], None]:
-    """Change forms of GLSL."""
-
-    def plant(patch: pytest.MonkeyPatch) -> None:
-        load = registry.load
-        right = load("glsl")
-        wrong = changed(right, forms=changed(right.forms, **changes))
-        patch.setattr(registry, "load", lambda name: wrong if name == "glsl" else load(name))
-
-    return plant
-
-
 _single_draws = layers.single_draws
 
 
@@ -173,31 +157,31 @@ def _first_only(draw: Draw) -> tuple[Draw, ...]:
 
 
 PLANTED = {
-    "all strips in the first layer": _in_glsl(deliver_layer="gl_Layer = 0;"),
-    "layers count from one": _in_glsl(deliver_layer="gl_Layer = min({value} + 1, 4);"),
-    "the layer is not told": _in_glsl(deliver_layer="// {value}"),
-    "layers in another order": _replaced(runner, "single_draws", _turned),
-    "one layer for all": _replaced(runner, "single_draws", _first_only),
-    "strips of all layers in each": _replaced(
+    "all strips in the first layer": form("glsl", deliver_layer="gl_Layer = 0;"),
+    "layers count from one": form("glsl", deliver_layer="gl_Layer = min({value} + 1, 4);"),
+    "the layer is not told": form("glsl", deliver_layer="// {value}"),
+    "layers in another order": replaced(runner, "single_draws", _turned),
+    "one layer for all": replaced(runner, "single_draws", _first_only),
+    "strips of all layers in each": replaced(
         lower_expansion._Lowering, "_is_drawn",
         lambda lowering, _layer: build.constant(lowering._graph, BOOL, True),
     ),
-    "a layer that is not there is not the nearest": _replaced(
+    "a layer that is not there is not the nearest": replaced(
         elaborate, "layer_of",
         lambda *given: (
             changed(result, value=result.value.operands[0])
             for result in layer_of(*given)
         ),
     ),
-    "targets without layers": _replaced(binding, "_layers", lambda _row: 0),
+    "targets without layers": replaced(binding, "_layers", lambda _row: 0),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("plant", PLANTED.values(), ids=PLANTED)
 def test_the_comparison_shows_what_is_wrong(
-    studio: Studio, plant: Callable[[pytest.MonkeyPatch], None], monkeypatch: pytest.MonkeyPatch
+    studio: Studio, plant: Plant, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     with monkeypatch.context() as patch:
-        plant(patch)
+        plant(patch, tmp_path)
         found, expected = drawn_both(studio, "lavapipe:glsl", -4)
     assert found.shape != expected.shape or (found != expected).any()

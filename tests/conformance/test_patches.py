@@ -9,11 +9,10 @@ each patch.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeAlias, cast
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -26,7 +25,6 @@ from burnish.compiler.reference import tessellation as reference
 from burnish.compiler.reference.tessellation import patterns
 from burnish.compiler.reference.tessellation.stitching import between_rings
 from burnish.frozen import changed
-from burnish.targets import registry
 from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.fields import Fields
 from burnish.targets.emit.views import TessellationView
@@ -38,10 +36,8 @@ from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
 from .kit import Floats, Studio
+from .planted.planting import Plant, form, supplied, target
 from .test_tessellation_stages import ON, PROFILES, SPACINGS
-
-Plant: TypeAlias = Callable[[pytest.MonkeyPatch], None]
-"""What makes something wrong, as long as a test lasts."""
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE = (64, 48)
@@ -252,31 +248,8 @@ def in_triangles(state: SceneState, spacing: Spacing) -> SceneState:
 # --- planted errors ------------------------------------------------------------------------------
 
 
-def _language(name: str, change: Callable[[Language], Language]) -> Plant:
-    """Change what is said of a language."""
-
-    def plant(patch: pytest.MonkeyPatch) -> None:
-        load = registry.load
-        wrong = change(load(name))
-        patch.setattr(registry, "load", lambda asked: wrong if asked == name else load(asked))
-
-    return plant
-
-
-def _form(**changes: str) -> Plant:
-    return _language("glsl", lambda right: changed(right, forms=changed(right.forms, **changes)))
-
-
-def _input(name: str, read: str) -> Plant:
-    def change(right: Language) -> Language:
-        row = changed(right.inputs[name], read=read)
-        return changed(right, inputs={**right.inputs, name: row})
-
-    return _language("glsl", change)
-
-
 def _spacings(**words: str) -> Plant:
-    return _language("glsl", lambda right: changed(right, spacings={**right.spacings, **words}))
+    return target("glsl", lambda right: changed(right, spacings={**right.spacings, **words}))
 
 
 def _winding(language: str, winding: str) -> Plant:
@@ -284,17 +257,17 @@ def _winding(language: str, winding: str) -> Plant:
         profiles = tuple(changed(profile, patch_winding=winding) for profile in right.profiles)
         return changed(right, profiles=profiles)
 
-    return _language(language, change)
+    return target(language, change)
 
 
-def _other_edges(patch: pytest.MonkeyPatch) -> None:
+def _other_edges(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     """Each edge of a triangle is taken for the next one."""
     kinds = cast("dict[str, PatchKind]", PATCH_KINDS)
     right = kinds["triangle"]
     patch.setitem(kinds, "triangle", changed(right, edges=(*right.edges[1:], right.edges[0])))
 
 
-def _other_places(patch: pytest.MonkeyPatch) -> None:
+def _other_places(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     """The pattern has the places of its points in another order."""
     right = pattern
 
@@ -305,13 +278,13 @@ def _other_places(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(expanding, "pattern", wrong)
 
 
-def _other_first_vertex(patch: pytest.MonkeyPatch) -> None:
+def _other_first_vertex(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     """The triangles between two rings of a pattern begin with other vertices."""
     right = between_rings
     patch.setattr(patterns, "between_rings", lambda *rows: ((b, c, a) for a, b, c in right(*rows)))
 
 
-def _handing_on_the_first(patch: pytest.MonkeyPatch) -> None:
+def _handing_on_the_first(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     """Each invocation of a control shader hands on what the first control point has."""
     right = Fields.tessellation
 
@@ -330,16 +303,18 @@ PLANTED = {
     "they do in HLSL": ("triangles", "lavapipe:hlsl-dxc", _winding("hlsl", "ccw")),
     "they do in OpenGL": ("quads", "llvmpipe:gl450", _winding("glsl", "cw")),
     "each control point is the first one": (
-        "many points", "lavapipe:glsl", _form(corner="{name}[0]")
+        "many points", "lavapipe:glsl", form("glsl", corner="{name}[0]")
     ),
     "all hand on the first control point": ("triangles", "lavapipe:glsl", _handing_on_the_first),
     "weights of other corners": (
-        "triangles", "lavapipe:glsl", _input("patch_weights", "gl_TessCoord.yzx")
+        "triangles", "lavapipe:glsl", supplied("glsl", "patch_weights", "gl_TessCoord.yzx")
     ),
     "coordinates exchanged": (
-        "quads", "lavapipe:glsl", _input("patch_coordinate", "gl_TessCoord.yx")
+        "quads", "lavapipe:glsl", supplied("glsl", "patch_coordinate", "gl_TessCoord.yx")
     ),
-    "all patches have one number": ("other ends", "lavapipe:glsl", _input("patch_index", "0")),
+    "all patches have one number": (
+        "other ends", "lavapipe:glsl", supplied("glsl", "patch_index", "0")
+    ),
     "steps are equal": (
         "fractional triangles", "lavapipe:glsl", _spacings(fractional_odd="equal_spacing")
     ),
@@ -348,26 +323,32 @@ PLANTED = {
         _spacings(fractional_odd="fractional_even_spacing"),
     ),
     "levels inside exchanged": (
-        "fractional quads", "lavapipe:glsl", _form(inner_level="gl_TessLevelInner[1 - {number}]")
+        "fractional quads", "lavapipe:glsl",
+        form("glsl", inner_level="gl_TessLevelInner[1 - {number}]"),
     ),
     "the pattern's places are others": ("triangles", "lavapipe:glsl", _other_places),
     "triangles begin with other vertices": ("quads", "lavapipe:glsl", _other_first_vertex),
     "levels of other edges": (
-        "levels", "lavapipe:glsl", _form(edge_level="gl_TessLevelOuter[({number} + 1) % 3]")
+        "levels", "lavapipe:glsl", form("glsl", edge_level="gl_TessLevelOuter[({number} + 1) % 3]")
     ),
     "edges lie between other ends": ("levels", "lavapipe:glsl", _other_edges),
     "one edge has no level": (
-        "levels", "lavapipe:glsl", _form(edge_level="gl_TessLevelOuter[{number} / 2]")
+        "levels", "lavapipe:glsl", form("glsl", edge_level="gl_TessLevelOuter[{number} / 2]")
     ),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize(("name", "route", "plant"), PLANTED.values(), ids=PLANTED)
 def test_the_comparison_shows_what_is_wrong(
-    studio: Studio, name: str, route: str, plant: Plant, monkeypatch: pytest.MonkeyPatch
+    studio: Studio,
+    name: str,
+    route: str,
+    plant: Plant,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
 ) -> None:
     with monkeypatch.context() as patch:
-        plant(patch)
+        plant(patch, tmp_path)
         if name == "levels":
             found, expected = drawn_with_levels(studio, "equal", route)
         else:

@@ -12,7 +12,6 @@ from .tree import Node, listed
 OPERATORS = ("add", "min", "max", "and", "or")
 SIZES = ("work_group of 32", "work_group of 2 * 64")
 
-
 FORMATS = {"r8": "float", "rg8": "vec2", "rgba8": "vec4", "r32f": "float", "rgba32f": "vec4"}
 """Formats of images, with what a texel is given. Numbers of 16 bits would often be too large."""
 

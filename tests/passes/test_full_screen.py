@@ -42,7 +42,7 @@ def test_what_only_the_size_reads_is_in_no_text() -> None:
     text = "kernel K { param n : int = 4  result i : image2d<r8>[ivec2(n, n)] = float(texel.x) }"
     (kernel,) = burnish.compile(text, "all").materials
     assert not kernel.reflection["blocks"]
-    assert kernel.instance().size() == (4, 4)
+    assert kernel.instance().image_size() == (4, 4)
 
 
 def test_the_images_of_a_kernel_are_never_turned_over() -> None:

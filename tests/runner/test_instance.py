@@ -166,6 +166,18 @@ def test_a_parameter_named_like_a_method_is_set_by_name(instance: Instance) -> N
     assert instance.get("values") == 3.0
 
 
+def test_usual_names_of_parameters_are_no_methods() -> None:
+    text = """material M {
+        param size : float = 1
+        param levels : float = 2
+        param counts : int = 3
+        color = vec3(size, levels, float(counts))
+    }"""
+    (material,) = burnish.compile(text, "wgsl").materials
+    instance = material.instance()
+    assert (instance.size, instance.levels, instance.counts) == (1.0, 2.0, 3)
+
+
 def test_a_copy_is_another_instance(instance: Instance) -> None:
     other = copy.deepcopy(instance)
     other.power = 2

@@ -39,6 +39,8 @@ def test_a_grid_has_quads_that_share_their_ends() -> None:
     bezier = patches(whole, "quad", 16, (0, 3, 15, 12))
     assert len(bezier) == 4
     assert bezier[0, 3] == bezier[1, 0] and bezier[0, 12] == bezier[2, 0]
+    downwards = patches(whole, "quad", 16, (0, 12, 15, 3))
+    assert downwards.tolist() == bezier.tolist()
     spline = patches(whole, "quad", 16, (5, 6, 10, 9))
     assert len(spline) == 36
     assert spline[0, 6] == spline[1, 5] and spline[0, 9] == spline[6, 5]
@@ -106,7 +108,7 @@ def test_every_patch_is_an_instance_of_the_pattern() -> None:
     assert row["tessellation"]["divided_by"] == "instances"
     instance, plane = material.instance(), mesh("plane")
     instance.set("detail", 2.5)
-    assert instance.levels() == ((2.5,) * 4, (2.5,) * 2)
+    assert instance.patch_levels() == ((2.5,) * 4, (2.5,) * 2)
     names = {each["mesh"]["name"] for each in material.reflection["vertex_inputs"]}
     data = {name: np.zeros((len(plane), 3)) for name in names}
     data["vertex_position"] = plane.channels["position"]

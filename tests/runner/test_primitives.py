@@ -90,3 +90,13 @@ def test_a_mesh_without_primitives_is_refused() -> None:
     empty = Mesh(SQUARE.channels, np.zeros((0, 3), np.int64))
     with pytest.raises(MeshError, match="the mesh has no line to expand"):
         as_drawn(material.instance(), {}, empty)
+
+
+@pytest.mark.parametrize("native_stages", [True, False])
+def test_nothing_is_captured_of_a_mesh_without_triangles(native_stages: bool) -> None:
+    """Neither by a stream output nor by a kernel."""
+    text = "material M { color = vec3(1) } pass P { capture position : vec3 = position }"
+    (material,) = burnish.compile(text, "glsl:vulkan", pass_="P", native_stages=native_stages)
+    empty = Mesh(SQUARE.channels, np.zeros((0, 3), np.int64))
+    with pytest.raises(MeshError, match="the mesh has no triangle to capture"):
+        as_drawn(material.instance(), {}, empty)

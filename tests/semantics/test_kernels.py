@@ -227,12 +227,12 @@ def test_the_host_computes_the_size() -> None:
     members = "map t : texture2d  param n : int in 0..9 = 4"
     text = f"kernel K {{ {members}  result i : image2d<r8>[t.size() * n - ivec2(0, 3)] = 1 }}"
     instance = burnish.compile(text, ("wgsl",))["K"].instance()
-    assert instance.size() == (4, 1)
+    assert instance.image_size() == (4, 1)
     instance.set("t", burnish.Texture.of_array(np.zeros((5, 7, 4), np.uint8)))
     instance.set("n", 1)
-    assert instance.size() == (7, 2)
+    assert instance.image_size() == (7, 2)
     instance.set("n", 0)
-    assert instance.size() == (0, 0)
+    assert instance.image_size() == (0, 0)
 
 
 def test_a_kernel_of_the_other_kind_has_another_place() -> None:

@@ -8,8 +8,9 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
-from burnish.targets.toolchain import Job, Toolchain
+from burnish.targets.toolchain import Toolchain
 
+from ..examples.kit import jobs_of
 from ..golden import assert_golden
 
 GOLDEN = Path(__file__).parent / "golden" / "captures"
@@ -119,13 +120,7 @@ def test_compilers_accept_them() -> None:
     with Toolchain() as toolchain:
         for text in (SPARKS, PLAIN, single):
             for profile in ("glsl:vulkan", "hlsl:sm6", "glsl:gl330"):
-                jobs = [
-                    Job(checker, {"vertex": "vert", "geometry": "geom"}[stage], file.text, entry)
-                    for file in compiled(text, profile).files
-                    for stage, entry in file.entry_points.items()
-                    for checker in file.checkers
-                ]
-                verdicts = toolchain.check(jobs)
+                verdicts = toolchain.check([*jobs_of(compiled(text, profile))])
                 assert [(v.job.checker, v.log) for v in verdicts if v.status != "accepted"] == []
 
 

@@ -13,8 +13,9 @@ import pytest
 import burnish
 from burnish.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
-from burnish.compiler.ir.stages import STAGES
-from burnish.targets.toolchain import Job, Toolchain
+from burnish.targets.toolchain import Toolchain
+
+from ..examples.kit import jobs_of
 
 GOLDEN = Path(__file__).parent / "golden" / "geometry"
 PROFILES = ("glsl:vulkan", "glsl:gl330", "glsl:gl450", "hlsl:sm6")
@@ -81,14 +82,8 @@ def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
 
 def refused(material: CompiledMaterial) -> list[str]:
     """What compilers say of the texts that they refuse."""
-    jobs = [
-        Job(checker, STAGES[stage].suffix, file.text, entry, file.name)
-        for file in material.files
-        for stage, entry in file.entry_points.items()
-        for checker in file.checkers
-    ]
     with Toolchain() as toolchain:
-        verdicts = toolchain.check(jobs)
+        verdicts = toolchain.check([*jobs_of(material)])
     return [verdict.log for verdict in verdicts if verdict.status != "accepted"]
 
 

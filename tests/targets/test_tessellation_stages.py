@@ -18,6 +18,7 @@ from burnish.compiler.diagnostics.render import render
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions
+from burnish.targets.runner.kernels import UndrawableError, drawable
 
 from ..passes.test_tessellated_graphs import divided
 from .test_geometry_stage import refused
@@ -112,3 +113,22 @@ def test_what_is_handed_on_keeps_its_place() -> None:
     assert set(evaluation.inputs) == {*control.handed_on, *control.outputs}
     locations = [field.location for field in evaluation.inputs]
     assert len(set(locations)) == len(locations)
+
+
+LINES = "material M { tessellate isoline by 4 { } }"
+
+
+def test_lines_need_the_stages() -> None:
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(LINES, "wgsl")
+    (found,) = caught.value.diagnostics
+    assert (found.message, found.hint) == (
+        "wgsl:webgpu has no control stage",
+        "divide triangles or quads, or compile for a profile that has this stage",
+    )
+
+
+def test_lines_have_no_reference() -> None:
+    (material,) = burnish.compile(LINES, "glsl:vulkan").materials
+    with pytest.raises(UndrawableError, match="M has other stages than the reference"):
+        drawable(material.shader)

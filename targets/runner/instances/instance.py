@@ -190,7 +190,7 @@ class Instance:
         (count,) = derived.compute(steps, derived.Inputs(self._names.shapes, self.values()))
         return max(int(count), 0)
 
-    def counts(self) -> dict[str, int]:
+    def result_counts(self) -> dict[str, int]:
         """How many elements each buffer has that a kernel writes. Raises
         ``MissingValuesError``."""
         inputs = derived.Inputs(self._names.shapes, self.values())
@@ -200,14 +200,14 @@ class Instance:
             found[row["name"]] = max(int(count), 0)
         return found
 
-    def size(self) -> tuple[int, int]:
+    def image_size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""
         steps = self._reflection["extent"]
         inputs = derived.Inputs(self._names.shapes, self.values(), self.textures())
         width, height = derived.compute(steps, inputs)
         return max(int(width), 0), max(int(height), 0)
 
-    def levels(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    def patch_levels(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """How finely all patches of a draw are divided, as float32: their edges, and their inside.
 
         Only where the host makes the pattern. Raises ``MissingValuesError``.

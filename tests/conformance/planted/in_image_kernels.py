@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 from unittest.mock import patch as patched
-
-import pytest
 
 from burnish.compiler.ir import build, full_screen
 from burnish.compiler.ir.node import Node
@@ -18,7 +15,7 @@ from burnish.frozen import changed
 from burnish.targets.runner import binding, kernels
 from burnish.targets.runner.drivers.draw import Dispatch, KernelJob
 
-from .planting import Plant, Planted, form, framebuffer, skeleton, supplied
+from .planting import Plant, Planted, form, framebuffer, replaced, skeleton, supplied
 
 texel, job_of, pipeline_of = full_screen._texel, kernels.job_of, binding.pipeline
 drawn = full_screen.full_screen
@@ -34,14 +31,7 @@ def drawing(**names: Any) -> Plant:
         with patched.multiple(full_screen, **names):
             return drawn(shader)
 
-    return _replaced(pipeline, "full_screen", wrong)
-
-
-def _replaced(owner: Any, name: str, value: Any) -> Plant:
-    def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
-        patch.setattr(owner, name, value)
-
-    return plant
+    return replaced(pipeline, "full_screen", wrong)
 
 
 def _turned(shader: Shader) -> Node:
@@ -86,7 +76,7 @@ PLANTED = [
     Planted("places from one", DRAWN, WGSL, drawing(_texel=_from_one)),
     Planted("rows from below", DRAWN, OPENGL, framebuffer("glsl", "gl330", inputs={})),
     Planted("an image's texels in another", DRAWN, GLSL,
-            _replaced(pipeline, "full_screen", _exchanged)),
+            replaced(pipeline, "full_screen", _exchanged)),
     Planted("a texel in another place", WRITTEN, HLSL,
             form("hlsl", store_texel="{name}[{place}.yx] = {value};")),
     Planted("lanes in another order", WRITTEN, WGSL,
@@ -101,6 +91,6 @@ PLANTED = [
             skeleton("hlsl", ("[[spv::format_{{ image.format }}]]", ""))),
     Planted("smaller work groups than a host is told of", WRITTEN, WGSL,
             skeleton("wgsl", ("({{ entry.work_group", "(4, 4) // ({{"))),
-    Planted("too few work groups", WRITTEN, GLSL, _replaced(kernels, "job_of", _too_few_groups)),
-    Planted("no values", WRITTEN, GLSL, _replaced(kernels, "job_of", _without_values)),
+    Planted("too few work groups", WRITTEN, GLSL, replaced(kernels, "job_of", _too_few_groups)),
+    Planted("no values", WRITTEN, GLSL, replaced(kernels, "job_of", _without_values)),
 ]  # fmt: skip

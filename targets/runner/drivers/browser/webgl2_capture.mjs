@@ -9,6 +9,8 @@ const LANE = 4; // bytes
 export function captureVertices(gl, program, job, draw, most) {
   const { stride, primitive } = job.stream_output;
   const indices = new Uint32Array(bytes(draw.indices).buffer);
+  const count = indices.length * draw.instance_count;
+  if (count > most) throw new Refusal(`${count} vertices are captured, with room for ${most}`);
   const target = gl.createBuffer();
   gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, target);
   gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, Math.max(most, 1) * stride, gl.STREAM_READ);
@@ -22,8 +24,6 @@ export function captureVertices(gl, program, job, draw, most) {
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
   });
   gl.disable(gl.RASTERIZER_DISCARD);
-  const count = indices.length * draw.instance_count;
-  if (count > most) throw new Refusal(`${count} vertices were captured, with room for ${most}`);
   const data = new Uint8Array(count * stride);
   gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, target);
   gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, data);

@@ -7,12 +7,12 @@ from typing import Any
 
 import vulkan as vk
 
-from ..checks import check_groups, check_kernel
+from ..checks import check_kernel
 from ..draw import Dispatch, KernelJob, Pipeline, Sides, Written
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
 from .graphics_pipeline import make_layout, make_stage
-from .limits import check_blocks
+from .limits import check_dispatches
 from .memory import filled_buffer
 from .texture_images import make_texture
 from .written_images import make_images
@@ -24,8 +24,7 @@ STORAGE = vk.VK_BUFFER_USAGE_STORAGE_BUFFER_BIT
 def compute_job(gpu: Gpu, job: KernelJob) -> list[Written]:
     """What each dispatch writes. Raises ``DriverError``, and ``VkError`` for calls that fail."""
     check_kernel(job)
-    check_blocks(job.pipeline)
-    check_groups(job, list(gpu.properties.limits.maxComputeWorkGroupCount))
+    check_dispatches(gpu, job)
     with ExitStack() as owned:
         bindings = make_descriptor_sets(owned, gpu, job.pipeline)
         layout = make_layout(owned, gpu, bindings.layouts)

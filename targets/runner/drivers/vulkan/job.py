@@ -24,7 +24,6 @@ GRAPHICS = vk.VK_PIPELINE_BIND_POINT_GRAPHICS
 STORAGE = vk.VK_BUFFER_USAGE_STORAGE_BUFFER_BIT
 MESH = vk.VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | vk.VK_BUFFER_USAGE_INDEX_BUFFER_BIT
 
-
 Around = Callable[[Any], AbstractContextManager[None]]
 """Given the command buffer, records commands before and behind a draw call."""
 

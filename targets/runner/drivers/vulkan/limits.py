@@ -8,8 +8,8 @@ from typing import Any
 import vulkan as vk
 
 from ....toolchain.spirv import SpirvError
-from ..checks import check_block_size
-from ..draw import Draw, DriverError, Image, Job, Pipeline, TextureSlot
+from ..checks import check_block_size, check_groups
+from ..draw import Dispatch, Draw, DriverError, Image, Job, KernelJob, Pipeline, TextureSlot
 from .blocks import block_sizes
 from .device import Gpu
 from .formats import TARGETS, TEXTURES
@@ -27,6 +27,23 @@ def check_limits(gpu: Gpu, job: Job) -> None:
         for slot, image in zip(job.pipeline.textures, draw.textures, strict=True):
             found += _texture_problems(gpu, slot, image)
         problems += (f"draw {number}: {problem}" for problem in found)
+    if problems:
+        raise DriverError("\n".join(problems))
+
+
+def check_dispatches(gpu: Gpu, job: KernelJob) -> None:
+    """Raise ``DriverError`` unless the device can run the whole job."""
+    check_blocks(job.pipeline)
+    check_groups(job, list(gpu.properties.limits.maxComputeWorkGroupCount))
+    problems: list[str] = []
+    for number, dispatch in enumerate(job.dispatches):
+        found = list(_buffer_problems(gpu, job.pipeline, dispatch))
+        for image in job.pipeline.images:
+            width, height, _ = dispatch.extent
+            found += _size_problems(gpu, f"image {image.place.identifier!r}", width, height)
+        for slot, texture in zip(job.pipeline.textures, dispatch.textures, strict=True):
+            found += _texture_problems(gpu, slot, texture)
+        problems += (f"dispatch {number}: {problem}" for problem in found)
     if problems:
         raise DriverError("\n".join(problems))
 
@@ -67,9 +84,9 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
     yield from _target_problems(gpu, pipeline)
 
 
-def _buffer_problems(gpu: Gpu, pipeline: Pipeline, draw: Draw) -> Iterator[str]:
+def _buffer_problems(gpu: Gpu, pipeline: Pipeline, values: Draw | Dispatch) -> Iterator[str]:
     most = gpu.properties.limits.maxStorageBufferRange
-    for slot, data in zip(pipeline.buffers, draw.buffers, strict=True):
+    for slot, data in zip(pipeline.buffers, values.buffers, strict=True):
         if len(data) > most:
             yield (
                 f"storage buffer {slot.place.identifier!r} has {len(data)} bytes, and the device "
