@@ -21,6 +21,7 @@ from collections.abc import Sequence
 from ...frozen import changed
 from ..ir import build
 from ..ir.domains import Domains
+from ..ir.host import KNOWN_TO_HOST
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
 from ..ir.operations import CROSS, INPUT
@@ -48,12 +49,6 @@ from .corner_inputs import CornerInputs, listed_vertex, placed
 
 TRIANGLE = 3
 """The vertices of one."""
-
-_KNOWN_TO_HOST = frozenset(
-    {"constant", "parameter", "call", "select", "vector", "splat", "matrix", "swizzle", "index"}
-    | {"member", "apply", "bound", "fold"}
-)
-"""Operations by which a host computes levels."""
 
 
 def lower_tessellation(shader: Shader) -> Shader:
@@ -87,7 +82,7 @@ def _can_divide(levels: Sequence[Node]) -> bool:
     """Whether a host can make the pattern: by levels that it can compute."""
     domains = Domains()
     return all(domains.of(level) is None for level in levels) and all(
-        node.op in _KNOWN_TO_HOST for node in reachable(levels)
+        node.op in KNOWN_TO_HOST for node in reachable(levels)
     )
 
 

@@ -8,23 +8,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..ir.host import KEYS, PLAIN
 from ..ir.leaves import Parameter, Resource
 from ..ir.node import Folding, Node, reachable
-
-_PLAIN = frozenset(("vector", "splat", "matrix", "index", "select", "apply"))
-"""Operations that their arguments describe completely."""
-
-_KEYS = {
-    "parameter": "parameter",
-    "constant": "value",
-    "call": "function",
-    "native": "function",
-    "swizzle": "lanes",
-    "member": "member",
-    "bound": "binder",
-    "resource": "texture",
-}
-"""What the data of the other operations is called in a step."""
 
 
 def steps(value: Node) -> list[dict[str, Any]]:
@@ -44,15 +30,15 @@ def steps(value: Node) -> list[dict[str, Any]]:
 
 def _data(node: Node) -> dict[str, Any]:
     """What a step needs besides its arguments."""
-    if node.op in _PLAIN:
+    if node.op in PLAIN:
         return {}
     if isinstance(node.data, Folding):
         return {"operator": node.data.operator, "bound": node.data.bound}
-    if node.op not in _KEYS:
+    if node.op not in KEYS:
         raise ValueError(f"a host cannot compute {node.op}")
     if isinstance(node.data, Parameter | Resource):
-        return {_KEYS[node.op]: node.data.name}
-    return {_KEYS[node.op]: listed(node.data)}
+        return {KEYS[node.op]: node.data.name}
+    return {KEYS[node.op]: listed(node.data)}
 
 
 def listed(value: object) -> Any:

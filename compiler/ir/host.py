@@ -1,0 +1,27 @@
+"""What a host computes: the operations that the reflection describes as steps.
+
+Semantics asks where only a host can compute something, such as how many elements a kernel writes;
+the lowering of patches where it may; and ``reflection/values.py`` describes the steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+PLAIN = frozenset(("vector", "splat", "matrix", "index", "select", "apply"))
+"""Operations that their arguments describe completely."""
+
+KEYS: Mapping[str, str] = {
+    "parameter": "parameter",
+    "constant": "value",
+    "call": "function",
+    "native": "function",
+    "swizzle": "lanes",
+    "member": "member",
+    "bound": "binder",
+    "resource": "texture",
+}
+"""What a step says besides of other operations, and what this is called there."""
+
+KNOWN_TO_HOST = PLAIN | KEYS.keys() | {"fold"}
+"""All that a host computes, in a graph whose binders are closed."""
