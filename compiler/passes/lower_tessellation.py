@@ -44,7 +44,6 @@ from ..ir.stages import (
     VERTICES,
 )
 from ..ir.tessellation import MOST_LEVEL, Tessellation
-from ..reference.tessellation import divided
 from .corner_inputs import CornerInputs, listed_vertex, placed
 
 TRIANGLE = 3
@@ -88,6 +87,8 @@ def _can_divide(levels: Sequence[Node]) -> bool:
 
 def most_vertices(patches: Tessellation, levels: Sequence[Result]) -> int:
     """How many vertices a patch has at most, as a list of triangles."""
+    from ..reference.tessellation import divided
+
     ranges = Ranges(())
     edges, inside = (
         [_bounded(ranges.of(level.value).hi) for level in levels if level.kind == kind]

@@ -37,7 +37,7 @@ IMAGE_CASES = ("first", "second")
 BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 """The clear colour for blending."""
 
-FEW_TRIANGLES = 4
+FEW_TRIANGLES = 1
 """Into so many a patch may be divided before meshes get fewer patches."""
 
 

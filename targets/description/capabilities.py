@@ -45,7 +45,6 @@ ELEMENTS_ELSEWHERE = (
     "texture"
 )
 AS_PATTERNS = "each patch is drawn as an instance of a pattern"
-AS_VERTICES = "each patch is drawn as an instance, whose vertices compute where in it they lie"
 AS_INSTANCES = "each primitive is drawn as an instance"
 
 BY_KERNEL = "a kernel captures the vertices"
@@ -72,11 +71,6 @@ CAPABILITIES: tuple[Capability, ...] = (
         "tessellation",
         "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`.",
         (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((), AS_PATTERNS)),
-    ),
-    Capability(
-        "tessellation by differing levels",
-        "The level of an edge depends on its two ends: `tessellate triangle by end[0].uv.x { … }`.",
-        (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((), AS_VERTICES)),
     ),
     Capability(
         "expansions with adjacency",

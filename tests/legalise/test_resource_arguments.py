@@ -26,7 +26,8 @@ TOY = changed(
 
 def printed(source: str | Path) -> Emission:
     profile = TOY.profiles[0]
-    return emit(legalise(form_for(staged(source), profile).program, TOY, profile))
+    form = form_for(staged(source), profile)
+    return emit(legalise(form.program, TOY, profile, form.undecided))
 
 
 def functions(text: str) -> dict[str, tuple[str, str]]:

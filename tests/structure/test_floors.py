@@ -52,7 +52,7 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen diagnostics syntax ir types names inheritance state hints declarations "
+        "frozen diagnostics syntax ir library types names inheritance state hints declarations "
         "checking lowering"
     ),
     "compiler.frontend": "inputs diagnostics syntax ir library names inheritance shading",

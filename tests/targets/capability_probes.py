@@ -96,16 +96,6 @@ PROBES: Mapping[str, Probe] = {
         native={"native_stages": True},
         is_native=has_tessellation_stages,
     ),
-    "tessellation by differing levels": Probe(
-        """material M {
-        tessellate triangle by 1 + saturate(end[0].uv.x) + saturate(end[1].uv.x) {
-            position = 1.1 * inherited.position
-        }
-        color = vec3(uv, 0)
-    }""",
-        native={"native_stages": True},
-        is_native=has_tessellation_stages,
-    ),
     "expansions with adjacency": Probe(
         EXPANSION.format("triangle_adjacency", step=2),
         native={"native_stages": True},

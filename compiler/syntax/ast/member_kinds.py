@@ -239,7 +239,7 @@ KINDS: tuple[MemberKind, ...] = (
         contribution="result",
         form="a tessellation is `tessellate quad of 16 ends [0, 3, 15, 12] spacing "
         "fractional_odd by level inside level as at { slot = expression }`, where only the kind of "
-        "patch, `by` with a level and the braces are needed",
+        "patch, a level and the braces are needed",
         doc="what each patch of the mesh is divided into",
     ),
     MemberKind(
