@@ -1,7 +1,8 @@
 """What a host computes: the operations that the reflection describes as steps.
 
-Semantics asks where only a host can compute something, such as how many elements a kernel writes;
-the lowering of patches where it may; and ``reflection/values.py`` describes the steps.
+Semantics asks where only a host can compute something, such as how many elements a kernel writes,
+and where it may, such as into how many steps all patches are divided; and ``reflection/values.py``
+describes the steps.
 """
 
 from __future__ import annotations
@@ -25,3 +26,6 @@ KEYS: Mapping[str, str] = {
 
 KNOWN_TO_HOST = PLAIN | KEYS.keys() | {"fold"}
 """All that a host computes, in a graph whose binders are closed."""
+
+KNOWN_IN_TREES = KNOWN_TO_HOST | {"as", "called"}
+"""The same in checked trees, with the marks that mean what their operand does."""

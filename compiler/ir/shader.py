@@ -280,7 +280,8 @@ class Shader:
     levels: tuple[Result, ...] = ()
     """Where the host divides all patches alike, what the control stage would have delivered."""
     pattern: PatchPattern | None = None
-    """Where the vertices of a patch lie, for pipelines that do not divide patches."""
+    """Where the vertices of a patch lie, for pipelines that do not divide patches; ``None`` where a
+    host makes the pattern for all of them."""
     listed: int = 0
     """How many vertices each patch is drawn with where the vertices themselves find out."""
     work_group: WorkGroup | None = None

@@ -20,14 +20,12 @@ from collections.abc import Sequence
 
 from ...frozen import changed
 from ..ir import build
-from ..ir.domains import Domains
-from ..ir.host import KNOWN_TO_HOST
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..ir.shader import AttributeInfo, MeshInput, PatchPattern, Result, Shader
+from ..ir.shader import AttributeInfo, MeshInput, Result, Shader
 from ..ir.stages import (
     CLIP_POSITION,
     CONTROL,
@@ -51,16 +49,16 @@ TRIANGLE = 3
 
 
 def lower_tessellation(shader: Shader) -> Shader:
-    """The shader with vertices instead of vertices in patches; itself if it divides none, or if the
-    host cannot divide all of them alike."""
+    """The shader with vertices instead of vertices in patches; itself if it divides none, or if it
+    divides them into lines."""
     patches = shader.tessellation
-    if patches is None or shader.pattern is None or patches.kind.cell != TRIANGLE:
+    if patches is None or patches.kind.cell != TRIANGLE:
         return shader
     before = len(shader.graph)
     levels = tuple(result for result in shader.results if result.stage == CONTROL)
-    by_host = _can_divide([level.value for level in levels])
+    by_host = shader.pattern is None
     count = 0 if by_host else most_vertices(patches, levels)
-    lowering = _Lowering(shader, patches, None if by_host else shader.pattern, count)
+    lowering = _Lowering(shader, patches, count)
     drawn = [result for result in shader.results if result.stage != CONTROL]
     results = [lowering.lowered(result) for result in drawn]
     # What tells the vertices apart stands nowhere, but where the tessellation does.
@@ -74,14 +72,6 @@ def lower_tessellation(shader: Shader) -> Shader:
         chain=RASTERISED,
         levels=levels if by_host else (),
         listed=count,
-    )
-
-
-def _can_divide(levels: Sequence[Node]) -> bool:
-    """Whether a host can make the pattern: by levels that it can compute."""
-    domains = Domains()
-    return all(domains.of(level) is None for level in levels) and all(
-        node.op in KNOWN_TO_HOST for node in reachable(levels)
     )
 
 
@@ -104,13 +94,11 @@ def _bounded(level: float) -> float:
 class _Lowering:
     """Makes vertices of those in patches, and collects what these read of the mesh."""
 
-    def __init__(
-        self, shader: Shader, patches: Tessellation, pattern: PatchPattern | None, count: int
-    ) -> None:
-        """Without ``pattern``, it is a vertex input; otherwise a patch has ``count`` vertices."""
+    def __init__(self, shader: Shader, patches: Tessellation, count: int) -> None:
+        """A patch has ``count`` vertices if the shader tells where they lie."""
         self._shader = shader
         self._patches = patches
-        self._pattern = pattern
+        self._pattern = shader.pattern
         self._count = count
         self._inputs = CornerInputs(shader, patches.points, patches.span)
         self._known: dict[Node, Node] = {}

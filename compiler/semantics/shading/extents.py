@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from ...diagnostics import rules
 from ...diagnostics.source import Span
-from ...ir.host import KNOWN_TO_HOST
+from ...ir.host import KNOWN_IN_TREES
 from ...ir.kernel import WRITTEN_GROUP
 from ...ir.leaves import Buffer
 from ...ir.node import Node, reachable
@@ -22,10 +22,8 @@ from ..state.scope import Failure, Scope
 from ..types.typenames import Declared
 from .images import reads_only_sizes
 
-_IN_TREES = frozenset({"as", "called"})
-"""Marks of checked trees, which mean what their operand does."""
 _LOOPS = frozenset({"apply", "bound", "fold"})
-_KNOWN_TO_HOST = (KNOWN_TO_HOST - _LOOPS) | _IN_TREES
+_KNOWN_TO_HOST = KNOWN_IN_TREES - _LOOPS
 """Operations by which a host computes how many elements a result has, or of which size it is."""
 
 ELEMENTS = "number of elements"

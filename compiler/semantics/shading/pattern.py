@@ -1,7 +1,8 @@
 """Where the vertices of divided patches lie, for pipelines that do not divide patches themselves.
 
-``tessellating.py`` asks for the pattern of a tessellation. The arithmetic is that of the library's
-tessellator, ``stdlib/tessellator.burnish``; here its functions are called.
+``tessellating.py`` asks for the pattern of a tessellation, where there has to be one. Its
+arithmetic is that of the library's tessellator, ``stdlib/tessellator.burnish``, whose functions are
+called here.
 """
 
 from __future__ import annotations
@@ -11,7 +12,8 @@ from typing import get_args
 
 from ...diagnostics.source import Span
 from ...ir import build
-from ...ir.node import Node
+from ...ir.host import KNOWN_IN_TREES
+from ...ir.node import Node, reachable
 from ...ir.shader import PatchPattern, Result
 from ...ir.stages import EDGE_LEVEL, INNER_LEVEL, OF_PATCH, PATTERN_VERTEX
 from ...ir.tessellation import PATCH_KINDS, Patch, Spacing
@@ -23,7 +25,6 @@ from ..state.context import Context
 _FUNCTIONS: Mapping[Patch, str] = {
     "triangle": "triangle_vertex",
     "quad": "quad_vertex",
-    "isoline": "line_vertex",
 }
 _SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 """In the order of the library's numbers."""
@@ -31,14 +32,20 @@ _SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 
 def pattern_of(
     ctx: Context, patch: Patch, spacing: Spacing, levels: Sequence[Result], span: Span
-) -> PatchPattern:
-    """The place of a vertex by its number, where these are the levels of its patch."""
+) -> PatchPattern | None:
+    """The place of a vertex by its number, where these are the levels of its patch.
+
+    There is none for lines, which only stages draw, nor where a host makes the pattern once for all
+    patches: to check the functions takes several times as long as a plain material.
+    """
+    if patch not in _FUNCTIONS or _are_known_to_host(ctx, levels):
+        return None
     tree = ctx.tree
     edges, inside = (
         tuple(build.cross(tree, level.value, OF_PATCH) for level in levels if level.kind == kind)
         for kind in (EDGE_LEVEL, INNER_LEVEL)
     )
-    given = edges if patch == "isoline" else (build.vector(tree, edges), build.vector(tree, inside))
+    given = build.vector(tree, edges), build.vector(tree, inside)
     number = tree.node("input", INT, (), PATTERN_VERTEX)
     arguments = (*given, build.constant(tree, INT, _SPACINGS.index(spacing)), number)
     (function,) = tessellator().find(_FUNCTIONS[patch])
@@ -47,3 +54,11 @@ def pattern_of(
     place = build.member(tree, found, "place")
     lanes = tuple(range(width(PATCH_KINDS[patch].coordinate.type)))
     return PatchPattern(build.swizzle(tree, place, lanes), build.member(tree, found, "there"))
+
+
+def _are_known_to_host(ctx: Context, levels: Sequence[Result]) -> bool:
+    """Whether levels are the same for all patches of a draw, and a host can compute them."""
+    values = [level.value for level in levels]
+    return all(ctx.crossings.domain(value) is None for value in values) and all(
+        node.op in KNOWN_IN_TREES for node in reachable(values)
+    )
