@@ -128,6 +128,8 @@ FORMS = Forms(
     position="gl_Position",
     deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
+    shared="shared {typed};",
+    barrier="barrier();",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
     edge_level="gl_TessLevelOuter[{number}]",

@@ -62,6 +62,8 @@ FORMS = Forms(
     edge_level="edge_levels[{number}]",
     inner_level="inner_levels[{number}]",
     store_texel="{name}[{place}] = {value};",
+    shared="groupshared {typed};",
+    barrier="GroupMemoryBarrierWithGroupSync();",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 

@@ -37,6 +37,7 @@ from ..state.scope import Failure, Instance, MadeSlots
 from .assembly import Setting, is_declared_abstract
 from .captures import capture_of, captures, captures_of
 from .formats import FORMATS, texel_value
+from .group_results import check_no_groups
 from .host_names import check_host_names
 from .instances import pass_scope
 from .layers import layer_count, layer_of
@@ -87,6 +88,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)
     check_rig(ctx, setting.surface)
+    name = setting.surface.record.symbol.declaration.name
+    check_no_groups(ctx, results, f"the material `{name.text}`", name.span)
     ctx.deferred.report()
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
     if ctx.report.failed or not delivers_vertices(results):

@@ -115,6 +115,8 @@ class Context:
         """What is known of values already: it bounds loops and proves lengths."""
         self.extent: Node | None = None
         """How many elements a kernel computes."""
+        self.joins_groups = False
+        """Whether some value is joined from those of a work group."""
         self.ends: dict[Formal, Node] = {}
         """What the indices of loops that count from 0 stay below."""
         self.deferred = Deferred(report, self.tree, Conditions(self.constants, self.ranges))
