@@ -833,8 +833,8 @@ IMAGE_PER_GROUP = _error(
 NO_KERNEL_EXTENT = _error(
     "B0540",
     "`{name}` does not say for how many elements it runs",
-    "A result with an element for each invocation would say it. Other kernels say it by a member of "
-    "their own: `runs over pixels.count`.",
+    "A result with an element for each invocation would say it. Other kernels say it by a member "
+    "of their own: `runs over pixels.count`.",
 )
 WRITTEN_TWICE = _error(
     "B0541",

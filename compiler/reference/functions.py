@@ -24,7 +24,7 @@ from . import (
     vectors,
     work_groups,
 )
-from .namespace import Lane, Lanes, Namespace
+from .namespace import Lane, Lanes, Namespace, WorkGroups
 
 LaneKind = Literal["float", "int", "uint", "bool"]
 Function = Callable[..., Lane]
@@ -180,6 +180,7 @@ def evaluate(
     if name in _WHOLE:
         return _WHOLE[name](xp, *operands)
     if (row := _OF_GROUPS.get(name)) is not None:
+        assert isinstance(xp, WorkGroups)
         return work_groups.joined(xp, _lanewise(row.joins, xp, kind), row, *operands)
     if name == "dot":
         return _dot(operands, xp, kind)

@@ -62,5 +62,3 @@ class InGroups(Bounds, WorkGroups):
 def _power_of_two(number: int) -> int:
     """The least power of two that is not below a number."""
     return 1 << (number - 1).bit_length()
-
-

@@ -114,7 +114,7 @@ class WorkGroups(ABC):
     """How an array library joins what the invocations of a work group have.
 
     ``in_groups.InGroups`` is such a library: its arrays have an element for each invocation of a
-    kernel. In others a value is that of one invocation, which is a group of its own.
+    kernel. In others there is one value and no group, so that nothing is joined.
     """
 
     @abstractmethod

@@ -7,17 +7,15 @@ group is known to the array library that a kernel is evaluated with (``in_groups
 from __future__ import annotations
 
 from ...stdlib.builtins.row import OfGroup
-from .namespace import Binary, Lane, Lanes, Namespace, WorkGroups
+from .namespace import Binary, Lane, Lanes, WorkGroups
 
 
-def joined(xp: Namespace, join: Binary, row: OfGroup, value: Lanes) -> Lanes:
+def joined(xp: WorkGroups, join: Binary, row: OfGroup, value: Lanes) -> Lanes:
     """The value of a builtin that joins by ``join`` what the invocations have, lane by lane."""
     return tuple(_lane(xp, join, row, lane) for lane in value)
 
 
-def _lane(xp: Namespace, join: Binary, row: OfGroup, x: Lane) -> Lane:
-    if not isinstance(xp, WorkGroups):
-        return x if row.part != "before" else x * 0
+def _lane(xp: WorkGroups, join: Binary, row: OfGroup, x: Lane) -> Lane:
     if row.part == "all":
         return xp.all_joined(join, x)
     through = xp.joined_through(join, x)

@@ -13,14 +13,15 @@ from collections.abc import Iterator, Mapping
 
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.program import Stage
-from ...compiler.ir.types import UINT, Array, Scalar, Type, scalar_kind
+from ...compiler.ir.types import INT, UINT, Array, Scalar, Type, scalar_kind
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import GroupPart, OfGroup
 from .comments import comment_lines
 from .context import Context
 from .literals import literal
+from .namer import Namer
 from .natives import GroupCalls, Natives
-from .precedence import NAME, POSTFIX, Printed, call, separable
+from .precedence import CHOICE, NAME, POSTFIX, Printed, call, separable
 from .statements import INDENT
 from .views import FunctionView
 
@@ -57,17 +58,14 @@ class GroupFunctions(GroupCalls):
         self._arrays = {type_: declare(f"group_{type_}s") for type_ in types}
         namer = context.names.locals(()) if used else None
         self._local = {word: namer.declare(word) for word in _WORDS} if namer else {}
-        self.place, self.present = "", ""
+        self._place, self._present = "", ""
         """The same of the invocation that calls, as the entry point has called it."""
+        self.has_element = ""
+        """The condition under which it has an element to compute."""
 
     def __bool__(self) -> bool:
         """Whether the stage joins anything."""
         return bool(self._names)
-
-    @property
-    def counts(self) -> bool:
-        """Whether some function has to know how many invocations have an element."""
-        return any(_part(builtin) == "all" for builtin, _ in self._names)
 
     @property
     def shared(self) -> list[str]:
@@ -79,12 +77,43 @@ class GroupFunctions(GroupCalls):
 
     def call(self, builtin: str, type_: Type, operand: Printed) -> Printed:
         """What a builtin comes to at this invocation."""
-        arguments = [*separable([operand]), self.place]
+        arguments = [*separable([operand]), self._place]
         if _part(builtin) == "all":
-            arguments.append(self.present)
+            arguments.append(self._present)
         if self._forms.shared_argument:
             arguments.insert(0, self._arrays[type_])
         return call(self._names[builtin, type_], arguments)
+
+    def opening(
+        self, namer: Namer, natives: Natives, read: str, count: str, index: str
+    ) -> list[str]:
+        """The statements that tell invocations apart, of an entry point in which all go on to the
+        end.
+
+        ``read`` is the number of an invocation as the language has it, and ``count`` how many
+        elements there are. An invocation behind the last one has that one's ``index``: so
+        everything exists that it reads.
+        """
+        whole, number = namer.declare("count"), namer.declare("global_index")
+        signed, unsigned = self._types.type(INT), self._types.type(UINT)
+        self.has_element = f"{number} < {unsigned}({whole})"
+        self._place = namer.declare("place")
+        size = self._number(self._size)
+        last: Printed = f"{whole} - {literal(1, 'int', self._literals)}", CHOICE
+        least = natives.combined("min", INT, [(f"{signed}({number})", POSTFIX), last])
+        zero: Printed = literal(0, "int", self._literals), NAME
+        lines = [
+            self._let(whole, INT, count),
+            self._let(number, UINT, read),
+            self._let(index, INT, natives.combined("max", INT, [least, zero])[0]),
+            self._let(self._place, UINT, f"{number} % {size}"),
+        ]
+        if any(_part(builtin) == "all" for builtin, _ in self._names):
+            self._present = namer.declare("present")
+            from_first: Printed = f"{unsigned}({whole}) - ({number} - {self._place})", CHOICE
+            present = natives.combined("min", UINT, [from_first, (size, NAME)])
+            lines.append(self._let(self._present, UINT, present[0]))
+        return lines
 
     def views(self, natives: Natives) -> list[FunctionView]:
         """The functions; ``natives`` prints how two values are joined."""
@@ -128,8 +157,7 @@ class GroupFunctions(GroupCalls):
         yield INDENT + forms.end
         yield INDENT + forms.barrier
         yield forms.end
-        typed = self._types.declare(joined, use[1])
-        yield forms.let.format(typed=typed, name=joined, value=f"{array}[0]")
+        yield self._let(joined, use[1], f"{array}[0]")
         yield forms.barrier
         yield forms.return_.format(value=joined)
 
@@ -185,6 +213,10 @@ class GroupFunctions(GroupCalls):
     def _variable(self, name: str, type_: Type, value: str) -> str:
         typed = self._types.declare(name, type_)
         return self._forms.variable_set.format(typed=typed, name=name, value=value)
+
+    def _let(self, name: str, type_: Type, value: str) -> str:
+        typed = self._types.declare(name, type_)
+        return self._forms.let.format(typed=typed, name=name, value=value)
 
     def _number(self, number: int) -> str:
         return literal(number, "uint", self._literals)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
 from ...compiler.ir.program import Function, Output, Scattered, Stage
@@ -26,7 +25,7 @@ from ...compiler.ir.stages import (
     inputs_of,
 )
 from ...compiler.ir.storage import stored_element
-from ...compiler.ir.types import INT, UINT, Array, Struct, Type
+from ...compiler.ir.types import Array, Struct
 from .comments import comment_lines
 from .context import Context
 from .declarations import Declarations
@@ -37,8 +36,7 @@ from .leaves import LeafPrinter
 from .namer import Namer
 from .natives import EmittedFunction, Natives
 from .origins import Marks
-from .literals import literal
-from .precedence import CHOICE, NAME, POSTFIX, Printed
+from .precedence import NAME
 from .statements import INDENT, Statements
 from .strips import Strips
 from .views import EntryView, ExpansionView, FunctionView, InputView, StoreView
@@ -79,9 +77,6 @@ class StagePrinter:
         self._marks = marks
         self._index = ""
         """The name of the number of a kernel's element."""
-        self._inside = ""
-        """Where all invocations of a work group go on to the end: what holds for those that have an
-        element."""
 
     def entry(self, name: str) -> EntryView:
         """The entry point, called ``name``."""
@@ -164,9 +159,7 @@ class StagePrinter:
             return ""
         return self._marks.mark(f"{self._index} >= {expressions.text(extent)}", extent)
 
-    def _opening(
-        self, namer: Namer, expressions: Expressions, extent: Node | None
-    ) -> list[str]:
+    def _opening(self, namer: Namer, expressions: Expressions, extent: Node | None) -> list[str]:
         """The statements that give the number of a kernel's element, or the place of its texel, a
         name, and else what tells its invocations apart; none in other stages."""
         own = self._invocation
@@ -180,51 +173,22 @@ class StagePrinter:
             if node.op == "input" and INPUT.data(node).name == own.name:
                 expressions.bound[node] = self._index, NAME
         if self._groups and extent is not None:
-            return list(self._in_group(namer, read, expressions.text(extent), extent))
+            count = self._marks.mark(expressions.text(extent), extent)
+            return self._groups.opening(namer, self._natives, read, count, self._index)
         value = read if type_ == own.type else f"{self._types.type(own.type)}({read})"
-        return [self._let(self._index, own.type, value)]
-
-    def _let(self, name: str, type_: Type, value: str) -> str:
-        typed = self._types.declare(name, type_)
-        return self._language.forms.let.format(typed=typed, name=name, value=value)
-
-    def _in_group(self, namer: Namer, read: str, count: str, extent: Node) -> Iterator[str]:
-        """What tells invocations apart that all go on to the end, as they have to reach barriers.
-
-        Those behind the last element have that one's number: so all that they read exists.
-        """
-        group = self._context.program.work_group
-        assert group is not None
-        signed, unsigned = self._types.type(INT), self._types.type(UINT)
-        size = literal(invocations(group), "uint", self._language.literals)
-        whole, number = namer.declare("count"), namer.declare("invocation")
-        self._inside = f"{number} < {unsigned}({whole})"
-        yield self._marks.mark(self._let(whole, INT, count), extent)
-        yield self._let(number, UINT, read)
-        own: Printed = f"{signed}({number})", POSTFIX
-        last: Printed = f"{whole} - {literal(1, 'int', self._language.literals)}", CHOICE
-        combined, zero = self._natives.combined, literal(0, "int", self._language.literals)
-        index, _ = combined("max", INT, [combined("min", INT, [own, last]), (zero, NAME)])
-        yield self._let(self._index, INT, index)
-        self._groups.place = namer.declare("place")
-        yield self._let(self._groups.place, UINT, f"{number} % {size}")
-        if self._groups.counts:
-            self._groups.present = namer.declare("present")
-            first = f"({number} - {self._groups.place})"
-            behind: Printed = f"{unsigned}({whole}) - {first}", CHOICE
-            value, _ = combined("min", UINT, [behind, (size, NAME)])
-            yield self._let(self._groups.present, UINT, value)
+        typed = self._types.declare(self._index, own.type)
+        return [self._language.forms.let.format(typed=typed, name=self._index, value=value)]
 
     def _written(self, expressions: Expressions) -> Iterator[str]:
         """The lines with which an invocation of a kernel writes what it has computed."""
         if self._invocation is None:
             return
         lines = list(self._all_written(expressions))
-        if not self._inside:
+        if not self._groups:
             yield from lines
             return
         forms = self._language.forms
-        yield forms.if_.format(condition=self._inside)
+        yield forms.if_.format(condition=self._groups.has_element)
         yield from (INDENT + line for line in lines)
         yield forms.end
 

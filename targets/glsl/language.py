@@ -129,7 +129,8 @@ FORMS = Forms(
     deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
     shared="shared {typed};",
-    barrier="barrier();",
+    # GLSL says that a barrier orders what is shared, too; Mesa's OpenGL moves reads across it.
+    barrier="memoryBarrierShared(); barrier();",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
     edge_level="gl_TessLevelOuter[{number}]",

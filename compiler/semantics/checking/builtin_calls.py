@@ -44,7 +44,7 @@ def builtin_call(
             return no_signature(ctx, name, operands, span, shown, written)
         fitted.append(lane)
     node = ctx.tree.node("call", found.result, tuple(fitted), name)
-    ctx.joins_groups |= name in OF_GROUPS
+    ctx.progress.joins_groups |= name in OF_GROUPS
     largest = ctx.constants.largest(node)
     if largest is not None and largest > LARGEST_FLOAT:
         error = ctx.report.finding(

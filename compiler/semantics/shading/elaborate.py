@@ -60,6 +60,8 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
         *_made(ctx, passing, surface),
         *written_results(ctx, passing),
     )
+    name = surface.record.symbol.declaration.name
+    check_no_groups(ctx, found, "a material", name.span)
     check_slots(ctx, surface, passing)
     read_externs(ctx, parts.module)
     check_host_names(
@@ -88,8 +90,6 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)
     check_rig(ctx, setting.surface)
-    name = setting.surface.record.symbol.declaration.name
-    check_no_groups(ctx, results, f"the material `{name.text}`", name.span)
     ctx.deferred.report()
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
     if ctx.report.failed or not delivers_vertices(results):

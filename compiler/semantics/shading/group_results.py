@@ -13,7 +13,7 @@ from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.kernel import WorkGroup, invocations
-from ...ir.node import Node, reachable
+from ...ir.node import reachable
 from ...ir.operations import joins_group
 from ...ir.shader import BufferInfo, Result, Store
 from ...ir.stages import COMPUTE, LENGTH
@@ -59,7 +59,7 @@ def of_each_group(
 
 def check_no_groups(ctx: Context, results: Iterable[Result], what: str, around: Span) -> None:
     """Report what joins the values of a work group where there is none."""
-    if not ctx.joins_groups:
+    if not ctx.progress.joins_groups:
         return
     for node in reachable(tuple(result.value for result in results)):
         if joins_group(node):

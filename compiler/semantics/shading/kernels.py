@@ -188,9 +188,7 @@ def _all_written(
     return [each for each in found if each is not None]
 
 
-def _result(
-    ctx: Context, member: ast.Result, scope: Scope, group: WorkGroup
-) -> _Written | None:
+def _result(ctx: Context, member: ast.Result, scope: Scope, group: WorkGroup) -> _Written | None:
     """What a result declares, and the value of an element or a texel."""
     if is_image(member):
         image = image_result(ctx, member, scope)

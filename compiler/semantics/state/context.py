@@ -74,6 +74,8 @@ class Progress:
     unproven: int = 0
     """How often something depended on a variable's value, in the body that is being checked: on how
     large it is, say. Then what was found does not hold for all its values."""
+    joins_groups: bool = False
+    """Whether some value has been joined from those of a work group."""
     depth: int = 0
     """How many values are computed inside each other on Python's stack (``evaluation``)."""
 
@@ -115,8 +117,6 @@ class Context:
         """What is known of values already: it bounds loops and proves lengths."""
         self.extent: Node | None = None
         """How many elements a kernel computes."""
-        self.joins_groups = False
-        """Whether some value is joined from those of a work group."""
         self.ends: dict[Formal, Node] = {}
         """What the indices of loops that count from 0 stay below."""
         self.deferred = Deferred(report, self.tree, Conditions(self.constants, self.ranges))
