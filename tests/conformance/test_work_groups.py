@@ -15,6 +15,7 @@ from burnish.compiler.reference import in_groups
 from burnish.frozen import changed
 from burnish.stdlib.builtins.row import OfGroup
 from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.explaining import with_reasons
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import group_functions, stage
 from burnish.targets.runner.routes import ROUTES
@@ -169,3 +170,14 @@ def test_without_a_planted_error_all_agrees(studio: Studio, name: str) -> None:
     kernel = burnish.compile(FILE, ("glsl:vulkan",), material=name)[name]
     (row,) = conform([("k", kernel)], [ROUTES["lavapipe:glsl"]], studio.runner, studio.toolchain)
     assert row.status == "agrees"
+
+
+def test_a_kernel_that_differs_has_no_pixels_to_explain(
+    studio: Studio, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _, where, wrong = PLANTED["its own element is before it"]
+    monkeypatch.setattr(where, wrong)
+    kernel = burnish.compile(FILE, ("glsl:vulkan",), material="Before")["Before"]
+    (row,) = conform([("k", kernel)], [ROUTES["lavapipe:glsl"]], studio.runner, studio.toolchain)
+    assert row.status == "differs"
+    assert with_reasons(kernel, [row], 0) == [row]

@@ -49,6 +49,25 @@ def test_the_text_of_a_kernel_over_images_is_as_it_was(profile: str) -> None:
         assert_golden(file.text, HERE / "golden" / file.name.replace("Vignette", "vignette"))
 
 
+GROUPS = """
+/// What groups of forty numbers come to, and what is before each of these.
+kernel Scanned {
+    work_group of 40
+    buffer numbers : float[]
+    total = group_sum(numbers[index])
+    result totals : vec2[] per group = vec2(total, group_max(numbers[index]))
+    result before : vec3[numbers.count] = group_exclusive_sum(vec3(numbers[index], 1, 0)) / total
+}
+"""
+
+
+@pytest.mark.parametrize("profile", ["glsl:gl450", "hlsl:sm6", "wgsl:webgpu", "msl:metal2"])
+def test_the_text_of_a_kernel_that_joins_is_as_it_was(profile: str) -> None:
+    (kernel,) = burnish.compile(GROUPS, profile)
+    (file,) = kernel.files
+    assert_golden(file.text, HERE / "golden" / file.name.replace("Scanned", "scanned"))
+
+
 def test_profiles_without_kernels_say_so() -> None:
     for profile in ("glsl:gl330", "glsl:es300"):
         with pytest.raises(burnish.CompileError) as error:
