@@ -256,7 +256,7 @@ OPENGL_4 = Profile(
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
     # Only fragments and kernels are guaranteed to have storage buffers.
-    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024),
+    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024, shared_bytes=32768),
     agrees=AGREES,
     checkers=("glslang-gl450",),
 )

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from burnish.compiler.reference.bounds import Bounded, exact
 from burnish.compiler.reference.in_groups import InGroups
@@ -18,7 +19,7 @@ def _no_error(_name: str, _operand: object, _result: object) -> float:
     return 0.0
 
 
-def _groups(values: Sequence[float], size: int) -> list[list[np.float32]]:
+def _groups(values: NDArray[np.float32], size: int) -> list[list[np.float32]]:
     singles = [np.float32(value) for value in values]
     return [singles[first : first + size] for first in range(0, len(singles), size)]
 
@@ -49,7 +50,7 @@ def _through(group: list[np.float32], size: int) -> list[np.float32]:
     return shared
 
 
-def _values(count: int) -> np.ndarray:
+def _values(count: int) -> NDArray[np.float32]:
     return np.random.default_rng(count).uniform(-1, 1, count).astype(np.float32)
 
 

@@ -49,6 +49,22 @@ def test_the_text_of_a_kernel_over_images_is_as_it_was(profile: str) -> None:
         assert_golden(file.text, HERE / "golden" / file.name.replace("Vignette", "vignette"))
 
 
+def test_work_groups_may_share_too_much_for_a_profile() -> None:
+    text = """kernel K {
+        work_group of 1024
+        x = float(index)
+        joined = group_sum(vec4(x)) + group_sum(x) + group_sum(vec3(x)).xyzx
+        result r : vec4[9] = joined + group_max(vec2(x)).xyxy
+    }"""
+    burnish.compile(text.replace("of 1024", "of 512"), "hlsl:sm6")
+    with pytest.raises(burnish.CompileError) as error:
+        burnish.compile(text, "hlsl:sm6")
+    (found,) = error.value.diagnostics
+    assert found.message == (
+        "45056 bytes that a work group shares of K, but hlsl:sm6 has only 32768"
+    )
+
+
 GROUPS = """
 /// What groups of forty numbers come to, and what is before each of these.
 kernel Scanned {
