@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Container
 
 from ..ir.node import Formals, Node, formals_of
-from ..ir.operations import VARYING, joins_group
+from ..ir.operations import VARYING
 from .cost import cost, cost_of
 from .draw_constants import DrawConstants
 from .simplify import Simplifier
@@ -32,7 +32,6 @@ class CallPrices:
         self._simplifier = simplifier
         self._constant = DrawConstants()
         self._trivial: dict[Node, bool] = {}
-        self._joining: dict[Node, bool] = {}
         self._costs: dict[Node, int] = {}
         """Of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
@@ -43,7 +42,7 @@ class CallPrices:
     def is_worth_calling(self, call: Node) -> bool:
         """Whether a call is better than its body written out."""
         body, *arguments = call.operands
-        if self._is_trivial(body) or self._joins_group(body):
+        if self._is_trivial(body):
             return False
         fixed = tuple(a if a in self._constant else None for a in arguments)
         if not any(fixed):
@@ -71,13 +70,6 @@ class CallPrices:
         if body not in self._trivial:
             self._trivial[body] = cost(body, TRIVIAL) <= TRIVIAL
         return self._trivial[body]
-
-    def _joins_group(self, body: Node) -> bool:
-        """Whether a body joins the values of a work group, which only entry points do."""
-        if body not in self._joining:
-            nodes = visible((body,), into_bodies=True)
-            self._joining[body] = any(map(joins_group, nodes))
-        return self._joining[body]
 
     def _cost(self, body: Node) -> int:
         if body not in self._costs:

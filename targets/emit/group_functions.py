@@ -12,8 +12,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from ...compiler.ir.kernel import invocations
+from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage
 from ...compiler.ir.types import INT, UINT, Array, Scalar, Type, scalar_kind
+from ...compiler.passes.walks import visible
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import GroupPart, OfGroup
 from .comments import comment_lines
@@ -21,6 +23,7 @@ from .context import Context
 from .literals import literal
 from .namer import Namer
 from .natives import GroupCalls, Natives
+from .origins import Marks
 from .precedence import CHOICE, NAME, POSTFIX, Printed, call, separable
 from .statements import INDENT
 from .views import FunctionView
@@ -42,12 +45,14 @@ Use = tuple[str, Type]
 class GroupFunctions(GroupCalls):
     """The functions that one stage needs, and the arrays that its invocations share."""
 
-    def __init__(self, context: Context, stage: Stage) -> None:
+    def __init__(self, context: Context, stage: Stage, marks: Marks) -> None:
+        self._marks = marks
         self._forms, self._types = context.language.forms, context.types
         self._literals = context.language.literals
         group = context.program.work_group
         self._size = 1 if group is None else invocations(group)
-        used = [(use.builtin, use.types[0]) for use in stage.natives if _row(use.builtin)]
+        used = {(use.builtin, use.types[0]): use.node for use in stage.natives if _row(use.builtin)}
+        self._origins = _nodes(stage, used)
         builtins = [builtin for builtin, _ in used]
         declare = context.names.common.declare
         self._names = {
@@ -137,7 +142,9 @@ class GroupFunctions(GroupCalls):
             type=types.type(type_), name=self._names[use], parameters=", ".join(typed)
         )
         lines = self._all(use, natives) if part == "all" else self._scan(use, natives)
-        return FunctionView(comment_lines(DOCS[part]), head, list(lines))
+        first, *others = lines
+        lines_of = [self._marks.mark(first, self._origins[use]), *others]
+        return FunctionView(comment_lines(DOCS[part]), head, lines_of)
 
     def _all(self, use: Use, natives: Natives) -> Iterator[str]:
         """Pairs are joined, the second half of a group with the first one, until one is left."""
@@ -220,6 +227,14 @@ class GroupFunctions(GroupCalls):
 
     def _number(self, number: int) -> str:
         return literal(number, "uint", self._literals)
+
+
+def _nodes(stage: Stage, used: Mapping[Use, int]) -> Mapping[Use, Node]:
+    """For each use, the operation that it is known by."""
+    if not used:
+        return {}
+    nodes = {node.id: node for node in visible(stage.roots, into_bodies=True)}
+    return {use: nodes[id_] for use, id_ in used.items()}
 
 
 def _row(builtin: str) -> OfGroup | None:

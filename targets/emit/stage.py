@@ -72,7 +72,7 @@ class StagePrinter:
             )
             for function in stage.functions
         }
-        self._groups = GroupFunctions(context, stage)
+        self._groups = GroupFunctions(context, stage, marks)
         self._natives = Natives(context, self._leaves, self._functions, self._groups)
         self._marks = marks
         self._index = ""
