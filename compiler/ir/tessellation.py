@@ -21,6 +21,8 @@ which two grow out of nothing as the level rises."""
 
 MOST_POINTS = 32
 """No patch has more control points."""
+TRIANGLE = 3
+"""The vertices of one."""
 MOST_LEVEL = 64
 """No edge is divided into more steps."""
 
@@ -42,6 +44,11 @@ class PatchKind:
     """Where a vertex lies in the patch."""
     cell: int
     """How many vertices each of its parts has: triangles, or lines."""
+
+    @property
+    def primitive(self) -> str:
+        """What each of its parts is, by the name of an expansion's primitive."""
+        return {2: "line", 3: "triangle"}[self.cell]
 
 
 PATCH_KINDS: Mapping[Patch, PatchKind] = {

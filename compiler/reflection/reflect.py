@@ -159,11 +159,11 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
         }
     if expansion is not None:
         native = GEOMETRY in shader.chain
+        if patches is None:
+            row |= {"primitive": expansion.primitive, "corners": expansion.corners}
         row |= {
-            "primitive": expansion.primitive,
-            "corners": expansion.corners,
             "expanded_by": GEOMETRY.name if native else "instances",
-            "vertices": expansion.vertices if native else expansion.listed,
+            "vertices": expansion.vertices if native else shader.listed or expansion.listed,
         }
     return row
 

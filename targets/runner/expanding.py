@@ -63,17 +63,26 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     if row["divided_by"] == EVALUATION.name:
         return Drawn(data, found, copies)
+    rows = reflection["vertex_inputs"]
+    attributes = {
+        each["name"]: _values(each["mesh"], data, found, copies)
+        for each in rows
+        if not each["mesh"]["is_of_pattern"]
+    }
+    vertices = reflection["draw"]["vertices"]
     if row["levels"] is None:
         # No input is of the pattern: each vertex finds out by its number where it lies.
-        places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
+        triangles = np.arange(vertices).reshape(-1, 3)
     else:
         places, triangles = pattern(row["kind"], row["spacing"], *instance.patch_levels())
-    attributes = {
-        each["name"]: places
-        if each["mesh"]["is_of_pattern"]
-        else _values(each["mesh"], data, found, copies)
-        for each in reflection["vertex_inputs"]
-    }
+        corners = None if vertices is None else np.repeat(triangles, vertices, axis=0)
+        for each in rows:
+            if each["mesh"]["is_of_pattern"]:
+                corner = each["mesh"]["corner"]
+                chosen = slice(None) if corner is None else corners[:, corner]
+                attributes[each["name"]] = places[chosen]
+        if corners is not None:
+            triangles = np.arange(len(corners)).reshape(-1, 3)
     return Drawn(attributes, triangles, copies * len(found))
 
 
