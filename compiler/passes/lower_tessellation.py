@@ -5,13 +5,13 @@ points are vertex inputs per instance, one for each that is read. Where the vert
 patch:
 
 - If all patches of a draw are divided alike, the host computes into how many steps, once for the
-  draw, and makes the pattern of triangles. Its points are the vertices of the draw, and where they
+  draw, and makes the pattern of triangles or lines. Its points are the vertices of the draw, and where they
   lie is a vertex input.
 - If not, an instance has as many vertices as its patch can have at most, and each of them finds out
   by its number where it lies, if it is there at all: the library's tessellator says so. A triangle
-  that the patch does not have has all its vertices in one place, beyond the picture.
+  or line that the patch does not have has all its vertices in one place, beyond the picture.
 
-The order of triangles is that of the tessellator: patch after patch.
+Their order is that of the tessellator: patch after patch.
 """
 
 from __future__ import annotations
@@ -44,15 +44,11 @@ from ..ir.stages import (
 from ..ir.tessellation import MOST_LEVEL, Tessellation
 from .corner_inputs import CornerInputs, listed_vertex, placed
 
-TRIANGLE = 3
-"""The vertices of one."""
-
 
 def lower_tessellation(shader: Shader) -> Shader:
-    """The shader with vertices instead of vertices in patches; itself if it divides none, or if it
-    divides them into lines."""
+    """The shader with vertices instead of vertices in patches; itself if it divides none."""
     patches = shader.tessellation
-    if patches is None or patches.kind.cell != TRIANGLE:
+    if patches is None:
         return shader
     before = len(shader.graph)
     levels = tuple(result for result in shader.results if result.stage == CONTROL)
@@ -76,7 +72,7 @@ def lower_tessellation(shader: Shader) -> Shader:
 
 
 def most_vertices(patches: Tessellation, levels: Sequence[Result]) -> int:
-    """How many vertices a patch has at most, as a list of triangles."""
+    """How many vertices a patch has at most, as a list of triangles or of lines."""
     from ..reference.tessellation import divided
 
     ranges = Ranges(())
@@ -84,7 +80,8 @@ def most_vertices(patches: Tessellation, levels: Sequence[Result]) -> int:
         [_bounded(ranges.of(level.value).hi) for level in levels if level.kind == kind]
         for kind in (EDGE_LEVEL, INNER_LEVEL)
     )
-    return TRIANGLE * len(divided(patches.patch, edges, inside, patches.spacing).cells)
+    cells = divided(patches.patch, edges, inside, patches.spacing).cells
+    return patches.kind.cell * len(cells)
 
 
 def _bounded(level: float) -> float:

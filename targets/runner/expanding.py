@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.stages import EVALUATION, GEOMETRY, PATCH_INDEX, PRIMITIVE_INDEX
+from ...compiler.ir.tessellation import PATCH_KINDS
 from .instances.instance import Instance
 from .meshes import Indices, Mesh, MeshError
 from .patches import patches, pattern
@@ -65,16 +66,17 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
         return Drawn(data, found, copies)
     if row["levels"] is None:
         # No input is of the pattern: each vertex finds out by its number where it lies.
-        places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
+        cell = PATCH_KINDS[row["kind"]].cell
+        places, cells = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, cell)
     else:
-        places, triangles = pattern(row["kind"], row["spacing"], *instance.patch_levels())
+        places, cells = pattern(row["kind"], row["spacing"], *instance.patch_levels())
     attributes = {
         each["name"]: places
         if each["mesh"]["is_of_pattern"]
         else _values(each["mesh"], data, found, copies)
         for each in reflection["vertex_inputs"]
     }
-    return Drawn(attributes, triangles, copies * len(found))
+    return Drawn(attributes, cells, copies * len(found))
 
 
 def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int) -> NDArray[Any]:

@@ -14,7 +14,8 @@ from ...diagnostics.diagnostic import Label
 from ...ir import build
 from ...ir.binding import substitute
 from ...ir.domains import MixedDomainsError
-from ...ir.expansion import CORNERS, EmittedStrips, Expansion
+from ...ir.expansion import EmittedStrips, Expansion
+from ...ir.primitives import CORNERS
 from ...ir.node import Node
 from ...ir.shader import Result
 from ...ir.stages import (
