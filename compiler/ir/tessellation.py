@@ -11,6 +11,7 @@ from typing import Literal
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
+from .primitives import CORNERS, DrawnPrimitive
 from .stages import PATCH_COORDINATE, PATCH_WEIGHTS, SystemInput
 
 Patch = Literal["triangle", "quad", "isoline"]
@@ -21,8 +22,6 @@ which two grow out of nothing as the level rises."""
 
 MOST_POINTS = 32
 """No patch has more control points."""
-TRIANGLE = 3
-"""The vertices of one."""
 MOST_LEVEL = 64
 """No edge is divided into more steps."""
 
@@ -42,21 +41,21 @@ class PatchKind:
     """For each ``INNER_LEVEL``, the numbers of the edges that are divided in its direction."""
     coordinate: SystemInput
     """Where a vertex lies in the patch."""
-    cell: int
-    """How many vertices each of its parts has: triangles, or lines."""
+    drawn: DrawnPrimitive
+    """What it is divided into."""
 
     @property
-    def primitive(self) -> str:
-        """What each of its parts is, by the name of an expansion's primitive."""
-        return {2: "line", 3: "triangle"}[self.cell]
+    def cell(self) -> int:
+        """How many vertices each of its parts has."""
+        return CORNERS[self.drawn]
 
 
 PATCH_KINDS: Mapping[Patch, PatchKind] = {
-    "triangle": PatchKind(3, ((1, 2), (2, 0), (0, 1)), ((0, 1, 2),), PATCH_WEIGHTS, 3),
+    "triangle": PatchKind(3, ((1, 2), (2, 0), (0, 1)), ((0, 1, 2),), PATCH_WEIGHTS, "triangle"),
     "quad": PatchKind(
-        4, ((0, 3), (0, 1), (1, 2), (3, 2)), ((1, 3), (0, 2)), PATCH_COORDINATE, 3
+        4, ((0, 3), (0, 1), (1, 2), (3, 2)), ((1, 3), (0, 2)), PATCH_COORDINATE, "triangle"
     ),
-    "isoline": PatchKind(2, (None, (0, 1)), (), PATCH_COORDINATE, 2),
+    "isoline": PatchKind(2, (None, (0, 1)), (), PATCH_COORDINATE, "line"),
 }  # fmt: skip
 
 

@@ -40,10 +40,9 @@ class MeshCorners:
 
 
 class CellCorners:
-    """The corners of the triangles into which patches are divided, where these are expanded.
+    """The corners of the cells into which patches are divided, which are triangles or lines.
 
-    A patch is an instance of the draw, and has all that its triangles turn into, one after the
-    other.
+    A patch is an instance of the draw, and has all that its cells turn into, one after the other.
     """
 
     def __init__(self, shader: Shader, patches: Tessellation, expansion: Expansion) -> None:
@@ -54,7 +53,7 @@ class CellCorners:
         self._places: dict[Node, Node] = {}
         levels = levels_of(shader)
         self._cell: Node | None = None
-        """The number of the triangle, where each vertex finds out itself where it lies."""
+        """The number of the cell, where each vertex finds out itself where it lies."""
         self.levels: tuple[Result, ...] = ()
         """What the host computes that divides all patches alike."""
         self.listed = 0
@@ -65,7 +64,7 @@ class CellCorners:
             index = self._graph.node("input", UINT, (), VERTEX_INDEX)
             own = self._call(UINT, "mod", index, build.constant(self._graph, UINT, each))
             self.vertex = self._call(INT, "to_int", own)
-            """The number of a vertex among all that its triangle turns into."""
+            """The number of a vertex among all that its cell turns into."""
         else:
             self.listed = each * most_cells(patches, levels)
             index = listed_vertex(self._graph, self.listed)
@@ -79,11 +78,11 @@ class CellCorners:
 
     @property
     def is_there(self) -> Node | None:
-        """Whether the patch has the triangle; ``None`` if there is no other in the draw."""
+        """Whether the patch has the cell; ``None`` if there is no other in the draw."""
         return None if self._cell is None else self._vertices.is_there(self._vertex_at(0))
 
     def at_corner(self, value: Node, number: Node) -> Node:
-        """A value of the patch's vertices at one corner of the triangle."""
+        """A value of the patch's vertices at one corner of the cell."""
         return self._vertices.at(value, self._place(number))
 
     def _place(self, number: Node) -> Node:

@@ -43,7 +43,6 @@ from ..ir.stages import (
     VERTEX,
     SystemInput,
 )
-from ..ir.tessellation import TRIANGLE
 from ..ir.types import BOOL, INT
 from .corner_inputs import placed
 from .expanded_corners import CellCorners, Corners, MeshCorners
@@ -58,9 +57,12 @@ def lower_expansion(shader: Shader) -> Shader:
     if shader.expansion is None:
         return shader
     before = len(shader.graph)
-    corners = _corners(shader, shader.expansion)
-    if corners is None:
-        return shader
+    patches = shader.tessellation
+    corners: Corners
+    if patches is None:
+        corners = MeshCorners(shader, shader.expansion)
+    else:
+        corners = CellCorners(shader, patches, shader.expansion)
     lowering = _Lowering(shader, shader.expansion, corners)
     told = [result for result in shader.results if result.stage != CONTROL]
     values = lowering.lowered([result.value for result in told])
@@ -86,15 +88,6 @@ def lower_expansion(shader: Shader) -> Shader:
         layer=lowering.layer,
         chain=RASTERISED if shader.capture is None else CAPTURED,
     )
-
-
-def _corners(shader: Shader, expansion: Expansion) -> Corners | None:
-    """What the corners are of the primitives that are expanded; ``None`` where these are lines into
-    which patches are divided, which only stages do."""
-    patches = shader.tessellation
-    if patches is None:
-        return MeshCorners(shader, expansion)
-    return CellCorners(shader, patches, expansion) if patches.kind.cell == TRIANGLE else None
 
 
 def _placed(shader: Shader, result: Result, drawn: Node | None) -> Result:

@@ -5,13 +5,13 @@ points are vertex inputs per instance, one for each that is read. Where the vert
 patch:
 
 - If all patches of a draw are divided alike, the host computes into how many steps, once for the
-  draw, and makes the pattern of triangles. Its points are the vertices of the draw, and where they
+  draw, and makes the pattern of triangles or lines. Its points are the vertices of the draw, and where they
   lie is a vertex input.
 - If not, an instance has as many vertices as its patch can have at most, and each of them finds out
   by its number where it lies, if it is there at all: the library's tessellator says so. A triangle
-  that the patch does not have has all its vertices in one place, beyond the picture.
+  or line that the patch does not have has all its vertices in one place, beyond the picture.
 
-The order of triangles is that of the tessellator: patch after patch.
+Their order is that of the tessellator: patch after patch.
 """
 
 from __future__ import annotations
@@ -20,16 +20,14 @@ from ...frozen import changed
 from ..ir.node import reachable
 from ..ir.shader import Shader
 from ..ir.stages import CLIP_POSITION, CONTROL, EVALUATION, RASTERISED, VERTEX
-from ..ir.tessellation import TRIANGLE
 from .corner_inputs import listed_vertex, placed
 from .patch_vertices import PatchVertices, levels_of, most_cells
 
 
 def lower_tessellation(shader: Shader) -> Shader:
-    """The shader with vertices instead of vertices in patches; itself if it divides none, or if it
-    divides them into lines."""
+    """The shader with vertices instead of vertices in patches; itself if it divides none."""
     patches = shader.tessellation
-    if patches is None or EVALUATION not in shader.chain or patches.kind.cell != TRIANGLE:
+    if patches is None or EVALUATION not in shader.chain:
         return shader
     before = len(shader.graph)
     levels = levels_of(shader)
@@ -38,7 +36,7 @@ def lower_tessellation(shader: Shader) -> Shader:
     if by_host:
         place = vertices.given_place()
     else:
-        count = TRIANGLE * most_cells(patches, levels)
+        count = patches.kind.cell * most_cells(patches, levels)
         number = listed_vertex(shader.graph, count)
         place, drawn = vertices.place(number), vertices.is_there(number)
     results = []

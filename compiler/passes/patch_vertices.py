@@ -38,7 +38,7 @@ def levels_of(shader: Shader) -> tuple[Result, ...]:
 
 
 def most_cells(patches: Tessellation, levels: Sequence[Result]) -> int:
-    """Into how many triangles a patch is divided at most."""
+    """Into how many triangles or lines a patch is divided at most."""
     from ..reference.tessellation import divided
 
     ranges = Ranges(())

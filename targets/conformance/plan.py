@@ -76,7 +76,7 @@ class Plan:
             (series, tuple(case.state.draw() for case in drawn.cases))
             for series, drawn in zip(
                 series_of(self.meant.reflection, seed, size),
-                series_of(subject.reflection, seed, size),
+                series_of(subject.reflection, seed, size, like=self.meant.reflection),
                 strict=True,
             )
         ]
@@ -239,6 +239,9 @@ def rules_of(
         derivatives=hardware.derivatives,
         euclidean_steps=hardware.euclidean_steps,
         corner_bits=hardware.corner_bits,
+        lines=hardware.lines,
+        snaps_line_ends=driver.snaps_line_ends,
+        diamond_slack=driver.diamond_slack,
         level_power=driver.level_power,
         bottom_up=bottom_up,
         projects_cubes=driver.projects_cubes,

@@ -86,6 +86,16 @@ EXACT = {
         mark = at.x + 2 * at.y
         part = int(64 * at.x + 8 * at.y)
     }""",
+    "lines": """tessellate isoline by 4 lines 3 as at {
+        position = inherited.position + vec3(0, 0.25, 0.25) * at.y + vec3(0, 0, 0.5) * at.x
+        mark = at.x + 2 * at.y
+        part = int(64 * at.x + 8 * at.y) + int(patch_index)
+    }""",
+    "fractional lines": """tessellate isoline spacing fractional_odd by detail + 0.5 lines 2 as at {
+        position = inherited.position + vec3(0.125, 0.25, 0) * at.y
+        mark = at.x
+        part = int(64 * at.x + 8 * at.y)
+    }""",
     "many points": """tessellate quad of 9 ends [0, 2, 8, 6] by 2 as at {
         position = corner[0].position + at.x * (corner[2].position - corner[0].position)
             + at.y * (corner[6].position - corner[0].position)
@@ -298,6 +308,11 @@ def _handing_on_the_first(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     patch.setattr(Fields, "tessellation", wrong)
 
 
+def _other_topology(patch: pytest.MonkeyPatch, _folder: Path) -> None:
+    """A host draws points where it is told to draw lines."""
+    patch.setitem(cast("dict[str, int]", TOPOLOGIES), "line", TOPOLOGIES["point"])
+
+
 PLANTED = {
     "triangles turn the other way": ("triangles", "lavapipe:glsl", _winding("glsl", "ccw")),
     "they do in HLSL": ("triangles", "lavapipe:hlsl-dxc", _winding("hlsl", "ccw")),
@@ -328,6 +343,13 @@ PLANTED = {
     ),
     "the pattern's places are others": ("triangles", "lavapipe:glsl", _other_places),
     "triangles begin with other vertices": ("quads", "lavapipe:glsl", _other_first_vertex),
+    "lines run the other way": (
+        "lines", "lavapipe:glsl", supplied("glsl", "patch_coordinate", "gl_TessCoord.yx")
+    ),
+    "as many segments as lines": (
+        "lines", "lavapipe:glsl", form("glsl", edge_level="gl_TessLevelOuter[1 - {number}]")
+    ),
+    "lines are taken for triangles": ("lines", "lavapipe:glsl", _other_topology),
     "levels of other edges": (
         "levels", "lavapipe:glsl", form("glsl", edge_level="gl_TessLevelOuter[({number} + 1) % 3]")
     ),

@@ -9,7 +9,7 @@ from .expressions import FUEL, Writer
 from .scope import Scope, variable
 from .tree import Node, listed
 
-PATCHES = {"triangle": ("vec3", 3), "quad": ("vec2", 4)}
+PATCHES = {"triangle": ("vec3", 3), "quad": ("vec2", 4), "isoline": ("vec2", 2)}
 """The type of a vertex's place in a patch, and how many ends that has."""
 
 
@@ -25,7 +25,9 @@ def tessellation(writer: Writer, scope: Scope) -> Iterator[Node]:
     if writer.maybe(0.5):
         head += f" spacing {writer.chance.choice(('equal', 'fractional_even', 'fractional_odd'))}"
     head += f" by {writer.chance.choice(('2', '1.5', '3', '1 + 2 * 0.75'))}"
-    if writer.maybe(0.3):
+    if patch == "isoline":
+        head += f" lines {writer.chance.choice(('1', '2', '2.5'))}" if writer.maybe(0.5) else ""
+    elif writer.maybe(0.3):
         head += f" inside {writer.chance.choice(('1', '2', '3.25'))}"
     lanes = "xyz"[: 3 if place == "vec3" else 2]
     known = [

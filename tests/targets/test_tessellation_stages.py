@@ -15,6 +15,7 @@ import burnish
 from burnish.api import _compiled
 from burnish.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
+from burnish.compiler.ir.stages import CONTROL
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions
@@ -118,17 +119,15 @@ def test_what_is_handed_on_keeps_its_place() -> None:
 LINES = "material M { tessellate isoline by 4 { } }"
 
 
-def test_lines_need_the_stages() -> None:
-    with pytest.raises(burnish.CompileError) as caught:
-        burnish.compile(LINES, "wgsl")
-    (found,) = caught.value.diagnostics
-    assert (found.message, found.hint) == (
-        "wgsl:webgpu has no control stage",
-        "divide triangles or quads, or compile for a profile that has this stage",
-    )
+@pytest.mark.parametrize(("native", "topology"), [(False, "line"), (True, "patch")])
+def test_lines_are_drawn_with_the_stages_and_without(native: bool, topology: str) -> None:
+    (material,) = burnish.compile(LINES, "glsl:vulkan", native_stages=native).materials
+    draw = material.reflection["draw"]
+    assert (draw["topology"], draw["tessellation"]["kind"]) == (topology, "isoline")
+    assert (CONTROL in material.shader.chain) == native
 
 
-def test_lines_have_no_reference() -> None:
-    (material,) = burnish.compile(LINES, "glsl:vulkan").materials
+def test_native_stages_have_no_reference() -> None:
+    (material,) = burnish.compile(LINES, "glsl:vulkan", native_stages=True).materials
     with pytest.raises(UndrawableError, match="M has other stages than the reference"):
         drawable(material.shader)

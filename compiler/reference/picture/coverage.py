@@ -32,7 +32,7 @@ class Fragments:
 
 @dataclass(frozen=True, slots=True)
 class _Edges:
-    """The edges of faces, each from its upper (or else left) end; arrays are (faces, 3)."""
+    """The edges of faces, each from its upper (or else left) end; arrays are (faces, sides)."""
 
     x: Floats
     y: Floats
@@ -70,6 +70,8 @@ def fragments_of(faces: Faces, rules: RasterRules) -> tuple[Fragments, Bools]:
         x = np.arange(len(face)) + np.repeat(part.start - before, part.length)
         pixel = np.repeat(part.y * rules.width, part.length) + x
         covered, close = _tried(edges, part, face, x + 0.5)
+        place = x + 0.5, np.repeat(part.y, part.length) + 0.5
+        covered, close = faces.settled(face, place, covered, close)
         unsure[pixel[close]] = True
         found.append(Fragments(face[covered], pixel[covered]))
     if not found:
@@ -92,9 +94,8 @@ def _edges(faces: Faces) -> _Edges:
     turn = np.where(swapped != (faces.area < 0)[:, None], -1.0, 1.0)
     dx = turn * np.where(swapped, x - to_x, to_x - x)
     dy = turn * np.abs(to_y - y)
-    unsure = np.maximum(faces.unsure, np.roll(faces.unsure, -1, axis=1))
     owns = (dy < 0) | ((dy == 0) & (dx > 0))
-    return _Edges(from_x, from_y, dx, dy, owns, unsure * np.hypot(dx, dy))
+    return _Edges(from_x, from_y, dx, dy, owns, faces.unsure * np.hypot(dx, dy))
 
 
 def _spans(faces: Faces, edges: _Edges, rules: RasterRules) -> _Spans:
@@ -121,7 +122,7 @@ def _clamped(places: Floats, low: int, high: int) -> Ints:
 def _between(edges: _Edges, face: Ints, y: Floats) -> tuple[Floats, Floats]:
     """Where the row through ``y`` enters and leaves each face, allowing for rounding."""
     begin, end = np.full(len(face), -np.inf), np.full(len(face), np.inf)
-    for side in range(3):
+    for side in range(edges.x.shape[1]):
         dx, dy = edges.dx[face, side], edges.dy[face, side]
         reach = np.abs(edges.reach[face, side] / dy)
         crossing = edges.x[face, side] + dx * (y - edges.y[face, side]) / dy
@@ -146,7 +147,7 @@ def _tried(edges: _Edges, spans: _Spans, face: Ints, x: Floats) -> tuple[Bools, 
     covered = np.ones(len(x), dtype=np.bool_)
     beside = np.ones(len(x), dtype=np.bool_)
     close = np.zeros(len(x), dtype=np.bool_)
-    for side in range(3):
+    for side in range(edges.x.shape[1]):
         along = edges.dx[spans.face, side] * (spans.y + 0.5 - edges.y[spans.face, side])
         value = np.repeat(along, spans.length)
         value -= edges.dy[face, side] * (x - edges.x[face, side])

@@ -12,9 +12,10 @@ from ...ir.stages import DISCARD
 from ...ir.types import width
 from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
+from .assembly import faces_of
 from .copies import place_numbers
 from .coverage import Fragments, fragments_of
-from .faces import Faces, assemble
+from .faces import Faces
 from .quads import Barycentric, Quads, depths_of, quads_of
 from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
@@ -67,7 +68,7 @@ class _Drawing:
         self._rules = rules
         self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
-        self._faces: Faces = assemble(
+        self._faces: Faces = faces_of(
             self._vertices.positions, geometry.triangles, rules, self._vertices.off
         )
         self._places = place_numbers(shader, geometry, self._faces)

@@ -15,7 +15,8 @@ from ...diagnostics.fixes import fix_it
 from ...ir import build
 from ...ir.binding import substitute
 from ...ir.domains import MixedDomainsError
-from ...ir.expansion import CORNERS, EmittedStrips, Expansion
+from ...ir.expansion import EmittedStrips, Expansion
+from ...ir.primitives import CORNERS
 from ...ir.node import Node
 from ...ir.shader import Result
 from ...ir.stages import (
@@ -93,9 +94,9 @@ def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Insta
 def _is_there(ctx: Context, surface: Instance, member: ast.Expand) -> bool:
     """Whether patches are divided into the primitives that are expanded, if any are divided."""
     origin, primitive = surface.origin, member.primitive
-    if not isinstance(origin, MixedEnds) or primitive.text == PATCH_KINDS[origin.patch].primitive:
+    if not isinstance(origin, MixedEnds) or primitive.text == PATCH_KINDS[origin.patch].drawn:
         return True
-    made = PATCH_KINDS[origin.patch].primitive
+    made = PATCH_KINDS[origin.patch].drawn
     ctx.report.add(
         rules.NOT_OF_PATCHES, primitive.span,
         primitive=primitive.text, patch=origin.patch, made=made,
