@@ -937,7 +937,7 @@ NOT_OF_THIS_PATCH = _error(
 )
 NOT_OF_PATCHES = _error(
     "B0590",
-    "`{patch}` patches are divided into primitives of the kind `{made}`, and not `{primitive}`",
+    "the parts of a divided `{patch}` patch are `{made}` primitives, and not `{primitive}`",
     "Where a material divides its patches, `expand` says what each part of a patch turns into. The "
     "parts of triangle and quad patches are triangles, and those of isoline patches are lines. "
     "They know nothing of the vertices next to them.",
