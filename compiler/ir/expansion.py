@@ -16,7 +16,6 @@ from .primitives import CORNERS, DrawnPrimitive
 StripShape = Literal["strip", "list", "points"]
 
 
-
 @frozen
 class EmittedStrips:
     """One group of strips."""

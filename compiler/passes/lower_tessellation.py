@@ -5,8 +5,8 @@ points are vertex inputs per instance, one for each that is read. Where the vert
 patch:
 
 - If all patches of a draw are divided alike, the host computes into how many steps, once for the
-  draw, and makes the pattern of triangles or lines. Its points are the vertices of the draw, and where they
-  lie is a vertex input.
+  draw, and makes the pattern of triangles or lines. Its points are the vertices of the draw, and
+  where they lie is a vertex input.
 - If not, an instance has as many vertices as its patch can have at most, and each of them finds out
   by its number where it lies, if it is there at all: the library's tessellator says so. A triangle
   or line that the patch does not have has all its vertices in one place, beyond the picture.

@@ -88,8 +88,9 @@ def series_of(
         _inside(reflection, seed + 2, size),
     ))  # fmt: skip
     if any(row["blend"] != "none" for row in reflection["targets"]):
-        yield Series(exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size, draw),
-        ))
+        yield Series(
+            exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size, draw),)
+        )
 
 
 def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:

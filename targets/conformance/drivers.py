@@ -52,12 +52,12 @@ class Driver:
     """Whether attributes are interpolated between snapped vertices, as coverage always is."""
     clips_sides: bool = False
     """Whether it clips triangles at the sides of the picture, and snaps the new corners."""
+    owns_bottom: bool = False
+    """Whether pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
     """How close to an edge, in pixels, it may put a pixel on the wrong side."""
     snaps_line_ends: bool = False
     """Whether it snaps the ends of lines, and half their width by itself."""
-    diamond_slack: float = 0.0
-    """How close to the border of a diamond, in pixels, it may have an end on the other side."""
     level_power: int | None = None
     """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
     projects_cubes: bool = True
@@ -73,7 +73,6 @@ _LLVM = Driver(
     clips_sides=True,
     edge_slack=2.0**-11,
     snaps_line_ends=True,
-    diamond_slack=2.0**-7,
     level_power=2,
 )  # fmt: skip
 _SWIFTSHADER = Driver(
@@ -96,9 +95,8 @@ def _with_lines(driver: Driver, lines: Lines) -> Driver:
     return replace(driver, measured=measured)
 
 
-# OpenGL does not define which triangle owns a pixel that is exactly on an edge, and rows from the
-# bottom up invert the top-left rule. Such pixels are undecided.
-_WEBGL = replace(_with_lines(_SWIFTSHADER, "parallelogram"), edge_slack=2.0**-16)
+# Its rows are drawn from the bottom up, which turns the top-left rule into a bottom-left one.
+_WEBGL = replace(_with_lines(_SWIFTSHADER, "parallelogram"), owns_bottom=True)
 
 # Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
 # less than what such devices are known for. It was tried on lavapipe only.

@@ -82,9 +82,9 @@ def state(of: CompiledMaterial) -> SceneState:
     ends, far = lines()
     x, y = (ends / np.array(SIZE) * 2 - 1).reshape(-1, 2).T
     depth = np.linspace(0.1, 0.9, len(x))
-    channels = {
+    channels: dict[str, Floats] = {
         "position": np.stack([x, -y, depth], axis=1).astype(np.float32).astype(np.float64),
-        "uv": np.stack([np.arange(len(x)) % 2, depth], axis=1).astype(np.float32),
+        "uv": np.stack([np.arange(len(x)) % 2, depth], axis=1),
         "far": far.reshape(-1, 1).astype(np.float32).astype(np.float64),
     }
     none = np.zeros((0, 3), np.int64)
@@ -137,7 +137,6 @@ def test_any_rule_allows_what_is_drawn(studio: Studio, route: str) -> None:
     found = comparison(studio, route, rule="any")
     assert found.agrees, found
     assert found.proven > 0.2 * found.covered
-
 
 
 # --- planted errors ------------------------------------------------------------------------------

@@ -28,13 +28,15 @@ from burnish.frozen import changed
 from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.fields import Fields
 from burnish.targets.emit.views import TessellationView
-from burnish.targets.runner import expanding
+from burnish.targets.runner import binding, expanding
+from burnish.targets.runner.drivers.draw import Pipeline
 from burnish.targets.runner.meshes import Indices, plane, sphere
 from burnish.targets.runner.patches import pattern
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
+from . import kit
 from .kit import Floats, Studio
 from .planted.planting import Plant, form, supplied, target
 from .test_tessellation_stages import ON, PROFILES, SPACINGS
@@ -309,8 +311,14 @@ def _handing_on_the_first(patch: pytest.MonkeyPatch, _folder: Path) -> None:
 
 
 def _other_topology(patch: pytest.MonkeyPatch, _folder: Path) -> None:
-    """A host draws points where it is told to draw lines."""
-    patch.setitem(cast("dict[str, int]", TOPOLOGIES), "line", TOPOLOGIES["point"])
+    """A host takes the vertices of lines for those of triangles."""
+    right = binding.pipeline
+
+    def wrong(*asked: Any, **options: Any) -> Pipeline:
+        made = right(*asked, **options)
+        return replace(made, primitive="triangle") if made.primitive == "line" else made
+
+    patch.setattr(kit, "pipeline", wrong)
 
 
 PLANTED = {

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from hypothesis import strategies as st
 
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture.assembly import faces_of
-from burnish.compiler.reference.picture.coverage import fragments_of
+from burnish.compiler.reference.picture.coverage import coverage_of
 from burnish.compiler.reference.picture.quads import Barycentric, Quads
 from burnish.compiler.reference.picture.scene import Bools, Floats, Lines
 
@@ -73,19 +74,17 @@ def test_an_upright_line_is_a_flat_one_turned(rule: Lines) -> None:
 
 def test_lines_that_follow_each_other_share_no_pixel_by_diamonds() -> None:
     ends = [(1.2, 1.9), (4.6, 3.1), (9.7, 2.0)]
-    one, other = (places(*pair, "diamonds") for pair in zip(ends, ends[1:], strict=False))
+    one, other = (places(*pair, "diamonds") for pair in pairwise(ends))
     assert one.isdisjoint(other)
     assert {column for column, _ in one | other} == set(range(1, 10))
 
 
 def test_a_rectangle_is_wider_than_a_parallelogram_where_lines_are_steep() -> None:
     """The middle of this pixel is 0.6 below the line, and 0.6 / sqrt(2) away from it."""
-    begin, end = (1.5, 1.4), (8.5, 8.4)
-    at = (4, 5)
-    below = [(begin[0], begin[1] + 0.5), (end[0], end[1] + 0.5)]
-    assert at in places(*below, "rectangle")
-    assert at not in places(*below, "parallelogram")
-    assert at not in places(*below, "diamonds")
+    begin, end, at = (1.5, 1.9), (8.5, 8.9), (4, 5)
+    assert at in places(begin, end, "rectangle")
+    assert at not in places(begin, end, "parallelogram")
+    assert at not in places(begin, end, "diamonds")
 
 
 def test_lines_without_a_length_cover_nothing() -> None:
@@ -158,7 +157,7 @@ def test_a_line_has_no_back() -> None:
 def test_all_of_a_line_is_drawn_by_a_pipeline_that_culls() -> None:
     rules = by("rectangle", cull="back")
     faces = faces_of(clip_positions([(1, 2), (9, 6)], rules), LINE, rules)
-    assert len(fragments_of(faces, rules)[0].pixel) > 5
+    assert len(coverage_of(faces, rules).fragments.pixel) > 5
 
 
 def test_snapped_ends_and_snapped_corners_differ_by_less_than_a_step() -> None:

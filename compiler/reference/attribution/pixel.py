@@ -23,7 +23,7 @@ from ..evaluate import Evaluator
 from ..held_values import HeldValues
 from ..namespace import Lane, Lanes
 from ..picture.assembly import faces_of
-from ..picture.coverage import Fragments, fragments_of
+from ..picture.coverage import Fragments, coverage_of
 from ..picture.faces import Faces
 from ..picture.quads import Barycentric, Quads, depths_of, rows_above
 from ..picture.sampler import TextureReader
@@ -225,7 +225,7 @@ class Reader:
 
 def _faces_at(faces: Faces, rules: RasterRules, x: int, y: int) -> list[int]:
     """The faces that cover a pixel, the nearest one first."""
-    fragments, _ = fragments_of(faces, rules)
+    fragments = coverage_of(faces, rules).fragments
     here = fragments.pixel == y * rules.width + x
     members = Fragments(fragments.face[here], fragments.pixel[here])
     depth, _ = depths_of(faces, members, rules)

@@ -1,8 +1,8 @@
 """Clips triangles and lines in clip space: at near (0 <= z), at far (z <= w), at the eye (0 < w).
 
-``faces.py`` and ``lines.py`` call it before they divide by w. Double precision needs no clipping at the sides of the
-picture, but some devices do it, and snap the new corners to their grid. The algorithm is from
-Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
+``faces.py`` and ``lines.py`` call it before they divide by w. Double precision needs no clipping at
+the sides of the picture, but some devices do it, and snap the new corners to their grid. The
+algorithm for triangles is from Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ class Clipped:
     primitive: Ints
     """(faces,): the triangle or line that each is a part of, in ascending order."""
     weights: Floats
-    """(faces, 3, 3), of lines (faces, 2, 2): each corner as a weighted sum of those of the whole."""
+    """(faces, 3, 3), of lines (faces, 2, 2): each corner as a weighted sum of those of the
+    whole."""
     made: Bools
     """(faces, 3 or 2): whether clipping has made the corner."""
 

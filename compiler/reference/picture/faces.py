@@ -72,11 +72,12 @@ class Faces:
     def settled(
         self, face: Ints, place: tuple[Floats, Floats], covered: Bools, close: Bools
     ) -> tuple[Bools, Bools]:
-        """Which candidates are covered, and for which rounding decides, where other rules count
-        than whether the middle of a pixel is inside the outline.
+        """Which candidates are covered, and for which rounding decides.
 
-        For each candidate it gets the face, the middle of the pixel, and what the outline says.
+        For each candidate it gets the face, the middle of the pixel, and what the outline says of
+        both. Where other rules count as well, a subclass has them.
         """
+        del face, place
         return covered, close
 
 

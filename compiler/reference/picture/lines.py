@@ -31,7 +31,8 @@ _HALF = 0.5
 _ANY_END = 1.0
 """By how many pixels the ends of a line differ between all rules."""
 _BORDER = 1.0
-"""Within so many pixels of the border, a line ends somewhere that a device cuts there."""
+"""Within so many pixels of the picture's border, an end has corners beyond it, or a line ends
+somewhere that a device cuts there."""
 _CORNERS = [0, 1, 0]
 """Of which ends the corners of a plane have the values."""
 _NEARLY_DIAGONAL = 2.0**-12
@@ -48,6 +49,8 @@ class LineFaces(Faces):
     """(faces, 2): the ends."""
     slack: Floats
     """(faces,): how close a decision about an end has to be to hang on rounding."""
+    step: Floats
+    """(faces,): the distance between the places to which ends are snapped."""
     leaves: Bools
     """(faces,): whether the line goes beyond the picture, so that a device may cut it there."""
     size: Floats
@@ -61,26 +64,30 @@ class LineFaces(Faces):
         """Beside the outline, diamonds count at the ends; and the border where a line is cut."""
         if self.by_diamonds.any():
             covered, close = self._by_diamonds(face, place, covered, close)
-        beside = np.stack([np.minimum(p, s - p) for p, s in zip(place, self.size[face].T)])
-        return covered, close | (self.leaves[face] & (beside.min(axis=0) < _BORDER))
+        middle = np.stack(place, axis=1)
+        beside = np.minimum(middle, self.size[face] - middle).min(axis=1)
+        return covered, close | (self.leaves[face] & (beside < _BORDER))
 
     def _by_diamonds(
         self, face: Ints, place: tuple[Floats, Floats], covered: Bools, close: Bools
     ) -> tuple[Bools, Bools]:
         """A pixel is covered if the line leaves its diamond. Where it goes past the middle of the
         pixel, it does; elsewhere it has to begin inside, and it must not end there."""
-        begin, end, slack = self.begin[face], self.end[face], self.slack[face]
-        from_begin, from_end = (
-            np.stack([p - at for p, at in zip(place, ends.T)]) for ends in (begin, end)
+        middle = np.stack(place, axis=1)
+        from_begin, from_end = middle - self.begin[face], middle - self.end[face]
+        along = self.end[face] - self.begin[face]
+        longer = np.abs(along).argmax(axis=1)[:, None]
+        forth = np.sign(along)
+        after, before = (
+            np.take_along_axis(distance, longer, 1)[:, 0]
+            for distance in (forth * from_begin, -forth * from_end)
         )
-        direction = (end - begin).T
-        longer = np.abs(direction).argmax(axis=0)[None]
-        sign = np.sign(np.take_along_axis(direction, longer, 0)[0])
-        after = sign * np.take_along_axis(from_begin, longer, 0)[0]
-        before = -sign * np.take_along_axis(from_end, longer, 0)[0]
-        in_first, in_last = (_HALF - np.abs(d).sum(axis=0) for d in (from_begin, from_end))
+        in_first, in_last = (_HALF - np.abs(d).sum(axis=1) for d in (from_begin, from_end))
         leaves = ((after > 0) & (before > 0) | (in_first > 0)) & (in_last <= 0)
-        nearly = np.abs(np.stack([after, before, in_first, in_last])).min(axis=0) <= slack
+        slack = self.slack[face]
+        nearly = np.minimum(np.abs(in_first), np.abs(in_last)) <= slack
+        # The places where lines pass by are snapped, and their ends in diamonds are not.
+        nearly |= np.minimum(np.abs(after), np.abs(before)) <= slack + self.step[face]
         return covered & leaves, close | (covered & nearly)
 
 
@@ -114,7 +121,6 @@ def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Fl
     ends = np.stack(window(places, rules), axis=-1)
     outline = _outline(ends, rules)
     x, y = _corners(outline, rules)
-    leaves = _leaves(ends, rules)
     moved = moved_by(places, off, rules).max(axis=1)
     slack = _slack(moved, outline, rules)
     shares = _shares(whole, clipped.weights)
@@ -127,7 +133,7 @@ def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Fl
         x=x,
         y=y,
         area=np.full(len(x), -1.0),
-        unsure=_unsure(outline, slack, leaves, rules),
+        unsure=_unsure(outline, slack, _leaves(ends, rules, _BORDER), rules),
         moved=_moved_plane(whole, whole_off, moved, outline, rules),
         extent=extent_of(plane, rules),
         plane_x=plane[0],
@@ -139,8 +145,9 @@ def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Fl
         per_w_off=per_w_off,
         begin=ends[:, 0],
         end=ends[:, 1],
-        slack=slack + rules.diamond_slack,
-        leaves=leaves,
+        slack=slack + rules.edge_slack,
+        step=np.full(len(x), _step(rules)),
+        leaves=_leaves(ends, rules),
         size=np.broadcast_to(_size(rules), ends[:, 0].shape),
         by_diamonds=np.full(len(x), rules.lines == "diamonds"),
     )
@@ -152,9 +159,10 @@ def _size(rules: RasterRules) -> Floats:
     return np.array([rules.width, rules.height], np.float64)
 
 
-def _leaves(ends: Floats, rules: RasterRules) -> Bools:
-    """Which lines have an end beyond the picture."""
-    beyond: Bools = ((ends < 0) | (ends > _size(rules))).any(axis=(1, 2))
+def _leaves(ends: Floats, rules: RasterRules, margin: float = 0.0) -> Bools:
+    """Which lines have an end beyond the picture, or so close to its border."""
+    inside = (ends >= margin) & (ends <= _size(rules) - margin)
+    beyond: Bools = np.asarray(~inside.all(axis=(1, 2)))
     return beyond
 
 
@@ -186,8 +194,11 @@ def _outline(ends: Floats, rules: RasterRules) -> _Outline:
 
 
 def _corners(outline: _Outline, rules: RasterRules) -> Floats:
-    """The corners on the device's grid, (2, faces, 4)."""
-    if rules.snaps_line_ends:
+    """The corners on the device's grid, (2, faces, 4). Where diamonds count, nothing is known of
+    the places along the line whose corners a device snaps."""
+    if rules.lines == "diamonds":
+        found = outline.middle + outline.beside
+    elif rules.snaps_line_ends:
         found = snapped(outline.middle, rules) + snapped(outline.beside, rules)
     else:
         found = snapped(outline.middle + outline.beside, rules)
@@ -201,20 +212,20 @@ def _step(rules: RasterRules) -> float:
 
 
 def _slack(moved: Floats, outline: _Outline, rules: RasterRules) -> Floats:
-    """By how many pixels lines may be elsewhere before they are snapped: where both ends may move, a
-    line may turn."""
+    """By how many pixels lines may be elsewhere before they are snapped: where both ends may move,
+    a line may turn."""
     ends = moved + (_step(rules) if rules.lines == "any" else 0.0)
     turned = ends / np.maximum(outline.length, ends)
     slack: Floats = moved + turned
     return slack
 
 
-def _unsure(outline: _Outline, slack: Floats, leaves: Bools, rules: RasterRules) -> Floats:
+def _unsure(outline: _Outline, slack: Floats, is_cut: Bools, rules: RasterRules) -> Floats:
     """By how many pixels each side of the outlines may be elsewhere: one along the line, its end,
     the other one, and where it begins."""
     corners = _unsure_corners(outline, slack, rules)
-    # One that a device cuts at the border of the picture gets new corners there: these are snapped.
-    cut = np.where(leaves, _step(rules), 0.0)[:, None]
+    # What a device cuts at the border of the picture gets new corners there: these are snapped.
+    cut = np.where(is_cut, _step(rules), 0.0)[:, None]
     sides = np.maximum(corners, np.roll(corners, -1, axis=1)) + cut
     along, ends = sides[:, ::2], sides[:, 1::2]
     if rules.lines == "any":
@@ -228,6 +239,9 @@ def _unsure(outline: _Outline, slack: Floats, leaves: Bools, rules: RasterRules)
 
 def _unsure_corners(outline: _Outline, slack: Floats, rules: RasterRules) -> Floats:
     """By how many pixels each corner of the outlines may be elsewhere after snapping."""
+    if rules.lines == "diamonds":
+        farthest = slack + np.sqrt(0.5) * _step(rules) + rules.edge_slack
+        return np.repeat(farthest[:, None], 4, axis=1)
     unsure = partial(unsure_corners, moved=slack[:, None], rules=rules)
     middle, beside = (np.moveaxis(part, 2, 0) for part in (outline.middle, outline.beside))
     if rules.snaps_line_ends:
@@ -275,7 +289,8 @@ def _moved_plane(
         moved = moved + _HALF
     elif rules.lines == "diamonds":
         moved = moved + np.where(outline.diagonal, _HALF, 0.0)[:, None]
-    return moved * np.array([1.0, 1.0, 3.0])
+    of_corners: Floats = moved * np.array([1.0, 1.0, 3.0])
+    return of_corners
 
 
 def _with_third(of_ends: Floats, third: Floats, own: float = 0.0) -> Floats:

@@ -94,15 +94,14 @@ class RasterRules:
     before snapping. Coverage always depends on the snapped ones."""
     clips_sides: bool = False
     """Whether triangles are clipped at the sides of the picture, before they are snapped."""
+    owns_bottom: bool = False
+    """Whether pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
     """How close to an edge, in pixels, the device may put a pixel on the wrong side."""
     lines: Lines = "rectangle"
     snaps_line_ends: bool = False
     """Whether the ends of lines are snapped, and half their width by itself, instead of the corners
     of what they cover."""
-    diamond_slack: float = 0.0
-    """How close to the border of a diamond, in pixels, a device may have an end of a line on its
-    other side."""
     cull: Cull = "none"
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""

@@ -16,8 +16,8 @@ from ...ir import build
 from ...ir.binding import substitute
 from ...ir.domains import MixedDomainsError
 from ...ir.expansion import EmittedStrips, Expansion
-from ...ir.primitives import CORNERS
 from ...ir.node import Node
+from ...ir.primitives import CORNERS
 from ...ir.shader import Result
 from ...ir.stages import (
     EMITTED,
