@@ -23,7 +23,7 @@ from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.rewrite import rewrite
-from ..ir.shader import AttributeInfo, Notes, ParameterInfo, Result, Shader
+from ..ir.shader import Notes, ParameterInfo, Result, Shader
 from ..ir.stages import (
     CAPTURED,
     CLIP_POSITION,

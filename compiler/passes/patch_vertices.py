@@ -1,8 +1,8 @@
 """Vertices of divided patches, as those of a draw that has an instance for each patch.
 
 ``lower_tessellation`` uses it for vertices that are drawn, and ``expanded_corners.py`` for those at
-the corners of what is expanded. Where a vertex lies in its patch is a vertex input if a host divides
-all patches alike. Otherwise it is computed from the number of the vertex.
+the corners of what is expanded. Where a vertex lies in its patch is a vertex input if a host
+divides all patches alike. Otherwise it is computed from the number of the vertex.
 """
 
 from __future__ import annotations

@@ -121,9 +121,11 @@ expand triangle {{
     }}
 }}"""
 LEVELS: dict[str, Callable[[Floats], Floats]] = {
-    "4": lambda us: np.full(3, 4.0),
-    "clamp(1 + 4 * (end[0].uv.x + end[1].uv.x), 1, 9)": lambda us: 1 + 4 * (us[[1, 2, 0]] + us[[2, 0, 1]]),
-}  # fmt: skip
+    "4": lambda us: 4 + 0 * us,
+    "clamp(1 + 4 * (end[0].uv.x + end[1].uv.x), 1, 9)": lambda us: (
+        1 + 4 * (us[[1, 2, 0]] + us[[2, 0, 1]])
+    ),
+}
 """Into how many steps the edges of a triangle are divided, by the u of its ends."""
 
 
@@ -225,7 +227,8 @@ PLANTED = {
         ),
     ),
     "a part has only its first vertices": (
-        "quads", "lavapipe:glsl", form("glsl", loop="for ({index_typed} = 0; {index} < 3; {index}++) {{")
+        "quads", "lavapipe:glsl",
+        form("glsl", loop="for ({index_typed} = 0; {index} < 3; {index}++) {{"),
     ),
     "corners of the geometry stage are one": (
         "lines", "lavapipe:glsl", form("glsl", corner="{name}[0]")

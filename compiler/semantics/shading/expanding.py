@@ -70,8 +70,9 @@ def expands(instance: Instance) -> bool:
 def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
     """The surface as it is at the emitted vertices; itself where nothing is expanded.
 
-    The surface may divide patches: then what these are divided into is expanded. What ``passing`` says of primitives counts instead of what the surface says. The pass itself
-    becomes what it is at the emitted vertices. There is none where a mixin is checked alone.
+    The surface may divide patches: then what these are divided into is expanded. What ``passing``
+    says of primitives counts instead of what the surface says. The pass itself becomes what it is
+    at the emitted vertices. There is none where a mixin is checked alone.
     """
     holder = surface if passing is None or not expands(passing) else passing
     written = list(holder.record.every(ast.Expand))
