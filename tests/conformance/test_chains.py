@@ -24,6 +24,7 @@ from burnish.compiler.passes.expanded_corners import CellCorners
 from burnish.compiler.reference import tessellation as reference
 from burnish.targets.runner import expanding
 from burnish.targets.runner.meshes import Indices, plane
+from burnish.targets.runner.patches import pattern
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
@@ -196,7 +197,7 @@ def by_hand(level: str) -> SceneState:
 
 def _corners_exchanged(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     """The vertices of a part get where its corners lie in another order."""
-    right = expanding.pattern
+    right = pattern
 
     def wrong(*arguments: Any) -> tuple[Floats, Indices]:
         places, cells = right(*arguments)
