@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.primitives import CORNERS
 from ...compiler.ir.stages import EVALUATION, GEOMETRY, PATCH_INDEX, PRIMITIVE_INDEX
-from ...compiler.ir.tessellation import PATCH_KINDS
 from .instances.instance import Instance
 from .meshes import Indices, Mesh, MeshError
 from .patches import patches, pattern
@@ -42,8 +42,8 @@ def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     if draw["tessellation"] is not None:
         return _divided(instance, data, mesh)
     corners = primitives(mesh, draw["primitive"])
-    captured, is_expanded = reflection["capture"], draw["expanded_by"] is not None
-    if not len(corners) and (is_expanded or captured is not None):
+    is_expanded = draw["expanded_by"] is not None
+    if not len(corners) and (is_expanded or reflection["capture"] is not None):
         work = "expand" if is_expanded else "capture"
         raise MeshError(f"the mesh has no {draw['primitive']} to {work}")
     if draw["expanded_by"] in (None, GEOMETRY.name):
@@ -51,8 +51,7 @@ def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     rows = reflection["vertex_inputs"]
     attributes = {row["name"]: _values(row["mesh"], data, corners, copies) for row in rows}
-    emits_points = captured is not None and captured["primitive"] == "point"
-    listed = np.arange(draw["vertices"]).reshape(-1, 1 if emits_points else 3)
+    listed = np.arange(draw["vertices"]).reshape(-1, CORNERS[draw["topology"]])
     return Drawn(attributes, listed, copies * len(corners))
 
 
@@ -66,8 +65,11 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
         return Drawn(data, found, copies)
     if row["levels"] is None:
         # No input is of the pattern: each vertex finds out by its number where it lies.
-        cell = PATCH_KINDS[row["kind"]].cell
-        places, cells = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, cell)
+        draw = reflection["draw"]
+        places, cells = (
+            np.empty(0),
+            np.arange(draw["vertices"]).reshape(-1, CORNERS[draw["topology"]]),
+        )
     else:
         places, cells = pattern(row["kind"], row["spacing"], *instance.patch_levels())
     attributes = {

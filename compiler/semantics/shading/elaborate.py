@@ -165,8 +165,13 @@ def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result
         return
     yield from made.results
     expansion = made.expansion
-    if expansion is not None and expansion.emits == "point" and not captures(passing.record):
+    if expansion is None or expansion.emits == "triangle":
+        return
+    captured = captures(passing.record)
+    if expansion.emits == "point" and not captured:
         ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
+    if expansion.emits == "line" and captured:
+        ctx.report.add(rules.LINES_CAPTURED, expansion.span, name=passing.record.name)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:
