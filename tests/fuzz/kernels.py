@@ -80,5 +80,5 @@ def scatters(writer: Writer, scope: Scope) -> Iterator[Node]:
         yield Node(form + " where ({})", (value, place, condition), optional=True)
     else:
         yield Node(form, (value, place), optional=True)
-    if writer.maybe(0.3):
+    if writer.maybe(0.6):
         yield Node("runs over given.count", optional=True)
