@@ -911,11 +911,6 @@ TWO_TESSELLATIONS = _error(
     "`{name}` divides its patches twice",
     "A material has one tessellation. Two mixins that each have one cannot be combined.",
 )
-TESSELLATED_AND_EXPANDED = _error(
-    "B0572",
-    "`{name}` divides its patches and expands its primitives",
-    "A material does one of the two.",
-)
 WRONG_POINTS = _error(
     "B0573",
     "`{patch}` patches have from {least} to {most} control points, and not {count}",
@@ -971,6 +966,13 @@ NO_SEGMENTS = _error(
     "B0582",
     "a line of {count} vertices goes nowhere",
     "`line of n` has two vertices or more, and a segment from each to the next one.",
+)
+NOT_OF_PATCHES = _error(
+    "B0590",
+    "the parts of a divided `{patch}` patch are `{made}` primitives, and not `{primitive}`",
+    "Where a material divides its patches, `expand` says what each part of a patch turns into. The "
+    "parts of triangle and quad patches are triangles, and those of isoline patches are lines. "
+    "They know nothing of the vertices next to them.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

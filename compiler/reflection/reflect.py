@@ -160,12 +160,12 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
         }
     if expansion is not None:
         native = GEOMETRY in shader.chain
+        if patches is None:
+            row |= {"primitive": expansion.primitive, "corners": expansion.corners}
         row |= {
-            "primitive": expansion.primitive,
-            "corners": expansion.corners,
-            "topology": expansion.primitive if native else expansion.emits,
+            "topology": row["primitive"] if native else expansion.emits,
             "expanded_by": GEOMETRY.name if native else "instances",
-            "vertices": expansion.vertices if native else expansion.listed,
+            "vertices": expansion.vertices if native else shader.listed or expansion.listed,
         }
     return row
 

@@ -20,17 +20,21 @@ LINES = (("line", 2), ("line", 3), ("line", 5))
 
 def expansion(writer: Writer, scope: Scope, *, layers: int = 0) -> Iterator[Node]:
     """A slot of the expansion's own, and the expansion; in a pass, its targets may have layers."""
-    primitive = writer.chance.choice([*CORNERS])
+    yield Node("spread : float = 0.25", role="slot", name="spread")
+    if layers:
+        yield Node(f"layers of {layers}", role="layers")
+        yield Node("layer : int = 1", role="slot")
+    yield expand(writer, scope, writer.chance.choice([*CORNERS]), layers)
+
+
+def expand(writer: Writer, scope: Scope, primitive: str, layers: int = 0) -> Node:
+    """The expansion of these primitives."""
     shapes = LINES if writer.maybe(0.2) else TRIANGLES
     groups = [
         _strips(writer, scope, primitive, layers, *writer.chance.choice(shapes))
         for _ in range(writer.chance.choice((1, 1, 2)))
     ]
-    yield Node("spread : float = 0.25", role="slot", name="spread")
-    if layers:
-        yield Node(f"layers of {layers}", role="layers")
-        yield Node("layer : int = 1", role="slot")
-    yield listed(f"expand {primitive} {{{{ {{}} }}}}", groups, " ", "expansion")
+    return listed(f"expand {primitive} {{{{ {{}} }}}}", groups, " ", "expansion")
 
 
 def _strips(
