@@ -888,15 +888,27 @@ POINTS_NOT_CAPTURED = _error(
     "A pass with members such as `capture place : vec3 = position` captures points. What is drawn "
     "are triangles: `strip of 4 as i { … }` makes a square of a point.",
 )
-POINTS_AND_TRIANGLES = _error(
+DIFFERENT_PRIMITIVES = _error(
     "B0564",
-    "an expansion emits points or triangles, and not both",
-    "All groups of an expansion are `points`, or all of them are strips and lists.",
+    "an expansion emits points, lines or triangles, and only one of these",
+    "All groups of an expansion are `points`, or all are `line`s, or all are strips and lists of "
+    "triangles.",
 )
 NO_POINTS = _error(
     "B0565",
     "a group of {count} points emits nothing",
     "`points of n` emits one point or more.",
+)
+
+LINES_CAPTURED = _error(
+    "B0581",
+    "`{name}` captures the vertices of lines",
+    "Vertices of triangles and points are captured. `points of 2` captures both ends of a line.",
+)
+NO_SEGMENTS = _error(
+    "B0582",
+    "a line of {count} vertices goes nowhere",
+    "`line of n` has two vertices or more, and a segment from each to the next one.",
 )
 
 # Tessellations
@@ -910,11 +922,6 @@ TWO_TESSELLATIONS = _error(
     "B0571",
     "`{name}` divides its patches twice",
     "A material has one tessellation. Two mixins that each have one cannot be combined.",
-)
-TESSELLATED_AND_EXPANDED = _error(
-    "B0572",
-    "`{name}` divides its patches and expands its primitives",
-    "A material does one of the two.",
 )
 WRONG_POINTS = _error(
     "B0573",
@@ -961,6 +968,13 @@ NOT_OF_THIS_PATCH = _error(
     "`{patch}` patches have no `{word}`",
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
+)
+NOT_OF_PATCHES = _error(
+    "B0590",
+    "the parts of a divided `{patch}` patch are `{made}` primitives, and not `{primitive}`",
+    "Where a material divides its patches, `expand` says what each part of a patch turns into. The "
+    "parts of triangle and quad patches are triangles, and those of isoline patches are lines. "
+    "They know nothing of the vertices next to them.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

@@ -12,21 +12,9 @@ from typing import Literal
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
+from .primitives import CORNERS, DrawnPrimitive
 
-CORNERS: Mapping[str, int] = {
-    "point": 1,
-    "line": 2,
-    "triangle": 3,
-    "line_adjacency": 4,
-    "triangle_adjacency": 6,
-}
-"""How many vertices each kind of primitive has. With adjacency they are in the order of Vulkan and
-OpenGL: a line between the vertices next to its ends, a triangle with the vertex across each edge
-behind the one where that edge begins."""
-
-StripShape = Literal["strip", "list", "points"]
-
-EmittedPrimitive = Literal["point", "triangle"]
+StripShape = Literal["strip", "list", "line", "points"]
 
 
 @frozen
@@ -34,8 +22,8 @@ class EmittedStrips:
     """One group of strips."""
 
     shape: StripShape
-    """Triangles that each share two vertices with the one before, or that share none; or points,
-    which only a pass can emit that captures them."""
+    """Triangles that each share two vertices with the one before, or that share none; lines from
+    each vertex to the next one; or points, which only a pass can emit that captures them."""
     vertices: int
     """Of each strip."""
     strips: int
@@ -48,12 +36,20 @@ class EmittedStrips:
     @property
     def triangles(self) -> int:
         """Of each strip."""
-        whole = {"strip": self.vertices - 2, "list": self.vertices // 3, "points": 0}
-        return whole[self.shape]
+        whole = {"strip": self.vertices - 2, "list": self.vertices // 3}
+        return whole.get(self.shape, 0)
+
+    @property
+    def emits(self) -> DrawnPrimitive:
+        """What its vertices are."""
+        emitted: Mapping[StripShape, DrawnPrimitive] = {"line": "line", "points": "point"}
+        return emitted.get(self.shape, "triangle")
 
     @property
     def listed_each(self) -> int:
-        """How many vertices each strip has as a list of triangles, or of points."""
+        """How many vertices each strip has as a list of triangles, of lines, or of points."""
+        if self.shape == "line":
+            return 2 * (self.vertices - 1)
         return self.vertices if self.shape == "points" else 3 * self.triangles
 
     @property
@@ -85,13 +81,13 @@ class Expansion:
 
     @property
     def listed(self) -> int:
-        """How many there are as a list of triangles, or of points."""
+        """How many there are as a list of triangles, of lines, or of points."""
         return sum(group.listed for group in self.groups)
 
     @property
-    def emits(self) -> EmittedPrimitive:
+    def emits(self) -> DrawnPrimitive:
         """What the emitted vertices are; all groups agree in that."""
-        return "point" if self.groups[0].shape == "points" else "triangle"
+        return self.groups[0].emits
 
     @property
     def starts(self) -> tuple[int, ...]:

@@ -65,12 +65,13 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "expansions",
-        "A primitive of the mesh becomes others: `expand triangle { … }`.",
+        "A primitive of the mesh becomes triangles or lines: `expand triangle { … }`.",
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
     ),
     Capability(
         "tessellation",
-        "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`.",
+        "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`, "
+        "`tessellate isoline by 8 lines 4 { … }`.",
         (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((), AS_PATTERNS)),
     ),
     Capability(

@@ -18,6 +18,9 @@ from ..state.context import Context
 from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.scope import Scope
 
+_COUNTERS = (PRIMITIVE_INDEX.name, PATCH_INDEX.name)
+"""What counts the primitives of a mesh, or its patches."""
+
 
 def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
     if name == "light":
@@ -37,7 +40,7 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
     here = called_here(name, span, VALUES[name]) if name in VALUES else ""
     lit = advice.of_a_light(name, ctx.rig)
     elsewhere = here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, "")
-    elsewhere = elsewhere or _other_kernels(ctx, name)
+    elsewhere = elsewhere or _other_kernels(ctx, name) or _other_vertices(scope, name)
     if elsewhere:
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
         return
@@ -77,6 +80,15 @@ def _of_stages(name: str, scope: Scope) -> str:
     if name == "corner" and "end" in scope.locals:
         return "the level of an edge reads its two ends, `end[0].slot` and `end[1].slot`"
     return _WHERE_MADE.get(name, "")
+
+
+def _other_vertices(scope: Scope, name: str) -> str:
+    """What counts the primitives of a surface in place of a number that others have."""
+    made = None if scope.surface is None else scope.surface.made
+    if made is None or name not in _COUNTERS:
+        return ""
+    own = next((counter for counter in made.inputs if counter in _COUNTERS), None)
+    return f"what is counted here is `{own}`" if own else ""
 
 
 def is_known(scope: Scope, name: str) -> bool:
