@@ -64,7 +64,7 @@ def _other_kernels(ctx: Context, name: str) -> str:
 _WHERE_MADE: Mapping[str, str] = MappingProxyType(
     {
         "corner": "`corner[k].slot` is read in the groups of an `expand` and in a `tessellate`",
-        "end": "`end[0].slot` and `end[1].slot` are read in the level of an edge: `tessellate … by`",
+        "end": "`end[0].slot` and `end[1].slot` are read in a level of edges, behind `by`",
         PRIMITIVE_INDEX.name: "it counts primitives where an `expand` says what they turn into",
         PATCH_INDEX.name: "it counts patches where a `tessellate` divides them",
     }
