@@ -227,7 +227,7 @@ AMBIGUOUS_NAME = _error(
 WRONG_BASE = _error(
     "B0208",
     "`{name}` is not a {kind}",
-    "A material extends a material, a light extends a light, and a pass extends a pass.",
+    "A material extends a material, a light a light, a pass a pass, and a kernel a kernel.",
 )
 NOT_A_VALUE = _error(
     "B0209",
@@ -746,7 +746,8 @@ NO_SUCH_CORNER = _error(
     "B0520",
     "there is no {what} {index}: the last one is {last}",
     "Corners are numbered from 0: a point has one, a line two and a triangle three. With adjacency "
-    "a line has four and a triangle six.",
+    "a line has four and a triangle six. A patch has as many as it has control points, and each of "
+    "its edges has two ends.",
 )
 WHICH_CORNER = _error(
     "B0521",

@@ -180,7 +180,8 @@ error[B0520]: there is no corner 3: the last one is 2
 7 |         strip of 3 as i { mark = corner[3].mark + float(primitive_index) }
   |                                         ^
   = help: Corners are numbered from 0: a point has one, a line two and a triangle three. With \
-adjacency a line has four and a triangle six.
+adjacency a line has four and a triangle six. A patch has as many as it has control points, and \
+each of its edges has two ends.
 
 error[B0201]: unknown name `primitive_index`
  --> <text>:7:57

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from itertools import chain
+from types import MappingProxyType
 
 from ...diagnostics import rules
 from ...diagnostics.nearest import is_searched_out, nearest
@@ -43,6 +44,9 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
     if elsewhere:
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
         return
+    if hint := _of_stages(name, scope):
+        ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
+        return
     if hint := advice.uncalled(name):
         ctx.report.add(rules.NOT_A_VALUE, span, hint=hint)
         return
@@ -55,6 +59,27 @@ def _other_kernels(ctx: Context, name: str) -> str:
         return ""
     own = next(row.name for row in KERNEL_INPUTS.values() if row.type == ctx.extent.type)
     return f"this kernel has `{own}`, of type {ctx.extent.type}"
+
+
+_WHERE_MADE: Mapping[str, str] = MappingProxyType(
+    {
+        "corner": "`corner[k].slot` is read in the groups of an `expand` and in a `tessellate`",
+        "end": "`end[0].slot` and `end[1].slot` are read in a level of edges, behind `by`",
+        PRIMITIVE_INDEX.name: "it counts primitives where an `expand` says what they turn into",
+        PATCH_INDEX.name: "it counts patches where a `tessellate` divides them",
+    }
+)
+"""What exists only where vertices are made of others, and where that is."""
+
+
+def _of_stages(name: str, scope: Scope) -> str:
+    """About a name that a stage has elsewhere, or that a kernel writes and nothing reads."""
+    written = () if scope.instance is None else scope.instance.record.every(ast.Result)
+    if any(member.name.text == name for member, _, _ in written):
+        return "a result is written and not read: name its value by an equation, and read that"
+    if name == "corner" and "end" in scope.locals:
+        return "the level of an edge reads its two ends, `end[0].slot` and `end[1].slot`"
+    return _WHERE_MADE.get(name, "")
 
 
 def _other_vertices(scope: Scope, name: str) -> str:

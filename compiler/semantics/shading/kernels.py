@@ -115,7 +115,8 @@ def _writes_something(ctx: Context, record: Record, declaration: ast.Record) -> 
     results = {member.name.text: member for member, _, _ in record.every(ast.Result)}
     scatters = [member for member, _, _ in record.every(ast.Scatter)]
     name = declaration.name
-    if not results and not scatters and not record.baseless:
+    is_empty = not results and not scatters and not record.baseless
+    if is_empty and not ctx.report.unread_names:  # What could not be read may have been a result.
         ctx.report.add(rules.NO_RESULT, name.span, name=name.text)
     for member in scatters:
         if (other := results.get(member.name.text)) is not None:
