@@ -16,9 +16,11 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
+from burnish.compiler.ir import build
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.stages import VERTEX
 from burnish.compiler.passes import corners_in_buffer
+from burnish.compiler.passes.mesh_buffers import member_name
 from burnish.targets import registry
 from burnish.targets.description.capabilities import buffers_of
 from burnish.targets.runner import expanding
@@ -131,14 +133,14 @@ def test_a_buffer_has_what_inputs_would_have(studio: Studio, name: str, route: s
 
 def _first_element(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     """All instances read what the first one has."""
-    right = corners_in_buffer.build.index
+    right = build.index
 
     def wrong(graph: Graph, whole: Node, number: Node) -> Node:
         if whole.op == "buffer":
-            number = corners_in_buffer.build.constant(graph, number.type, 0)
+            number = build.constant(graph, number.type, 0)
         return right(graph, whole, number)
 
-    patch.setattr(corners_in_buffer.build, "index", wrong)
+    patch.setattr(build, "index", wrong)
 
 
 def _other_corners(
@@ -149,7 +151,7 @@ def _other_corners(
 
 def _one_name(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     """A corner is taken for another one."""
-    right = corners_in_buffer.member_name
+    right = member_name
     patch.setattr(
         corners_in_buffer, "member_name", lambda leaf: right(leaf).replace("corner2", "corner1")
     )
