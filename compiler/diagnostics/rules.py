@@ -444,9 +444,9 @@ STATE_TOO_LARGE = _error(
 )
 READ_IN_LOOP = _error(
     "B0386",
-    "{what} compares neighbouring pixels, which may have left the loop already",
-    "Its result is undefined where a neighbour has left the loop. Read the texture with an "
-    "explicit level, or before the loop.",
+    "{what} {does}, which may have left the loop already",
+    "Its result is undefined where others have left the loop. Read the texture with an explicit "
+    "level, or before the loop.",
 )
 CROSSING_IN_LOOP = _error(
     "B0387",
@@ -807,13 +807,34 @@ LAYER_WITHIN_STRIP = _error(
     "strip's vertices.",
 )
 
+# Work groups
+
+NO_WORK_GROUP = _error(
+    "B0531",
+    "{what} has no work groups, so there is no `{name}`",
+    "A work group is what runs together of a kernel over buffers: only there its values can be "
+    "joined.",
+)
+COUNT_PER_GROUP = _error(
+    "B0532",
+    "`{name}` has as many elements as there are work groups, and not a number of its own",
+    "Write `T[] per group`: the host computes the number from that of the invocations, and from "
+    "how large the work groups are.",
+)
+IMAGE_PER_GROUP = _error(
+    "B0533",
+    "`{name}` is an image, which has a texel for each invocation",
+    "What is written once for each work group is an element of a buffer: "
+    "`result name : vec4[] per group = …`.",
+)
+
 # Scattering
 
 NO_KERNEL_EXTENT = _error(
     "B0540",
     "`{name}` does not say for how many elements it runs",
-    "A result would say it. A kernel that only scatters says it by a member of its own: "
-    "`runs over pixels.count`.",
+    "A result with an element for each invocation would say it. Other kernels say it by a member "
+    "of their own: `runs over pixels.count`.",
 )
 WRITTEN_TWICE = _error(
     "B0541",

@@ -15,7 +15,6 @@ from .rewrite import rewrite
 from .shader import Result, Shader
 from .stages import (
     CLIP_POSITION,
-    EXTENT,
     FRAGMENT,
     IMAGE,
     RASTERISED,
@@ -37,15 +36,6 @@ _NEAR, _FAR = -1.0, 3.0
 def writes_images(shader: Shader) -> bool:
     """Whether a shader is a kernel over images."""
     return bool(shader.results_of(IMAGE))
-
-
-def without_extent(shader: Shader) -> Shader:
-    """A kernel over images without its extent, which only the host has to know.
-
-    What is written beyond the end of an image is dropped in all APIs.
-    """
-    results = tuple(result for result in shader.results if result.kind != EXTENT)
-    return changed(shader, results=results)
 
 
 def whole_texels(shader: Shader) -> Shader:

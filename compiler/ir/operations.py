@@ -277,6 +277,15 @@ VARYING = frozenset(row.name for row in OPERATIONS.values() if row.rate == "vary
 GLOBALS = frozenset(row.name for row in OPERATIONS.values() if row.is_global)
 
 
+OF_GROUPS = frozenset(name for name, row in BUILTINS.items() if row.of_group is not None)
+"""The builtins that join the values of a work group: their results are never constant."""
+
+
+def joins_group(node: Node) -> bool:
+    """Whether an operation joins the values of all invocations of a work group."""
+    return node.head in OF_GROUPS
+
+
 def builtin_of(node: Node) -> str | None:
     """The builtin that a ``call`` or a ``native`` is of; ``None`` for all other nodes."""
     return CALL.data(node) if node.op in BUILTIN_OPS else None

@@ -148,6 +148,9 @@ class Store:
     """Which of them this is."""
     as_bits: bool = False
     """Whether the bits of the value are written as a uint, whatever its type."""
+    of_group: int = 0
+    """For what is written once for each work group, how many invocations that has: the first one
+    writes it. 0 where each invocation writes an element of its own."""
     operator: ScatterOperator | None = None
     """How a value is joined with what the element has, of what is scattered."""
 

@@ -61,7 +61,8 @@ PLACE = "place"
 CONDITION = "condition"
 """Whether anything is joined, and that there is such an element."""
 LENGTH = "length"
-"""How many elements the buffer has; only a host asks for it."""
+"""How many elements a buffer has, where these are not as many as invocations; only a host asks for
+it."""
 EXTENT = "extent"
 """The kind of the result that says for how many elements, or for how many texels in a row and in a
 column, a kernel is run."""

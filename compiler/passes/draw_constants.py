@@ -9,7 +9,7 @@ say, as it depends on the parameters' groups.
 from __future__ import annotations
 
 from ..ir.node import Node
-from ..ir.operations import BINDING
+from ..ir.operations import BINDING, joins_group
 from .elements import is_element
 
 
@@ -47,4 +47,6 @@ class DrawConstants:
         """What is known without a look at the operands."""
         if node.op in ("constant", "parameter") or (self._elements and is_element(node)):
             return True
-        return False if node.op == "cross" or node.op in BINDING or not node.operands else None
+        if node.op == "cross" or node.op in BINDING or joins_group(node):
+            return False
+        return None if node.operands else False

@@ -20,7 +20,7 @@ from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots
-from ..ir.operations import BINDING, PARAMETER, builtin_of
+from ..ir.operations import BINDING, PARAMETER, builtin_of, joins_group
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -116,7 +116,7 @@ def _saves(root: Node, least: int) -> bool:
 def _compares_pixels(node: Node) -> bool:
     """Whether an operation depends on neighbours, which may be at other positions of an array."""
     builtin = builtin_of(node)
-    return builtin is not None and BUILTINS[builtin].uniform_control_flow
+    return builtin is not None and BUILTINS[builtin].compares_pixels
 
 
 def hoist(
@@ -204,7 +204,7 @@ class _Hoisting:
             return self._of_group(PARAMETER.data(node).group)
         if node.op == "constant":
             return _NOTHING
-        if not node.operands or node.op in _NOT_HOISTED:
+        if not node.operands or node.op in _NOT_HOISTED or joins_group(node):
             return None
         found = self._joined(node.operands)
         if found is None and is_element(node):

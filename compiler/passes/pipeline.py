@@ -8,11 +8,12 @@ from __future__ import annotations
 from functools import partial
 
 from ...frozen import changed, frozen
-from ..ir.full_screen import full_screen, whole_texels, without_extent, writes_images
+from ..ir.full_screen import full_screen, whole_texels, writes_images
 from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Result, Shader
+from ..ir.stages import EXTENT, LENGTH
 from .checkpoint import verified, verified_results
 from .expand_builtins import expand_builtins
 from .fuse import fuse
@@ -98,7 +99,7 @@ class Staged:
 
 def stage(shader: Shader, options: Options) -> Staged:
     """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
-    shader = without_extent(shader) if writes_images(shader) else shader
+    shader = _without_lengths(shader)
     graph, notes = shader.graph, shader.notes
     results = verified_results(shader)
     roots = verified("semantics", "semantics", Roots([result.value for result in results]))
@@ -128,6 +129,15 @@ def stage(shader: Shader, options: Options) -> Staged:
     drawn = made(full_screen(shader)) if writes_images(shader) else None
     guards = tuple(guarding.kept.values())
     return Staged(form.shader, form.program, derived, guards, evidence, form.undecided, drawn)
+
+
+def _without_lengths(shader: Shader) -> Shader:
+    """A kernel without what only the host has to know: how long buffers are of which invocations do
+    not write an element each, and how large images are, since what is written beyond the end of an
+    image is dropped in all APIs."""
+    dropped = {LENGTH, EXTENT} if writes_images(shader) else {LENGTH}
+    results = tuple(result for result in shader.results if result.kind not in dropped)
+    return changed(shader, results=results)
 
 
 def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -> Form:

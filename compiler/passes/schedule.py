@@ -13,7 +13,7 @@ from collections.abc import Sequence
 
 from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
-from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
+from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS, joins_group
 from ..ir.program import Branch, Connective, Iterate, Let, Loop, Region, State, Statement
 from ..ir.shader import Notes
 from ..ir.types import Texture
@@ -250,7 +250,8 @@ class Scheduler:
         size, depth = self._measure(node, 0 if access else 1)
         if access or self._is_part_of_bound(node):
             return False
-        if node.op == "array":
+        if node.op == "array" or joins_group(node):
+            # What follows may be no place for a barrier.
             return True
         if self._uses[node.id] > 1 or node.id in self._apart:
             return True

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
-from ...stdlib.builtins import texture
+from ...stdlib.builtins import texture, work_group
 from . import (
     bit_functions,
     derivatives,
@@ -22,8 +22,9 @@ from . import (
     scalars,
     texture_reads,
     vectors,
+    work_groups,
 )
-from .namespace import Lane, Lanes, Namespace
+from .namespace import Lane, Lanes, Namespace, WorkGroups
 
 LaneKind = Literal["float", "int", "uint", "bool"]
 Function = Callable[..., Lane]
@@ -160,6 +161,9 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
 }
 """Functions of whole values, which do not work lane by lane."""
 
+_OF_GROUPS = {row.name: row.of_group for row in work_group.ROWS}
+"""Functions that join the values of many invocations."""
+
 
 def evaluate(
     name: str,
@@ -175,6 +179,9 @@ def evaluate(
     """
     if name in _WHOLE:
         return _WHOLE[name](xp, *operands)
+    if (row := _OF_GROUPS.get(name)) is not None:
+        assert isinstance(xp, WorkGroups)
+        return work_groups.joined(xp, _lanewise(row.joins, xp, kind), row, *operands)
     if name == "dot":
         return _dot(operands, xp, kind)
     if any(map(matrices.is_matrix, operands)):

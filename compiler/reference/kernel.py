@@ -13,13 +13,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..ir.kernel import invocations
 from ..ir.leaves import Resource
 from ..ir.node import Node
 from ..ir.shader import Shader, Store
 from ..ir.stages import COMPUTED, CONDITION, PLACE, SCATTER, STORE
-from .bounds import Bounded, Bounds, Errors, exact
+from .bounds import Bounded, Errors, exact
 from .evaluate import Evaluator
 from .held_values import HeldValues, as_rounded, rounded_constants
+from .in_groups import InGroups
 from .namespace import Lanes
 from .picture.sampler import TextureReader
 from .picture.scene import RasterRules, Texels
@@ -73,7 +75,9 @@ def computed(
             return (readers[node.data],)
         return held.value(node)
 
-    evaluator = Evaluator(leaves, Bounds(errors), rounded_constants)
+    assert shader.work_group is not None
+    groups = InGroups(errors, count, invocations(shader.work_group))
+    evaluator = Evaluator(leaves, groups, rounded_constants)
 
     def of_all(node: Node) -> list[Bounded]:
         lanes = evaluator.value(node)
@@ -85,7 +89,9 @@ def computed(
         for result in shader.results_of(STORE):
             assert result.store is not None
             for number, whole in enumerate(of_all(result.value)):
-                arrays = (np.asarray(whole.value), np.asarray(whole.low), np.asarray(whole.high))
+                each = slice(None, None, result.store.of_group or 1)
+                ends = (whole.value, whole.low, whole.high)
+                arrays = (np.asarray(end)[each] for end in ends)
                 found.append(Lane(result.store, number, whole.kind, *arrays))
         for store, rows in _scattered(shader).items():
             value, place, condition = (of_all(rows[k])[0] for k in (SCATTER, PLACE, CONDITION))

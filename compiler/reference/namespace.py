@@ -110,6 +110,26 @@ class Namespace(Protocol):
     def ldexp(self) -> Binary: ...
 
 
+class WorkGroups(ABC):
+    """How an array library joins what the invocations of a work group have.
+
+    ``in_groups.InGroups`` is such a library: its arrays have an element for each invocation of a
+    kernel. In others there is one value and no group, so that nothing is joined.
+    """
+
+    @abstractmethod
+    def all_joined(self, join: Binary, x: Lane) -> Lane:
+        """What the lanes of all invocations of a group come to, at each of them."""
+
+    @abstractmethod
+    def joined_through(self, join: Binary, x: Lane) -> Lane:
+        """What those of the invocations up to each one come to, and its own."""
+
+    @abstractmethod
+    def at_the_one_before(self, x: Lane, first: Lane) -> Lane:
+        """What the invocation before each one has, and ``first`` at the first of a group."""
+
+
 class OwnFunctions(ABC):
     """Functions that an array library computes in a way of its own, not by the definitions here.
 

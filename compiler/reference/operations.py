@@ -8,7 +8,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from ..ir.node import Node, Op
-from ..ir.operations import CALL, MEMBER, SWIZZLE
+from ..ir.operations import CALL, MEMBER, SWIZZLE, joins_group
 from ..ir.types import (
     Array,
     Matrix,
@@ -21,14 +21,15 @@ from ..ir.types import (
     scalar_kind,
 )
 from . import scalars
-from .namespace import Lane, Lanes, Namespace
+from .namespace import Lane, Lanes, Namespace, WorkGroups
 
 if TYPE_CHECKING:
     from .functions import LaneKind
 
 
 class NotConstantError(Exception):
-    """The graph has a leaf without a value, so it is not a constant."""
+    """The graph has a leaf without a value, or joins values that are not at hand, so it is not a
+    constant."""
 
     def __init__(self, node: Node) -> None:
         super().__init__(f"{node} has no value")
@@ -78,6 +79,8 @@ def builtins() -> Callable[[str, Sequence[Lanes], Namespace, LaneKind], Lanes]:
 
 
 def _call(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
+    if joins_group(node) and not isinstance(xp, WorkGroups):
+        raise NotConstantError(node)
     kind = scalar_kind(node.operands[0].type)
     return builtins()(CALL.data(node), operands, xp, kind or "float")
 

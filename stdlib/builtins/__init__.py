@@ -22,6 +22,7 @@ from . import (
     packing,
     texture,
     trigonometry,
+    work_group,
 )
 from .row import Builtin
 
@@ -39,6 +40,7 @@ _THEMES = (
     packing,
     texture,
     derivative,
+    work_group,
 )
 
 BUILTINS: Mapping[str, Builtin] = MappingProxyType(

@@ -57,7 +57,10 @@ def _same(names: str, *written: str, reason: str = "") -> Iterator[tuple[str, In
 
 
 _MEMORY = "materials and passes have no memory to write to"
-_NEIGHBOURS = "a value knows nothing of other invocations, but for `ddx` and `ddy`"
+_NEIGHBOURS = (
+    "a value knows nothing of other invocations, but for `ddx` and `ddy`, and in kernels "
+    "`group_sum` and its like"
+)
 _FINITE = "finite operands have finite results: no value is infinite or NaN"
 _WIDE = "there are no numbers of 64 bits"
 _STAGES = "there are vertices and fragments only"

@@ -30,6 +30,20 @@ Domain = Callable[[tuple[Fact, ...]], bool]
 """Whether operands within these facts lie where something holds of an operation."""
 
 
+GroupPart = Literal["all", "through", "before"]
+"""Whose values are joined: those of all invocations of a work group, of those up to an invocation
+and itself, or of those before it."""
+
+
+@frozen
+class OfGroup:
+    """How a builtin joins what the invocations of a work group have as its operand."""
+
+    part: GroupPart
+    joins: str
+    """The builtin that joins two values."""
+
+
 def anything(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     """The range rule that knows nothing."""
     return UNKNOWN
@@ -102,7 +116,10 @@ class Builtin:
     short_circuits: bool = False
     """Of single bools, leaves its second operand out where the first one decides."""
     uniform_control_flow: bool = False
-    """Needs neighbours' values (derivatives, implicit level of detail)."""
+    """Needs neighbours' values (derivatives, implicit level of detail), or those of all other
+    invocations of a work group."""
+    of_group: OfGroup | None = None
+    """For what joins the values of a work group, how: it exists in kernels, and only there."""
     method: str | None = None
     """For reads of textures, how they are written: ``level`` in ``albedo.level(uv, 2)``, and empty
     for ``albedo(uv)``."""
@@ -117,3 +134,8 @@ class Builtin:
     """Operands, counted from the end (-1), that have to be constants in 0..3."""
     samples: tuple[tuple[float, ...], ...] = ()
     """Operand tuples worth testing beyond the usual ones (scalars; broadcast to vectors)."""
+
+    @property
+    def compares_pixels(self) -> bool:
+        """Whether it needs the values of neighbouring pixels."""
+        return self.uniform_control_flow and self.of_group is None

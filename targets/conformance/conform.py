@@ -11,12 +11,11 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 from threading import Event
 
-from ...compiler.ir.stages import COMPUTED
 from ...frozen import EMPTY
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError
-from ..runner.kernels import UndrawableError, has_images, pictures_of
+from ..runner.kernels import UndrawableError, is_drawn, pictures_of
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -92,10 +91,10 @@ def _plan(
 ) -> Plan | KernelPlan | CapturePlan | tuple[str, str]:
     """The plan of a material or a kernel; or its label, and the reason why nothing can draw it."""
     try:
-        if subject.shader.capture is not None:
+        if not is_drawn(subject):
+            if subject.shader.capture is None:
+                return KernelPlan(label, subject, seed)
             return CapturePlan(label, subject, seed, size)
-        if subject.shader.chain == COMPUTED and not has_images(subject.reflection):
-            return KernelPlan(label, subject, seed)
         return Plan(label, subject, seed, store, size, draw, meant)
     except ValueError as error:
         return label, str(error)

@@ -18,7 +18,7 @@ from ...compiler.reference.attribution import Explanation, UncoveredError
 from ...compiler.reference.picture import Expected
 from ..runner.drivers.draw import Device
 from ..runner.explanation import explained
-from ..runner.kernels import drawable
+from ..runner.kernels import drawable, is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
@@ -95,8 +95,11 @@ def explanation_lines(
 def with_reasons(subject: Subject, rows: Sequence[Row], seed: int) -> list[Row]:
     """The rows of one material, with what the source has to do with their verdicts.
 
-    What proves little does so for the same reason on all routes; it is worked out once.
+    What proves little does so for the same reason on all routes; it is worked out once. There are
+    reasons of pixels only, so none where no picture is drawn.
     """
+    if not is_drawn(subject):
+        return list(rows)
     weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
     shared = tuple(_of_little(subject, weakest, seed)) if weakest else ()
     return [

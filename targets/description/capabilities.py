@@ -14,6 +14,7 @@ needs it, with which all of its cells are tried.
 
 from __future__ import annotations
 
+from ...compiler.ir.operations import OF_GROUPS
 from ...compiler.ir.stages import COMPUTE, CONTROL, EVALUATION, FRAGMENT, GEOMETRY, VERTEX, StageRow
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
 from .profile import STORABLE, Profile
@@ -106,6 +107,20 @@ CAPABILITIES: tuple[Capability, ...] = (
         "The invocations of a kernel join integers with elements that they choose, by atomics: "
         "`scatter name : uint[count] add value at place`.",
         (Way((a_stage(COMPUTE), buffers_of(COMPUTE))),),
+    ),
+    Capability(
+        "joined work groups",
+        "The invocations of a kernel join their values, one work group at a time: `group_sum(x)` "
+        "and its like.",
+        (
+            Way(
+                (
+                    a_stage(COMPUTE),
+                    buffers_of(COMPUTE),
+                    some_builtins("work-group memory", *sorted(OF_GROUPS)),
+                )
+            ),
+        ),
     ),
     Capability(
         "kernels over images",

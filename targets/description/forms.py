@@ -92,6 +92,14 @@ class Forms:
     """An element that a kernel scatters to, whose plain type is ``{type}``."""
     scatter: str = "{function}({place}, {value});"
     """Joins a ``{value}`` with the element at a ``{place}`` by one of ``Language.atomics``."""
+    shared: str = ""
+    """A variable that the invocations of a work group share."""
+    shared_argument: str = ""
+    """One of a ``{type}`` that a function gets as a parameter; empty where such variables are
+    global."""
+    barrier: str = ""
+    """Waits until all invocations of a work group are here, and see what the others have written
+    to what they share."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"

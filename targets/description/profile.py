@@ -96,6 +96,8 @@ class Limits:
     """Numbers that all of these have together, those of their positions included."""
     work_group: int = 128
     """Invocations in a work group."""
+    shared_bytes: int = 16384
+    """Bytes that the invocations of a work group share."""
     groups: int | None = None
     """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
     bindings: int | None = None
@@ -133,6 +135,7 @@ LIMITED: Mapping[str, Limited] = {
     "render_targets": Limited("render targets"),
     "nested_blocks": Limited("nested blocks"),
     "work_group": Limited("invocations in a work group", COMPUTE),
+    "shared_bytes": Limited("bytes that a work group shares", COMPUTE),
     "emitted_vertices": Limited("vertices of one primitive", GEOMETRY),
     "emitted_components": Limited("numbers at the vertices of one primitive", GEOMETRY),
     "groups": Limited("bind groups"),

@@ -6,10 +6,11 @@ By now all of them are ``native`` nodes: operations that the language has itself
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.operations import NATIVE
+from ...compiler.ir.operations import NATIVE, OF_GROUPS
 from ...compiler.ir.types import (
     Matrix,
     Scalar,
@@ -66,6 +67,14 @@ class EmittedFunction:
         return call(self.name, [*self.passed, *separable(arguments)])
 
 
+class GroupCalls(ABC):
+    """What prints the calls of builtins that join the values of a work group."""
+
+    @abstractmethod
+    def call(self, builtin: str, type_: Type, operand: Printed) -> Printed:
+        """What a builtin comes to, of an operand of this type."""
+
+
 class Natives:
     """Prints calls of builtins, for one stage."""
 
@@ -74,7 +83,9 @@ class Natives:
         context: Context,
         leaves: LeafPrinter,
         functions: Mapping[Node, EmittedFunction],
+        groups: GroupCalls,
     ) -> None:
+        self._groups = groups
         self._definitions = context.definitions
         self._functions = functions
         self._table = context.dialect.natives
@@ -91,6 +102,8 @@ class Natives:
             types = tuple([operand.type for operand in node.operands])
             if (builtin, types) in self._definitions:
                 return self._functions[self._definitions[builtin, types].body].call(operands)
+        if builtin in OF_GROUPS:
+            return self._groups.call(builtin, node.type, operands[0])
         if builtin in self._splats:
             operands = self._widened(node, operands)
         write = self._writers.get(builtin)

@@ -31,6 +31,7 @@ from .context import Context
 from .declarations import Declarations
 from .expressions import Expressions
 from .fields import Fields
+from .group_functions import GroupFunctions
 from .leaves import LeafPrinter
 from .namer import Namer
 from .natives import EmittedFunction, Natives
@@ -71,7 +72,8 @@ class StagePrinter:
             )
             for function in stage.functions
         }
-        self._natives = Natives(context, self._leaves, self._functions)
+        self._groups = GroupFunctions(context, stage, marks)
+        self._natives = Natives(context, self._leaves, self._functions, self._groups)
         self._marks = marks
         self._index = ""
         """The name of the number of a kernel's element."""
@@ -81,9 +83,11 @@ class StagePrinter:
         stage = self._stage
         namer = self._locals()
         expressions, statements = self._body(namer)
-        index_line = self._index_line(namer, expressions)
-        functions = [self._function(function) for function in stage.functions]
-        guard = self._guard(expressions, stage.value_of(EXTENT))
+        extent = stage.value_of(EXTENT)
+        opening = self._opening(namer, expressions, extent)
+        functions = self._groups.views(self._natives)
+        functions += [self._function(function) for function in stage.functions]
+        guard = "" if self._groups else self._guard(expressions, extent)
         group = self._context.program.work_group
         lines = statements.lines(stage.region)
         if stage.emitted:
@@ -104,15 +108,13 @@ class StagePrinter:
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
+            shared=self._groups.shared,
             stores=[] if stage.emitted else list(self._stores(expressions)),
-            texels=list(self._texels(expressions)),
-            scattered=[
-                line for each in stage.scattered for line in self._scattered(expressions, each)
-            ],
+            written=list(self._written(expressions)),
             position=""
             if stage.emitted
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
-            index=index_line,
+            opening=opening,
             guard=guard,
             work_group=() if group is None else group,
             discard=self._discard(expressions, stage.value_of(DISCARD)),
@@ -157,12 +159,12 @@ class StagePrinter:
             return ""
         return self._marks.mark(f"{self._index} >= {expressions.text(extent)}", extent)
 
-    def _index_line(self, namer: Namer, expressions: Expressions) -> str:
-        """The statement that gives the number of a kernel's element, or the place of its texel,
-        its name; else nothing."""
+    def _opening(self, namer: Namer, expressions: Expressions, extent: Node | None) -> list[str]:
+        """The statements that give the number of a kernel's element, or the place of its texel, a
+        name, and else what tells its invocations apart; none in other stages."""
         own = self._invocation
         if own is None:
-            return ""
+            return []
         read, type_ = self._leaves.input(own.name)
         if read == own.name:
             namer.declare(read)
@@ -170,9 +172,46 @@ class StagePrinter:
         for node in reachable(self._stage.roots):
             if node.op == "input" and INPUT.data(node).name == own.name:
                 expressions.bound[node] = self._index, NAME
+        if self._groups and extent is not None:
+            count = self._marks.mark(expressions.text(extent), extent)
+            return self._groups.opening(namer, self._natives, read, count, self._index)
         value = read if type_ == own.type else f"{self._types.type(own.type)}({read})"
         typed = self._types.declare(self._index, own.type)
-        return self._language.forms.let.format(typed=typed, name=self._index, value=value)
+        return [self._language.forms.let.format(typed=typed, name=self._index, value=value)]
+
+    def _written(self, expressions: Expressions) -> Iterator[str]:
+        """The lines with which an invocation of a kernel writes what it has computed."""
+        if self._invocation is None:
+            return
+        lines = list(self._all_written(expressions))
+        if not self._groups:
+            yield from lines
+            return
+        forms = self._language.forms
+        yield forms.if_.format(condition=self._groups.has_element)
+        yield from (INDENT + line for line in lines)
+        yield forms.end
+
+    def _all_written(self, expressions: Expressions) -> Iterator[str]:
+        forms = self._language.forms
+        of_groups = []
+        for output in self._stage.results:
+            if output.store is None or output.kind != STORE:
+                continue
+            store = self._store(expressions, output.store, output.value)
+            line = forms.assign.format(name=store.name, value=store.value)
+            if output.store.of_group > 1:
+                of_groups.append((output.store.of_group, line))
+            else:
+                yield line
+        yield from self._texels(expressions)
+        for each in self._stage.scattered:
+            yield from self._scattered(expressions, each)
+        if of_groups:
+            size, _ = of_groups[0]
+            yield forms.if_.format(condition=f"{self._index} % {size} == 0")
+            yield from (INDENT + line for _, line in of_groups)
+            yield forms.end
 
     @property
     def _invocation(self) -> SystemInput | None:
@@ -193,7 +232,7 @@ class StagePrinter:
                 yield self._marks.mark(text, output.value)
 
     def _stores(self, expressions: Expressions) -> Iterator[StoreView]:
-        """What is written at the end: outputs, levels of a patch, and parts of elements."""
+        """What is written at the end: outputs, and levels of a patch."""
         placed = [output for output in self._stage.results if output.field is not None]
         for field, output in zip(self._fields.delivered, placed, strict=True):
             yield StoreView(field.name, self._value(expressions, output.value))
@@ -201,13 +240,12 @@ class StagePrinter:
         for kind, form in zip(LEVELS, (forms.edge_level, forms.inner_level), strict=True):
             for number, output in enumerate(self._stage.results_of(kind)):
                 yield StoreView(form.format(number=number), self._value(expressions, output.value))
-        for output in self._stage.results:
-            if output.store is not None and output.kind == STORE:
-                yield self._store(expressions, output.store, output.value)
 
     def _store(self, expressions: Expressions, store: Store, value: Node) -> StoreView:
         """The part of an element that is written, and its value."""
         place = self._index
+        if store.of_group > 1:
+            place = f"{place} / {store.of_group}"
         if store.stride > 1:
             place = f"{place} * {store.stride}"
             place += f" + {store.offset}" if store.offset else ""

@@ -189,16 +189,17 @@ class EntryView:
     functions: list[FunctionView]
     lines: list[str]
     stores: list[StoreView]
-    texels: list[str]
-    """The statements that write the texels of images."""
-    scattered: list[str]
-    """Lines that join values with elements of a kernel's choice."""
+    shared: list[str]
+    """Declarations of variables that the invocations of a work group share."""
+    written: list[str]
+    """Lines with which a kernel writes elements of buffers and texels of images."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
-    index: str
-    """The statement that names a kernel's element or texel; empty in other stages."""
+    opening: list[str]
+    """The statements that tell a kernel's invocations apart; none in other stages."""
     guard: str
-    """Where a kernel's invocation has nothing to do; empty in other stages."""
+    """Where a kernel's invocation has nothing to do; empty in other stages, and where all
+    invocations go on to the end."""
     work_group: tuple[int, ...]
     """How many invocations a kernel runs together along x, y and z; empty in other stages."""
     discard: list[str]

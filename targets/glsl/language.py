@@ -128,6 +128,9 @@ FORMS = Forms(
     position="gl_Position",
     deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
+    shared="shared {typed};",
+    # GLSL says that a barrier orders what is shared, too; Mesa's OpenGL moves reads across it.
+    barrier="memoryBarrierShared(); barrier();",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
     edge_level="gl_TessLevelOuter[{number}]",
@@ -253,7 +256,7 @@ OPENGL_4 = Profile(
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
     # Only fragments and kernels are guaranteed to have storage buffers.
-    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024),
+    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024, shared_bytes=32768),
     agrees=AGREES,
     checkers=("glslang-gl450",),
 )

@@ -62,6 +62,8 @@ FORMS = Forms(
     edge_level="edge_levels[{number}]",
     inner_level="inner_levels[{number}]",
     store_texel="{name}[{place}] = {value};",
+    shared="groupshared {typed};",
+    barrier="GroupMemoryBarrierWithGroupSync();",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
@@ -251,7 +253,7 @@ SM6 = Profile(
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
-    limits=Limits(varyings=31, block_bytes=65536, work_group=1024),
+    limits=Limits(varyings=31, block_bytes=65536, work_group=1024, shared_bytes=32768),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node
+from ...compiler.ir.operations import OF_GROUPS
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
 from ...compiler.ir.stages import CAPTURE, CONTROL, TARGET
 from ...compiler.ir.types import Texture, width
@@ -92,8 +93,20 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "nested_blocks": max(depths),
         "render_targets": len(program.results_of(TARGET)),
         "work_group": 0 if program.work_group is None else invocations(program.work_group),
+        "shared_bytes": _shared_bytes(program),
         **_buffer_counts(program, profile),
     }
+
+
+def _shared_bytes(program: Program) -> int:
+    """How many bytes a work group shares that joins values: an array of each type that it joins."""
+    natives = (native for stage in program.stages for native in stage.natives)
+    joined = {native.types[0] for native in natives if native.builtin in OF_GROUPS}
+    if not joined or program.work_group is None:
+        return 0
+    # A vector of three lanes takes the room of four in some languages.
+    lanes = sum({3: 4}.get(width(type_), width(type_)) for type_ in joined)
+    return lanes * LANE_BYTES * invocations(program.work_group)
 
 
 def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
@@ -148,6 +161,8 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
                 if limit is not None and number >= limit:
                     yield Excess(name, number + 1, limit, block.name)
 
+
+LANE_BYTES = 4
 
 BY_CORNER = (
     "each corner that is read has inputs of its own: read fewer slots by corner, or compile with "

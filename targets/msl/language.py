@@ -66,6 +66,9 @@ FORMS = Forms(
     store_texel="{name}.write({value}, uint2({place}));",
     atomic="atomic_{type}",
     scatter="{function}(&{place}, {value}, memory_order_relaxed);",
+    shared="threadgroup {typed};",
+    shared_argument="threadgroup {type}& {name}",
+    barrier="threadgroup_barrier(mem_flags::mem_threadgroup);",
 )
 
 TEXTURES = TextureNames(

@@ -15,6 +15,7 @@ typedef unsigned long size_t;
 #define kernel
 #define constant const
 #define device
+#define threadgroup
 #define thread
 
 namespace metal {
@@ -439,6 +440,12 @@ template <typename T> struct depthcube {
     uint get_height(uint = 0) const;
     uint get_num_mip_levels() const;
 };
+
+// --- work groups --------------------------------------------------------------------------------
+
+enum class mem_flags { mem_none, mem_device, mem_threadgroup };
+
+void threadgroup_barrier(mem_flags);
 
 // --- atomic operations --------------------------------------------------------------------------
 

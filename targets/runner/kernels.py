@@ -14,13 +14,14 @@ import numpy as np
 
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
-from ...compiler.ir.stages import RASTERISED
+from ...compiler.ir.stages import COMPUTED, RASTERISED
 from ...frozen import changed
 from .drivers.draw import Dispatch, Draw, Job, KernelJob, Picture, Pipeline, Written
 from .instances.instance import Instance
 from .routes import Route
 from .runner import Runner
 from .scene_state import CLEAR, Color, SceneState
+from .subject import Subject
 
 _WORD = struct.Struct("<I")
 
@@ -46,6 +47,14 @@ class UndrawableError(ValueError):
 def has_images(reflection: Mapping[str, Any]) -> bool:
     """Whether something compiled is a kernel over images."""
     return reflection["extent"] is not None and bool(reflection["targets"])
+
+
+def is_drawn(subject: Subject) -> bool:
+    """Whether it makes pictures. Kernels over buffers write elements instead, and captures do."""
+    shader = subject.shader
+    if shader.capture is not None:
+        return False
+    return shader.chain != COMPUTED or has_images(subject.reflection)
 
 
 def job_of(

@@ -50,6 +50,8 @@ FORMS = Forms(
     store_texel="textureStore({name}, {place}, {value});",
     atomic="atomic<{type}>",
     scatter="{function}(&{place}, {value});",
+    shared="var<workgroup> {typed};",
+    barrier="workgroupBarrier();",
 )
 
 TEXTURES = TextureNames(

@@ -14,6 +14,7 @@ from . import (
     first,
     guard_cost,
     lean,
+    reductions,
     stage_lengths,
     stages,
     tiles,
@@ -40,6 +41,7 @@ PARTS: dict[str, Part] = {
     "drawing": lambda _: drawing.measure(),
     "stages": lambda _: stages.measure(),
     "tiles": lambda _: tiles.measure(),
+    "reductions": lambda _: reductions.measure(),
 }
 
 

@@ -64,11 +64,11 @@ def measure() -> Iterator[Section]:
         images = [driver.compute(job)[0].images[0] for job in (own, twin)]
         first, second = (np.frombuffer(image, "<f4") for image in images)
         assert np.abs(first - second).max() < 1e-2, "the twin computes something else"
-        plain = _milliseconds(driver, own)
+        plain = milliseconds(driver, own)
         rows: list[Row] = [
             _row("the kernel, in work groups of 64 by 1", plain, plain),
-            _row("the kernel, in work groups of 8 by 8", _milliseconds(driver, usual), plain),
-            _row("by hand, with tiles of 64 by 1", _milliseconds(driver, twin), plain),
+            _row("the kernel, in work groups of 8 by 8", milliseconds(driver, usual), plain),
+            _row("by hand, with tiles of 64 by 1", milliseconds(driver, twin), plain),
         ]
     title = f"31 texels of a row, {SIZE} × {SIZE}, lavapipe: CPU time, best of {RUNS}"
     yield Section("tiles", title, rows)
@@ -89,7 +89,7 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
     return job_of(kernel.reflection, bound, [dispatch])
 
 
-def _milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
+def milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
     """Of the commands alone, without what goes to the device before and comes back afterwards."""
     taken: list[float] = []
     with patch.object(compute, "recording", lambda gpu: _Timed(gpu, taken)):

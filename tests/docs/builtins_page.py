@@ -21,6 +21,7 @@ from burnish.stdlib.builtins import (
     packing,
     texture,
     trigonometry,
+    work_group,
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
@@ -86,6 +87,7 @@ THEMES = (
     ("Packing", packing.ROWS),
     ("Textures", texture.ROWS),
     ("Derivatives", derivative.ROWS),
+    ("Work groups", work_group.ROWS),
 )
 
 WORDS: Mapping[str, str] = {"and": "and", "or": "or", "not": "not", "mod": "mod"}
@@ -144,7 +146,9 @@ def _builtin(row: Builtin) -> Iterator[str]:
     yield from (f"- `{text}`" for text in _signatures(row))
     if row.outside:
         yield f"- *Outside:* {row.outside}"
-    if row.uniform_control_flow:
+    if row.of_group is not None:
+        yield "- Exists in [kernels over buffers](language.md#work-groups) only."
+    elif row.uniform_control_flow:
         yield "- Compares neighbouring pixels, so it cannot be used under `@vertex`."
     yield f"- *Accuracy:* {_bounds(row.accuracy)}"
     if assumptions := _assumptions(row.accuracy):

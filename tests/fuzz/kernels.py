@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from .expressions import FUEL, Writer
-from .scope import Scope, variable
+from .scope import GROUPS, UNIFORM, Scope, variable
 from .tree import Node, listed
 
 OPERATORS = ("add", "min", "max", "and", "or")
@@ -48,13 +48,19 @@ def _over_buffers(writer: Writer, outside: Scope) -> Node:
     """A kernel that computes an element for each of a buffer's."""
     element = writer.chance.choice(("float", "vec2", "int", "uvec4"))
     leaves = (variable("given[index]", element), variable("given.count", "int"))
-    scope = replace(outside, leaves=(*outside.leaves, *leaves, variable("index", "int")))
+    can = frozenset({UNIFORM, GROUPS})
+    scope = replace(
+        outside, leaves=(*outside.leaves, *leaves, variable("index", "int")), can=outside.can | can
+    )
     result = writer.chance.choice(("float", "vec3", "int", "uvec2"))
     value = writer.expression(result, scope, FUEL // 2)
     items = [
         Node(f"buffer given : {element}[]"),
         Node(f"result made : {result}[given.count] = {result}({{}})", (value,)),
     ]
+    if writer.maybe(0.3):
+        value = writer.expression("float", scope, FUEL // 2)
+        items.append(Node("result joined : float[] per group = {}", (value,), optional=True))
     if writer.maybe(0.5):
         items += scatters(writer, scope)
     if writer.maybe(0.5):

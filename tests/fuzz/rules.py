@@ -16,7 +16,7 @@ from burnish.compiler.ir.types import Matrix, Type
 from burnish.compiler.semantics.checking.expressions import OPERATORS
 from burnish.stdlib.builtins import BUILTINS
 
-from .scope import FRAGMENT, LIGHT, LIT, SPACES, SURFACE, TRANSFORMS, UNIFORM
+from .scope import FRAGMENT, GROUPS, LIGHT, LIT, SPACES, SURFACE, TRANSFORMS, UNIFORM
 
 SIZES = (2, 3, 4)
 FLOATS = ("float", "vec2", "vec3", "vec4")
@@ -72,7 +72,8 @@ def _builtins() -> Iterator[Rule]:
     for name, row in BUILTINS.items():
         if row.method is not None or name == "nonzero":
             continue
-        needs = frozenset({UNIFORM, FRAGMENT}) if row.uniform_control_flow else frozenset[str]()
+        needs = frozenset({UNIFORM} if row.uniform_control_flow else ())
+        needs |= {FRAGMENT} if row.compares_pixels else {GROUPS} if row.of_group else set()
         for types, type_ in instances(name):
             operands, result = tuple(map(str, types)), str(type_)
             places = ", ".join("{}" for _ in operands)

@@ -17,11 +17,10 @@ from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import FLOAT, Matrix, Scalar, Vector, scalar_kind
 from burnish.compiler.passes.pipeline import Options
-from burnish.compiler.reference.evaluate import Evaluator
 from burnish.stdlib.builtins import BUILTINS
 
 from .hardware import flat, hardware
-from .kit import World, history
+from .kit import World, evaluator_of, history
 
 TOLERANCE = 1e-9
 NOISE = 1e-13
@@ -65,7 +64,7 @@ def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
 
 def lanes(roots: list[Node], world: World) -> list[float]:
     """The lanes of all roots."""
-    evaluator = Evaluator(world)
+    evaluator = evaluator_of(roots, world)
     return [lane for root in roots for lane in flat(evaluator.value(root))]
 
 

@@ -15,7 +15,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Buffer, Parameter
 from burnish.compiler.ir.node import Node, Roots, reachable
-from burnish.compiler.ir.operations import INPUT, builtin_of
+from burnish.compiler.ir.operations import INPUT, builtin_of, joins_group
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import (
@@ -37,7 +37,7 @@ from burnish.compiler.passes.lower_stages import lower_stages
 from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
-from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.reference.namespace import Binary, Lanes, WorkGroups
 from burnish.compiler.reference.storage_buffers import BufferReader, Contents
 from burnish.compiler.reference.stored import stored
 from burnish.frozen import changed
@@ -270,6 +270,32 @@ class Smooth:
         if scalar_kind(texel) == "float":
             return lanes
         return tuple(self.xp.int64(100.0 * lane) for lane in lanes)
+
+
+class Alone(WorkGroups):
+    """Python's numbers in the place of arrays, for an invocation that is a group of its own."""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(scalars, name)
+
+    def all_joined(self, _join: Binary, x: Any) -> Any:
+        """There is nothing to join it with."""
+        return x
+
+    def joined_through(self, _join: Binary, x: Any) -> Any:
+        """Nor is anything before it."""
+        return x
+
+    def at_the_one_before(self, _x: Any, first: Any) -> Any:
+        """Nothing."""
+        return first
+
+
+def evaluator_of(roots: Sequence[Node], world: World) -> Evaluator:
+    """What evaluates some values in a world."""
+    if any(map(joins_group, reachable(tuple(roots)))):
+        return Evaluator(world, Alone())
+    return Evaluator(world)
 
 
 # --- looking at graphs ---------------------------------------------------------------------------

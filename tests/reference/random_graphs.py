@@ -33,7 +33,7 @@ from burnish.compiler.ir.types import (
     width,
 )
 from burnish.compiler.reference.namespace import Lanes
-from burnish.stdlib.builtins import BUILTINS, derivative, texture
+from burnish.stdlib.builtins import BUILTINS
 
 VECTORS = tuple(Vector("float", size) for size in (2, 3, 4))
 TYPES: tuple[Type, ...] = (
@@ -42,8 +42,10 @@ TYPES: tuple[Type, ...] = (
 )  # fmt: skip
 PAIR = Struct("Pair", (("number", FLOAT), ("vector", VECTORS[1])))
 
-OTHERWISE = {row.name for row in (*texture.ROWS, *derivative.ROWS)}
-"""Builtins that need a texture or neighbours."""
+OTHERWISE = {
+    name for name, row in BUILTINS.items() if row.uniform_control_flow or row.method is not None
+}
+"""Builtins that need a texture, or the values of others."""
 CONSTANTS = (0.0, 1.0, -1.0, 0.5, 2.0, 3.0, 0.1, 1e-3, 7.5, 100.0)
 SPECIAL = (0.0, -0.0, 1.0, -1.0, 0.5, 2.0, 3.0, 1e-30, 2.0**-126, 1e-40, 255.0, 1e6)
 WHOLE = (0, 1, 2, 3, 7, 31, 32, 255, 2**24 + 1, 2**31 - 1)

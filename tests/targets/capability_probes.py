@@ -128,6 +128,7 @@ PROBES: Mapping[str, Probe] = {
         "kernel K { param n : int in 0..300 = 200  result r : float[n] = float(index) * 0.5 }"
     ),
     "scatter": Probe("kernel K { runs over 300  scatter bins : uint[8] add 1u at index mod 8 }"),
+    "joined work groups": Probe("kernel K { result r : int[300] = group_sum(index) }"),
     "kernels over images": Probe(
         "kernel K { result i : image2d<rgba8>[ivec2(8, 8)] = vec4(vec2(texel), 0, 1) / 8 }",
         is_native=writes_images,

@@ -49,6 +49,8 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "written_argument": "type name",
             "atomic": "type",
             "scatter": "function place value",
+            "shared": "typed",
+            "shared_argument": "type name",
             "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",

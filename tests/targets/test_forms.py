@@ -37,7 +37,7 @@ def spellings(table: Spellings) -> Iterator[str]:
 
 def test_every_row_is_a_form_or_a_plain_text() -> None:
     plain = {
-        "else_", "end", "discard", "position", "emit_vertex", "end_strip", "member_end",
+        "else_", "end", "discard", "position", "emit_vertex", "end_strip", "barrier", "member_end",
         "struct_end", "lanes", "lane_words",
     }  # fmt: skip
     flags = {"splat_constant", "matrix_by_rows"}

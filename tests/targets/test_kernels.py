@@ -49,6 +49,41 @@ def test_the_text_of_a_kernel_over_images_is_as_it_was(profile: str) -> None:
         assert_golden(file.text, HERE / "golden" / file.name.replace("Vignette", "vignette"))
 
 
+def test_work_groups_may_share_too_much_for_a_profile() -> None:
+    text = """kernel K {
+        work_group of 1024
+        x = float(index)
+        joined = group_sum(vec4(x)) + group_sum(x) + group_sum(vec3(x)).xyzx
+        result r : vec4[9] = joined + group_max(vec2(x)).xyxy
+    }"""
+    burnish.compile(text.replace("of 1024", "of 512"), "hlsl:sm6")
+    with pytest.raises(burnish.CompileError) as error:
+        burnish.compile(text, "hlsl:sm6")
+    (found,) = error.value.diagnostics
+    assert found.message == (
+        "45056 bytes that a work group shares of K, but hlsl:sm6 has only 32768"
+    )
+
+
+GROUPS = """
+/// What groups of forty numbers come to, and what is before each of these.
+kernel Scanned {
+    work_group of 40
+    buffer numbers : float[]
+    total = group_sum(numbers[index])
+    result totals : vec2[] per group = vec2(total, group_max(numbers[index]))
+    result before : vec3[numbers.count] = group_exclusive_sum(vec3(numbers[index], 1, 0)) / total
+}
+"""
+
+
+@pytest.mark.parametrize("profile", ["glsl:gl450", "hlsl:sm6", "wgsl:webgpu", "msl:metal2"])
+def test_the_text_of_a_kernel_that_joins_is_as_it_was(profile: str) -> None:
+    (kernel,) = burnish.compile(GROUPS, profile)
+    (file,) = kernel.files
+    assert_golden(file.text, HERE / "golden" / file.name.replace("Scanned", "scanned"))
+
+
 def test_profiles_without_kernels_say_so() -> None:
     for profile in ("glsl:gl330", "glsl:es300"):
         with pytest.raises(burnish.CompileError) as error:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from ...ir import build
 from ...ir.node import Folding, Formal, Iterating, Node
-from ...ir.operations import FORMAL, LOOPS, with_role
+from ...ir.operations import FORMAL, LOOPS, joins_group, with_role
 from ...ir.types import INT, scalar_kind
 from ...reference.evaluate import evaluate
 from ..cost import cost, cost_of
@@ -81,7 +81,8 @@ def _is_fixed(_b: Builder, at: Site) -> bool:
             continue
         seen.add(node.id)
         own = node.op == "formal" and FORMAL.data(node) in variables
-        if not (own or node.op in _COMPUTED) or len(seen) * turns > LONGEST_FIXED:
+        computed = node.op in _COMPUTED and not joins_group(node)
+        if not (own or computed) or len(seen) * turns > LONGEST_FIXED:
             return False
         pending += node.operands
     return True

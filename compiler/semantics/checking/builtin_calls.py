@@ -8,6 +8,7 @@ from ....stdlib.builtins.facts import LARGEST_FLOAT
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
+from ...ir.operations import OF_GROUPS
 from ...ir.types import FLOAT
 from ...syntax import ast
 from ...syntax.quoting import shortened
@@ -43,6 +44,7 @@ def builtin_call(
             return no_signature(ctx, name, operands, span, shown, written)
         fitted.append(lane)
     node = ctx.tree.node("call", found.result, tuple(fitted), name)
+    ctx.progress.joins_groups |= name in OF_GROUPS
     largest = ctx.constants.largest(node)
     if largest is not None and largest > LARGEST_FLOAT:
         error = ctx.report.finding(

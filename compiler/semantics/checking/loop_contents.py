@@ -12,7 +12,7 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir.node import Formal, Node, binders, bodies_of, reachable
-from ...ir.operations import LOOPS
+from ...ir.operations import LOOPS, joins_group
 from ...syntax import ast
 from ..state.context import Context
 from .turns import Turns
@@ -113,20 +113,26 @@ def may_stand(
     ):
         ctx.report.add(rules.CROSSING_IN_LOOP, ctx.places.within(crossing, span))
         return False
-    read = next((node for node in inside if compares_neighbours(node)), None)
+    read = next((node for node in inside if needs_others(node)), None)
     if read is None or not (waits or _varies(turns.count)):
         return True
     what = "a texture read" if read.data == "sample" else f"`{read.data}`"
-    labels = [Label(span, "pixels leave this loop after different numbers of iterations")]
-    ctx.report.add(rules.READ_IN_LOOP, ctx.places.within(read, span), what=what, labels=labels)
+    others, does = "pixels", "compares neighbouring pixels"
+    if joins_group(read):
+        others, does = "invocations", "joins the invocations of a work group"
+    labels = [Label(span, f"{others} leave this loop after different numbers of iterations")]
+    ctx.report.add(
+        rules.READ_IN_LOOP, ctx.places.within(read, span), what=what, does=does, labels=labels
+    )
     return False
 
 
-def compares_neighbours(node: Node) -> bool:
-    """Whether an operation takes differences to neighbouring pixels."""
+def needs_others(node: Node) -> bool:
+    """Whether an operation compares neighbouring pixels, or joins the values of a work group."""
     return node.op in ("call", "native") and BUILTINS[str(node.data)].uniform_control_flow
 
 
 def _varies(count: Node) -> bool:
     """Whether pixels may turn differently often."""
-    return any(node.op in _VARYING for node in reachable((count,)))
+    nodes = reachable((count,))
+    return any(node.op in _VARYING or joins_group(node) for node in nodes)

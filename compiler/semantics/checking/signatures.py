@@ -39,7 +39,7 @@ from .bodies import settle_body
 from .call_marks import kinds_of
 from .call_sizes import bodies_of
 from .functions import fit_result, scope_of_body, used
-from .loop_contents import changing, compares_neighbours
+from .loop_contents import changing, needs_others
 from .surfaces import shaded, slots_given
 
 MOST_BODIES = 64
@@ -287,7 +287,7 @@ def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool
     if not isinstance(body.type, Scalar | Vector | Matrix) or is_constant(body):
         return False
     inside = changing((body,), set(formals), ctx.applicable)
-    return not any(node.op == "cross" or compares_neighbours(node) for node in inside)
+    return not any(node.op == "cross" or needs_others(node) for node in inside)
 
 
 def _closed(ctx: Context, symbol: Symbol, body: Node, formals: tuple[Formal, ...]) -> Node:

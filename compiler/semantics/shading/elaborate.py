@@ -37,6 +37,7 @@ from ..state.scope import Failure, Instance, MadeSlots
 from .assembly import Setting, is_declared_abstract
 from .captures import capture_of, captures, captures_of
 from .formats import FORMATS, texel_value
+from .group_results import check_no_groups
 from .host_names import check_host_names
 from .instances import pass_scope
 from .layers import layer_count, layer_of
@@ -59,6 +60,8 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
         *_made(ctx, passing, surface),
         *written_results(ctx, passing),
     )
+    name = surface.record.symbol.declaration.name
+    check_no_groups(ctx, found, "a material", name.span)
     check_slots(ctx, surface, passing)
     read_externs(ctx, parts.module)
     check_host_names(

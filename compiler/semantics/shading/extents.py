@@ -11,6 +11,7 @@ from ...ir.host import KNOWN_IN_TREES
 from ...ir.kernel import WRITTEN_GROUP
 from ...ir.leaves import Buffer
 from ...ir.node import Node, reachable
+from ...ir.operations import joins_group
 from ...ir.shader import BufferInfo, ParameterInfo
 from ...ir.types import INT, RuntimeArray, Type
 from ...syntax import ast
@@ -64,7 +65,7 @@ def known_extent(
 
 
 def _is_known_to_host(node: Node) -> bool:
-    return node.op in _KNOWN_TO_HOST and reads_only_sizes(node)
+    return node.op in _KNOWN_TO_HOST and reads_only_sizes(node) and not joins_group(node)
 
 
 def exists_in_kernels(ctx: Context, value: Node, written: Span) -> bool:

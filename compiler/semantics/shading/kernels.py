@@ -5,16 +5,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from ....frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
+from ...ir.kernel import WorkGroup
 from ...ir.node import Graph, Node
 from ...ir.shader import BufferInfo, Notes, Result, Shader
 from ...ir.stages import COMPUTE, COMPUTED, EXTENT
-from ...ir.types import Opaque, width
+from ...ir.types import INT, Opaque, width
 from ...syntax import ast
 from ..checking.expressions import RULES
 from ..declarations.contracts import as_declared
@@ -29,6 +30,7 @@ from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from .extents import ELEMENTS, declared_extent, exists_in_kernels, known_extent, written_buffer
+from .group_results import check_no_groups, is_per_group, of_each_group
 from .images import extent_type, extent_words, image_result, is_image, mixed
 from .instances import instance_of
 from .scattering import scattered
@@ -72,9 +74,12 @@ def kernel_shader(
     if not extents:
         return None
     ctx.extent = extents[0].node
-    written = _all_written(ctx, record, instance)
-    check_instance(ctx, instance)
     group = work_group_of(ctx, record, width(ctx.extent.type))
+    written = _all_written(ctx, record, instance, group)
+    if ctx.extent.type != INT:
+        drawn = [result for each in written for result in each.results]
+        check_no_groups(ctx, drawn, "a kernel over images", declaration.name.span)
+    check_instance(ctx, instance)
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:
@@ -118,7 +123,8 @@ def _writes_something(ctx: Context, record: Record, declaration: ast.Record) -> 
                 rules.WRITTEN_TWICE, member.name.span, name=member.name.text,
                 labels=[Label(other.name.span, "a result")],
             )  # fmt: skip
-    if scatters and not results and not any(record.every(ast.Extent)):
+    tells = any(record.every(ast.Extent)) or any(each.per is None for each in results.values())
+    if (results or scatters) and not tells:
         ctx.report.add(rules.NO_KERNEL_EXTENT, name.span, name=name.text)
     return not (results and mixed(ctx, [*results.values(), *scatters]))
 
@@ -138,6 +144,8 @@ def _extents(ctx: Context, record: Record, instance: Instance) -> list[_Extent]:
         if node is not None:
             found.append(_Extent(node, record.name, own.count.span, ELEMENTS))
     for member, owner, level in record.every(ast.Result):
+        if is_per_group(ctx, member):
+            continue
         name, what = member.name.text, extent_words(member)
         scope = _scope(owner, instance, level)
         node = declared_extent(ctx, name, member.type, scope, extent_type(member), what)
@@ -167,25 +175,28 @@ def _lowered(
 # --- what is written -----------------------------------------------------------------------------
 
 
-def _all_written(ctx: Context, record: Record, instance: Instance) -> list[_Written]:
+def _all_written(
+    ctx: Context, record: Record, instance: Instance, group: WorkGroup
+) -> list[_Written]:
     """What all members of a kernel write, as far as nothing is wrong with them."""
     found = []
     for result, owner, level in record.every(ast.Result):
-        found.append(_result(ctx, result, _scope(owner, instance, level)))
+        found.append(_result(ctx, result, _scope(owner, instance, level), group))
     for scatter, owner, level in record.every(ast.Scatter):
         made = scattered(ctx, scatter, _scope(owner, instance, level))
         found.append(None if made is None else _Written(*made))
     return [each for each in found if each is not None]
 
 
-def _result(ctx: Context, member: ast.Result, scope: Scope) -> _Written | None:
+def _result(ctx: Context, member: ast.Result, scope: Scope, group: WorkGroup) -> _Written | None:
     """What a result declares, and the value of an element or a texel."""
     if is_image(member):
         image = image_result(ctx, member, scope)
         if image is None or not exists_in_kernels(ctx, image.value, member.value.span):
             return None
         return _Written(None, [image])
-    element = declared_type(ctx, changed(member.type, count=None), scope.module)
+    written = changed(member.type, count=None, unsized=False)
+    element = declared_type(ctx, written, scope.module)
     if element is None:
         return None
     if isinstance(element.type, Opaque) or not is_writable(element.type):
@@ -195,4 +206,7 @@ def _result(ctx: Context, member: ast.Result, scope: Scope) -> _Written | None:
     if isinstance(value, Failure) or not exists_in_kernels(ctx, value, member.value.span):
         return None
     info = written_buffer(member.name, member.doc, element)
-    return _Written(info, list(stores(ctx, info, value)))
+    parts: Iterable[Result] = stores(ctx, info, value)
+    if member.per is not None:
+        parts = of_each_group(ctx, info, parts, group)
+    return _Written(info, list(parts))

@@ -11,6 +11,7 @@ from ...diagnostics.diagnostic import Report
 from ...diagnostics.source import Span
 from ...ir.build import parts_of
 from ...ir.node import Node
+from ...ir.operations import joins_group
 from ...ir.shader import ConstantValue as Value
 from ...ir.types import Matrix, Scalar, Type, scalar_kind
 from ...reference.evaluate import Evaluator, NotConstantError, TooLongError, evaluate
@@ -117,18 +118,23 @@ class ConstantValues:
 
         Each node is looked at once, however many values are made of it.
         """
-        if any(each.op not in _OPERATIONS for each in (node, *node.operands)):
+        if not all(map(_is_computed, (node, *node.operands))):
             return False
         plain, pending = self._plain, [node]
         while pending:
             top = pending[-1]
             missing = [operand for operand in top.operands if operand not in plain]
-            if top.op in _OPERATIONS and missing:
+            if missing and _is_computed(top):
                 pending += missing
                 continue
-            plain[top] = top.op in _OPERATIONS and all(plain[o] for o in top.operands)
+            plain[top] = _is_computed(top) and all(plain[o] for o in top.operands)
             pending.pop()
         return plain[node]
+
+
+def _is_computed(node: Node) -> bool:
+    """Whether an operation can be computed at once, if its operands can."""
+    return node.op in _OPERATIONS and not joins_group(node)
 
 
 def _nested(type_: Type, lanes: Lanes) -> Value:

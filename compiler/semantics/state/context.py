@@ -74,6 +74,8 @@ class Progress:
     unproven: int = 0
     """How often something depended on a variable's value, in the body that is being checked: on how
     large it is, say. Then what was found does not hold for all its values."""
+    joins_groups: bool = False
+    """Whether some value has been joined from those of a work group."""
     depth: int = 0
     """How many values are computed inside each other on Python's stack (``evaluation``)."""
 

@@ -198,7 +198,7 @@ def _unseen(root: Node, seen: Container[int]) -> list[Node]:
 def _exists_before_fragments(node: Node) -> bool:
     """Whether stages before the fragments have what an operation needs, besides its operands."""
     if node.op == "call":
-        return not BUILTINS[str(node.data)].uniform_control_flow
+        return not BUILTINS[str(node.data)].compares_pixels
     return node.op != "input" or INPUT.data(node) not in FRAGMENT.inputs
 
 
@@ -210,5 +210,5 @@ def missing_in_kernels(root: Node) -> Node | None:
 def _exists_in_kernels(node: Node) -> bool:
     """Whether a kernel has what an operation needs, besides its operands."""
     if node.op == "call":
-        return not BUILTINS[str(node.data)].uniform_control_flow
+        return not BUILTINS[str(node.data)].compares_pixels
     return node.op != "input" or INPUT.data(node).name in KERNEL_INPUTS

@@ -250,7 +250,8 @@ KINDS: tuple[MemberKind, ...] = (
         records=("kernel",),
         inheritance="replaced",
         contribution="result",
-        form="a result is `result name : type[count] = expression`",
+        form="a result is `result name : type[count] = expression`, or "
+        "`result name : type[] per group = expression`",
         doc="what a kernel writes to each element of a buffer, or to each texel of an image",
         has_default=True,
     ),

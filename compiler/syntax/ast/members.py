@@ -172,12 +172,14 @@ class Tessellate:
 
 @frozen(eq=False)
 class Result:
-    """``result after : T[n] = e``: what a kernel writes to each of ``n`` elements."""
+    """``result after : T[n] = e``: what a kernel writes to each of ``n`` elements; or
+    ``result totals : T[] per group = e``, to one for each work group."""
 
     span: Span
     doc: str
     name: Name
     type: TypeName
+    per: Name | None
     value: Expression
 
 
