@@ -108,7 +108,7 @@ class Feeding:
 
     def _check_type(self, reader: Instance, row: Mapping[str, Any], writer: Kernel) -> None:
         written = writer.results[row["name"]]
-        if row["layout"] != written["layout"]:
+        if _stored(row) != _stored(written):
             raise FeedError(
                 f"`{row['name']}` of {reader.reflection['material']} is {row['type']}, and "
                 f"{writer.name} writes {written['type']}"
@@ -152,11 +152,17 @@ class Feeding:
                     known = ", ".join(f"`{known}`" for known in self._writers) or "none"
                     raise FeedError(f"no kernel writes `{name}`; there are {known}")
             source, target = (self._writers[name].results[name] for name in (result, buffer))
-            if source["layout"] != target["layout"]:
+            if _stored(source) != _stored(target):
                 raise FeedError(
                     f"`{buffer}` is {target['type']}, and cannot become `{result}`, which is "
                     f"{source['type']}"
                 )
+
+
+def _stored(row: Mapping[str, Any]) -> object:
+    """How the elements of a buffer are stored; structures are told apart by their members only."""
+    members = [struct["members"] for struct in row["structs"]]
+    return row["stride"], members or row["layout"]
 
 
 def _writers(kernels: Sequence[Kernel]) -> dict[str, Kernel]:
