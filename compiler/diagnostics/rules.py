@@ -910,11 +910,6 @@ TWO_TESSELLATIONS = _error(
     "`{name}` divides its patches twice",
     "A material has one tessellation. Two mixins that each have one cannot be combined.",
 )
-TESSELLATED_AND_EXPANDED = _error(
-    "B0572",
-    "`{name}` divides its patches and expands its primitives",
-    "A material does one of the two.",
-)
 WRONG_POINTS = _error(
     "B0573",
     "`{patch}` patches have from {least} to {most} control points, and not {count}",
@@ -960,6 +955,13 @@ NOT_OF_THIS_PATCH = _error(
     "`{patch}` patches have no `{word}`",
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
+)
+NOT_OF_PATCHES = _error(
+    "B0590",
+    "the parts of a divided `{patch}` patch are `{made}` primitives, and not `{primitive}`",
+    "Where a material divides its patches, `expand` says what each part of a patch turns into. The "
+    "parts of triangle and quad patches are triangles, and those of isoline patches are lines. "
+    "They know nothing of the vertices next to them.",
 )
 
 # --- B06: rigs and lights ------------------------------------------------------------------------

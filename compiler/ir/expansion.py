@@ -6,27 +6,14 @@ geometry stage draw by it, and the reflection tells it to the host.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from itertools import accumulate
 from typing import Literal
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
-
-CORNERS: Mapping[str, int] = {
-    "point": 1,
-    "line": 2,
-    "triangle": 3,
-    "line_adjacency": 4,
-    "triangle_adjacency": 6,
-}
-"""How many vertices each kind of primitive has. With adjacency they are in the order of Vulkan and
-OpenGL: a line between the vertices next to its ends, a triangle with the vertex across each edge
-behind the one where that edge begins."""
+from .primitives import CORNERS, DrawnPrimitive
 
 StripShape = Literal["strip", "list", "points"]
-
-EmittedPrimitive = Literal["point", "triangle"]
 
 
 @frozen
@@ -89,7 +76,7 @@ class Expansion:
         return sum(group.listed for group in self.groups)
 
     @property
-    def emits(self) -> EmittedPrimitive:
+    def emits(self) -> DrawnPrimitive:
         """What the emitted vertices are; all groups agree in that."""
         return "point" if self.groups[0].shape == "points" else "triangle"
 

@@ -95,6 +95,12 @@ FLAT = Crossing(VERTICES, FRAGMENTS, "flat")
 """As the first of a triangle's vertices has it."""
 CORNER = Crossing(VERTICES, EMITTED, "corner")
 """As one corner of the primitive has it that is being expanded."""
+TESSELLATED_CORNER = Crossing(TESSELLATED, EMITTED, "corner")
+"""The same where the primitive is one of those into which a patch is divided."""
+INTO_EMITTED: Mapping[Domain, Crossing] = {
+    crossing.origin: crossing for crossing in (CORNER, TESSELLATED_CORNER)
+}
+"""How values get to emitted vertices from those that the corners of a primitive are."""
 PATCH_CORNER = Crossing(VERTICES, PATCHES, "corner")
 """As one control point of the patch has it whose levels are computed."""
 CONTROL_POINT = Crossing(VERTICES, TESSELLATED, "corner")
@@ -253,6 +259,9 @@ CAPTURED_EXPANDED: Chain = (VERTEX, GEOMETRY)
 
 TESSELLATED_CHAIN: Chain = (VERTEX, CONTROL, EVALUATION, FRAGMENT)
 """What divides each patch of a mesh into triangles or lines before these are drawn."""
+
+TESSELLATED_EXPANDED: Chain = (VERTEX, CONTROL, EVALUATION, GEOMETRY, FRAGMENT)
+"""What turns each of these triangles or lines into others before these are drawn."""
 
 COMPUTED: Chain = (COMPUTE,)
 """What computes the elements of buffers or the texels of images, each by an invocation of its

@@ -11,6 +11,7 @@ from typing import Literal
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
+from .primitives import CORNERS, DrawnPrimitive
 from .stages import PATCH_COORDINATE, PATCH_WEIGHTS, SystemInput
 
 Patch = Literal["triangle", "quad", "isoline"]
@@ -40,16 +41,21 @@ class PatchKind:
     """For each ``INNER_LEVEL``, the numbers of the edges that are divided in its direction."""
     coordinate: SystemInput
     """Where a vertex lies in the patch."""
-    cell: int
-    """How many vertices each of its parts has: triangles, or lines."""
+    drawn: DrawnPrimitive
+    """What it is divided into."""
+
+    @property
+    def cell(self) -> int:
+        """How many vertices each of its parts has."""
+        return CORNERS[self.drawn]
 
 
 PATCH_KINDS: Mapping[Patch, PatchKind] = {
-    "triangle": PatchKind(3, ((1, 2), (2, 0), (0, 1)), ((0, 1, 2),), PATCH_WEIGHTS, 3),
+    "triangle": PatchKind(3, ((1, 2), (2, 0), (0, 1)), ((0, 1, 2),), PATCH_WEIGHTS, "triangle"),
     "quad": PatchKind(
-        4, ((0, 3), (0, 1), (1, 2), (3, 2)), ((1, 3), (0, 2)), PATCH_COORDINATE, 3
+        4, ((0, 3), (0, 1), (1, 2), (3, 2)), ((1, 3), (0, 2)), PATCH_COORDINATE, "triangle"
     ),
-    "isoline": PatchKind(2, (None, (0, 1)), (), PATCH_COORDINATE, 2),
+    "isoline": PatchKind(2, (None, (0, 1)), (), PATCH_COORDINATE, "line"),
 }  # fmt: skip
 
 

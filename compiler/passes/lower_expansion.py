@@ -23,13 +23,15 @@ from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.rewrite import rewrite
-from ..ir.shader import AttributeInfo, Notes, ParameterInfo, Result, Shader
+from ..ir.shader import Notes, ParameterInfo, Result, Shader
 from ..ir.stages import (
     CAPTURED,
     CLIP_POSITION,
+    CONTROL,
     EMITTED,
     EMITTING,
     FLAT,
+    FRAGMENTS,
     GEOMETRY,
     GROUP,
     LAYER,
@@ -42,7 +44,8 @@ from ..ir.stages import (
     SystemInput,
 )
 from ..ir.types import BOOL, INT
-from .corner_inputs import CornerInputs, listed_vertex, placed
+from .corner_inputs import placed
+from .expanded_corners import CellCorners, Corners, MeshCorners
 
 LAYER_OF_DRAW = "draw.layer"
 """What the parameter is called that says for which layer a draw is; with ``_`` behind it if a light
@@ -54,9 +57,16 @@ def lower_expansion(shader: Shader) -> Shader:
     if shader.expansion is None:
         return shader
     before = len(shader.graph)
-    lowering = _Lowering(shader, shader.expansion)
-    values = lowering.lowered([result.value for result in shader.results])
-    results = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
+    patches = shader.tessellation
+    corners: Corners
+    if patches is None:
+        corners = MeshCorners(shader, shader.expansion)
+    else:
+        corners = CellCorners(shader, patches, shader.expansion)
+    lowering = _Lowering(shader, shader.expansion, corners)
+    told = [result for result in shader.results if result.stage != CONTROL]
+    values = lowering.lowered([result.value for result in told])
+    results = [changed(r, value=v) for r, v in zip(told, values, strict=True)]
     drawn = lowering.drawn(results)
     delivered = [
         _placed(shader, result, drawn) for result in results if result.kind not in (EMITTING, LAYER)
@@ -71,7 +81,9 @@ def lower_expansion(shader: Shader) -> Shader:
     return changed(
         shader,
         results=tuple(delivered),
-        attributes=lowering.attributes,
+        attributes=corners.attributes,
+        levels=corners.levels,
+        listed=corners.listed,
         parameters=lowering.parameters,
         layer=lowering.layer,
         chain=RASTERISED if shader.capture is None else CAPTURED,
@@ -91,15 +103,15 @@ def _placed(shader: Shader, result: Result, drawn: Node | None) -> Result:
 class _Lowering:
     """Makes vertices of emitted vertices, and collects what these read of the mesh."""
 
-    def __init__(self, shader: Shader, expansion: Expansion) -> None:
+    def __init__(self, shader: Shader, expansion: Expansion, corners: Corners) -> None:
         self._graph: Graph = shader.graph
         self._notes: Notes = shader.notes
-        self._inputs = CornerInputs(shader, expansion.corners, expansion.span)
+        self._corners = corners
         self._expansion = expansion
         self._parameters = shader.parameters
         self.layer: Parameter | None = None
         """What says for which layer of the render targets a draw is, if they have any."""
-        self._numbers = EmittedNumbers(shader.graph, expansion)
+        self._numbers = EmittedNumbers(shader.graph, expansion, corners.vertex)
 
     def lowered(self, roots: Sequence[Node]) -> Roots:
         """The values at the vertices, and of the fragments."""
@@ -111,6 +123,7 @@ class _Lowering:
         layers = [result.value for result in results if result.kind == LAYER]
         found = [] if all(map(_is_true, values)) else [self._numbers.by_group(values)]
         found += [self._is_drawn(layer) for layer in layers]
+        found += [] if self._corners.is_there is None else [self._corners.is_there]
         if not found:
             return None
         return reduce(lambda one, other: self._graph.node("call", BOOL, (one, other), "and"), found)
@@ -131,24 +144,22 @@ class _Lowering:
         doc, span = "The layer of the render targets that is drawn", self._expansion.span
         return (*self._parameters, ParameterInfo(self.layer, str(INT), None, 0, doc, span))
 
-    @property
-    def attributes(self) -> tuple[AttributeInfo, ...]:
-        """The vertex inputs that are read."""
-        return self._inputs.attributes
-
     def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op == "input":
             row = INPUT.data(node)
             if row == PRIMITIVE_INDEX:
-                return self._inputs.number(row)
+                assert isinstance(self._corners, MeshCorners)
+                return self._corners.number(row)
             if row.domain != EMITTED:
                 return None
             found = self._numbers.of(row)
             self._notes.names.setdefault(found.id, row.name)
             return found
         crossing = CROSS.data(node)
+        if crossing.destination not in (EMITTED, FRAGMENTS):
+            return None  # It leads to a vertex of a patch, of which a corner asks.
         if crossing.mode == "corner":
-            return self._inputs.at_corner(*operands)
+            return self._corners.at_corner(*operands)
         return build.cross(graph, operands[0], FLAT if crossing.mode == "flat" else SMOOTH)
 
 
@@ -159,12 +170,12 @@ def _is_true(value: Node) -> bool:
 class EmittedNumbers:
     """Where a vertex of a list of triangles lies among the groups of strips that are emitted."""
 
-    def __init__(self, graph: Graph, expansion: Expansion) -> None:
+    def __init__(self, graph: Graph, expansion: Expansion, vertex: Node) -> None:
+        """``vertex`` is the number of the vertex in that list."""
         self._graph = graph
         self._groups = expansion.groups
         self._starts = expansion.starts
-        self._vertex = listed_vertex(graph, expansion.listed)
-        """The number of the vertex in the draw."""
+        self._vertex = vertex
 
     def of(self, row: SystemInput) -> Node:
         """One of the numbers that tell emitted vertices apart."""

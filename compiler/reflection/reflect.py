@@ -148,22 +148,24 @@ def _draw_row(shader: Shader) -> dict[str, Any]:
     expansion, patches = shader.expansion, shader.tessellation
     row: dict[str, Any] = {
         "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
-        "tessellation": None, "layers": _layers_row(shader),
+        "topology": "triangle", "tessellation": None, "layers": _layers_row(shader),
     }  # fmt: skip
     if patches is not None:
         row |= {
             "primitive": PATCHES,
             "corners": patches.points,
+            "topology": PATCHES if EVALUATION in shader.chain else patches.kind.drawn,
             "tessellation": _tessellation_row(shader, patches),
             "vertices": shader.listed or None,
         }
     if expansion is not None:
         native = GEOMETRY in shader.chain
+        if patches is None:
+            row |= {"primitive": expansion.primitive, "corners": expansion.corners}
         row |= {
-            "primitive": expansion.primitive,
-            "corners": expansion.corners,
+            "topology": row["primitive"] if native else expansion.emits,
             "expanded_by": GEOMETRY.name if native else "instances",
-            "vertices": expansion.vertices if native else expansion.listed,
+            "vertices": expansion.vertices if native else shader.listed or expansion.listed,
         }
     return row
 

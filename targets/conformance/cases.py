@@ -39,6 +39,8 @@ BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 
 FEW_TRIANGLES = 1
 """Into so many a patch may be divided before meshes get fewer patches."""
+FEW_LINES = 1 / 4
+"""The share of cells that meshes have of whose edges lines are drawn."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -59,12 +61,20 @@ class Series:
     cases: tuple[Case, ...]
 
 
-def series_of(reflection: Mapping[str, Any], seed: int = 0, size: Size = SIZE) -> Iterator[Series]:
+def series_of(
+    reflection: Mapping[str, Any],
+    seed: int = 0,
+    size: Size = SIZE,
+    like: Mapping[str, Any] | None = None,
+) -> Iterator[Series]:
     """All cases of one material; ``seed`` is the seed of its random values.
 
     Pictures of a smaller ``size`` have meshes of fewer triangles: random programs are drawn so.
-    The images of a kernel have sizes of their own.
+    The images of a kernel have sizes of their own. ``like`` is the reflection of another form of
+    the material, whose meshes these cases have: what is drawn with native stages is compared with
+    what is drawn without.
     """
+    draw = (like or reflection)["draw"]
     if has_images(reflection):
         yield Series(exact=False, cases=tuple(
             Case(name, full_screen_state(_kernel(reflection, seed + turn, size), UNCOVERED))
@@ -72,13 +82,15 @@ def series_of(reflection: Mapping[str, Any], seed: int = 0, size: Size = SIZE) -
         ))  # fmt: skip
         return
     yield Series(exact=True, cases=(
-        _defaults(reflection, size),
-        _stretched("stretched", reflection, seed, UNCOVERED, size),
+        _defaults(reflection, size, draw),
+        _stretched("stretched", reflection, seed, UNCOVERED, size, draw),
         _behind(reflection, seed + 1, size),
         _inside(reflection, seed + 2, size),
     ))  # fmt: skip
     if any(row["blend"] != "none" for row in reflection["targets"]):
-        yield Series(exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size),))
+        yield Series(
+            exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size, draw),)
+        )
 
 
 def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:
@@ -94,26 +106,34 @@ def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:
     return instance
 
 
-def _cells(usual: int, reflection: Mapping[str, Any], size: Size) -> int:
+def _cells(usual: int, draw: Mapping[str, Any], size: Size) -> int:
     """How many cells a mesh has in one direction, which has ``usual`` ones in the usual size.
 
-    There are fewer if each patch is drawn with many vertices.
+    There are fewer if each patch is drawn with many vertices, or if lines are drawn: where many of
+    them cross in one pixel, rounding decides which is seen.
     """
-    divided = reflection["draw"]["tessellation"] is not None
-    triangles = (reflection["draw"]["vertices"] or 0) / 3 if divided else 0
+    patches = draw["tessellation"]
+    triangles = (draw["vertices"] or 0) / 3 if patches else 0
     share = min(1.0, math.sqrt(FEW_TRIANGLES / triangles)) if triangles else 1.0
+    if patches and patches["kind"] == "isoline":
+        share = FEW_LINES
     return max(3, round(usual * share * min(1.0, max(size) / max(SIZE))))
 
 
-def _defaults(reflection: Mapping[str, Any], size: Size) -> Case:
+def _defaults(reflection: Mapping[str, Any], size: Size, draw: Mapping[str, Any]) -> Case:
     instance = Instance(reflection)
     sample_values(instance, 0, missing=True)
-    mesh = sphere(_cells(32, reflection, size), _cells(16, reflection, size))
+    mesh = sphere(_cells(32, draw, size), _cells(16, draw, size))
     return _case("defaults", instance, mesh, Scene(light_count=2), size)
 
 
 def _stretched(
-    name: str, reflection: Mapping[str, Any], seed: int, clear: Color, size: Size
+    name: str,
+    reflection: Mapping[str, Any],
+    seed: int,
+    clear: Color,
+    size: Size,
+    draw: Mapping[str, Any],
 ) -> Case:
     """Scaled differently along each axis, with all lights, close to the mesh and inside it."""
     scene = Scene(
@@ -122,7 +142,7 @@ def _stretched(
         light_distance=0.35,
         light_count=64,
     )
-    mesh = torus(_cells(24, reflection, size), _cells(16, reflection, size))
+    mesh = torus(_cells(24, draw, size), _cells(16, draw, size))
     return _case(name, _sampled(reflection, seed), mesh, scene, size, clear)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from ...compiler.reference.picture.scene import Derivatives
+from ...compiler.reference.picture.scene import Derivatives, Lines
 from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
 
 
@@ -34,6 +34,8 @@ class Hardware:
     """Whether levels follow from a quad's first row and column, by Euclidean lengths."""
     corner_bits: int | None = None
     """Of the mean of the three texels around a cube's corner; ``None``: it may be one of them."""
+    lines: Lines = "any"
+    """Which pixels a line covers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +52,12 @@ class Driver:
     """Whether attributes are interpolated between snapped vertices, as coverage always is."""
     clips_sides: bool = False
     """Whether it clips triangles at the sides of the picture, and snaps the new corners."""
+    owns_bottom: bool = False
+    """Whether pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
     """How close to an edge, in pixels, it may put a pixel on the wrong side."""
+    snaps_line_ends: bool = False
+    """Whether it snaps the ends of lines, and half their width by itself."""
     level_power: int | None = None
     """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
     projects_cubes: bool = True
@@ -62,10 +68,11 @@ _LLVM = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
-        derivatives="own", euclidean_steps=True, corner_bits=20,
+        derivatives="own", euclidean_steps=True, corner_bits=20, lines="rectangle",
     ),
     clips_sides=True,
     edge_slack=2.0**-11,
+    snaps_line_ends=True,
     level_power=2,
 )  # fmt: skip
 _SWIFTSHADER = Driver(
@@ -73,16 +80,23 @@ _SWIFTSHADER = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
-        derivatives="first", euclidean_steps=True, corner_bits=8,
+        derivatives="first", euclidean_steps=True, corner_bits=8, lines="rectangle",
     ),
     interpolates_snapped=True,
     clips_sides=True,
     level_power=4,
     projects_cubes=False,
 )  # fmt: skip
-# OpenGL does not define which triangle owns a pixel that is exactly on an edge, and rows from the
-# bottom up invert the top-left rule. Such pixels are undecided.
-_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16)
+
+
+def _with_lines(driver: Driver, lines: Lines) -> Driver:
+    """The same driver under an API for which it covers lines by another rule."""
+    measured = driver.measured and replace(driver.measured, lines=lines)
+    return replace(driver, measured=measured)
+
+
+# Its rows are drawn from the bottom up, which turns the top-left rule into a bottom-left one.
+_WEBGL = replace(_with_lines(_SWIFTSHADER, "parallelogram"), owns_bottom=True)
 
 # Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
 # less than what such devices are known for. It was tried on lavapipe only.
@@ -102,7 +116,7 @@ _ANY_DEVICE = Driver(
 
 DRIVERS: Mapping[str, Driver] = {
     "lavapipe": _LLVM,
-    "llvmpipe": _LLVM,
+    "llvmpipe": _with_lines(_LLVM, "diamonds"),
     "swiftshader": _SWIFTSHADER,
     "webgpu": _SWIFTSHADER,
     "webgl2": _WEBGL,

@@ -76,7 +76,7 @@ class Plan:
             (series, tuple(case.state.draw() for case in drawn.cases))
             for series, drawn in zip(
                 series_of(self.meant.reflection, seed, size),
-                series_of(subject.reflection, seed, size),
+                series_of(subject.reflection, seed, size, like=self.meant.reflection),
                 strict=True,
             )
         ]
@@ -230,6 +230,7 @@ def rules_of(
         device.subpixel_bits,
         interpolates_snapped=driver.interpolates_snapped,
         clips_sides=driver.clips_sides,
+        owns_bottom=driver.owns_bottom,
         edge_slack=driver.edge_slack,
         subtexel_bits=hardware.subtexel_bits,
         varying_bits=hardware.varying_bits,
@@ -239,6 +240,8 @@ def rules_of(
         derivatives=hardware.derivatives,
         euclidean_steps=hardware.euclidean_steps,
         corner_bits=hardware.corner_bits,
+        lines=hardware.lines,
+        snaps_line_ends=driver.snaps_line_ends,
         level_power=driver.level_power,
         bottom_up=bottom_up,
         projects_cubes=driver.projects_cubes,

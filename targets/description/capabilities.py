@@ -70,7 +70,8 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "tessellation",
-        "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`.",
+        "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`, "
+        "`tessellate isoline by 8 lines 4 { … }`.",
         (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((), AS_PATTERNS)),
     ),
     Capability(

@@ -76,7 +76,7 @@ class Fields:
         crossing = self._delivered if is_control else self._inputs
         return TessellationView(
             patch=language.patches[patches.patch],
-            lines=kind.cell == 2,
+            lines=kind.drawn == "line",
             spacing=language.spacings[patches.spacing],
             points=patches.points,
             edge_levels=len(kind.edges),

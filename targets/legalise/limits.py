@@ -171,9 +171,6 @@ BY_CORNER = (
 
 WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captures the vertices"
 
-WITHOUT_LINES = "divide triangles or quads, or compile for a profile that has this stage"
-"""Only patches that turn into triangles are drawn without the stages that divide them."""
-
 
 def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     """What a program uses and the profile has not got."""
@@ -184,8 +181,6 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         of_primitives = bool(stage.emitted) or stage.row == CONTROL
         captures = program.capture is not None and STREAM_OUTPUT.is_met(profile)
         instead = WITH_STREAM_OUTPUT if captures and not stage.emitted else ""
-        if stage.row == CONTROL and program.tessellation and program.tessellation.kind.cell == 2:
-            instead = WITHOUT_LINES
         yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives, instead)
     for stage in program.stages:
         need = buffers_of(stage.row)

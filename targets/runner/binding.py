@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ...compiler.ir.stages import EVALUATION, GEOMETRY
+from ...compiler.ir.stages import EVALUATION
 from .codes import Codes
 from .drivers.draw import (
     BlockSlot,
@@ -18,7 +18,6 @@ from .drivers.draw import (
     ImageSlot,
     Pipeline,
     Place,
-    Primitive,
     RenderTarget,
     StreamOutput,
     TargetFormat,
@@ -108,7 +107,7 @@ def pipeline(
             if not images
         ),
         layers=_layers(reflection["draw"]["layers"]),
-        primitive=_primitive(reflection["draw"]),
+        primitive=reflection["draw"]["topology"],
         patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
         cull=cull,
         flip_y=backend["flip_y"],
@@ -137,14 +136,6 @@ def _stream_output(
         primitive=captured["primitive"],
         in_text=backend["stream_output"] == "text",
     )
-
-
-def _primitive(draw: Mapping[str, Any]) -> Primitive:
-    """What the vertices of a draw are: triangles where instances stand for another stage."""
-    primitive: Primitive = draw["primitive"]
-    if draw["tessellation"]:
-        return primitive if _divided_natively(draw) else "triangle"
-    return primitive if draw["expanded_by"] in (None, GEOMETRY.name) else "triangle"
 
 
 def _divided_natively(draw: Mapping[str, Any]) -> bool:

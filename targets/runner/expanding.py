@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.primitives import CORNERS
 from ...compiler.ir.stages import EVALUATION, GEOMETRY, PATCH_INDEX, PRIMITIVE_INDEX
 from .instances.instance import Instance
 from .meshes import Indices, Mesh, MeshError
@@ -63,18 +64,29 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     if row["divided_by"] == EVALUATION.name:
         return Drawn(data, found, copies)
+    rows = reflection["vertex_inputs"]
+    attributes = {
+        each["name"]: _values(each["mesh"], data, found, copies)
+        for each in rows
+        if not each["mesh"]["is_of_pattern"]
+    }
+    vertices, cell = reflection["draw"]["vertices"], CORNERS[reflection["draw"]["topology"]]
     if row["levels"] is None:
         # No input is of the pattern: each vertex finds out by its number where it lies.
-        places, triangles = np.empty(0), np.arange(reflection["draw"]["vertices"]).reshape(-1, 3)
+        cells = np.arange(vertices).reshape(-1, cell)
     else:
-        places, triangles = pattern(row["kind"], row["spacing"], *instance.patch_levels())
-    attributes = {
-        each["name"]: places
-        if each["mesh"]["is_of_pattern"]
-        else _values(each["mesh"], data, found, copies)
-        for each in reflection["vertex_inputs"]
-    }
-    return Drawn(attributes, triangles, copies * len(found))
+        places, cells = pattern(row["kind"], row["spacing"], *instance.patch_levels())
+        numbers = cells
+        if vertices is not None:
+            # Each vertex that a cell turns into gets where all corners of the cell lie.
+            numbers = np.repeat(cells, vertices, axis=0)
+            cells = np.arange(len(numbers)).reshape(-1, cell)
+        for each in rows:
+            if each["mesh"]["is_of_pattern"]:
+                corner = each["mesh"]["corner"]
+                found_at = slice(None) if corner is None else numbers[:, corner]
+                attributes[each["name"]] = places[found_at]
+    return Drawn(attributes, cells, copies * len(found))
 
 
 def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int) -> NDArray[Any]:

@@ -45,11 +45,12 @@ def patches(mesh: Mesh, kind: Patch, points: int, ends: Sequence[int]) -> Indice
 def pattern(
     kind: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
 ) -> tuple[NDArray[Any], Indices]:
-    """Where the points of a divided patch lie in it, and the triangles between them."""
+    """Where the points of a divided patch lie in it, and the triangles or lines between them."""
     found = divided(kind, edges, inside, spacing)
-    lanes = width(PATCH_KINDS[kind].coordinate.type)
+    row = PATCH_KINDS[kind]
+    lanes = width(row.coordinate.type)
     places = np.array(found.places, np.float64).reshape(-1, 3)[:, :lanes] / ONE
-    return places, np.array(found.cells, np.int64).reshape(-1, 3)
+    return places, np.array(found.cells, np.int64).reshape(-1, row.cell)
 
 
 def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:

@@ -32,6 +32,20 @@ def cases_of(name: str, material: str) -> dict[str, Case]:
     return {case.name: case for case in series.cases}
 
 
+def test_native_stages_draw_the_meshes_of_what_they_are_compared_with() -> None:
+    """Without them a patch whose levels differ has many vertices, so that meshes have few."""
+    (native,) = burnish.compile(
+        FOLDER / "level_of_detail.burnish", (), native_stages=True
+    ).materials
+    lowered = reflection_of("level_of_detail", native.name)
+    for own, like in zip(
+        series_of(native.reflection, like=lowered), series_of(lowered), strict=True
+    ):
+        for case, other in zip(own.cases, like.cases, strict=True):
+            patches = len(other.state.attributes["corner0.vertex_position"])
+            assert len(case.state.triangles) == patches
+
+
 def plastic(case: str) -> Case:
     return cases_of("plastic", "Plastic")[case]
 

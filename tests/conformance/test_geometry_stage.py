@@ -17,8 +17,9 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
-from burnish.compiler.ir.expansion import CORNERS, Expansion
+from burnish.compiler.ir.expansion import Expansion
 from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.primitives import CORNERS
 from burnish.compiler.passes.lower_expansion import EmittedNumbers, _Lowering
 from burnish.targets.conformance.cases import series_of
 from burnish.targets.runner import expanding

@@ -28,13 +28,15 @@ from burnish.frozen import changed
 from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.fields import Fields
 from burnish.targets.emit.views import TessellationView
-from burnish.targets.runner import expanding
+from burnish.targets.runner import binding, expanding
+from burnish.targets.runner.drivers.draw import Pipeline
 from burnish.targets.runner.meshes import Indices, plane, sphere
 from burnish.targets.runner.patches import pattern
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
+from . import kit
 from .kit import Floats, Studio
 from .planted.planting import Plant, form, supplied, target
 from .test_tessellation_stages import ON, PROFILES, SPACINGS
@@ -84,6 +86,16 @@ EXACT = {
     }""",
     "fractional quads": """tessellate quad spacing fractional_even by 4 inside vec2(2, 8) as at {
         mark = at.x + 2 * at.y
+        part = int(64 * at.x + 8 * at.y)
+    }""",
+    "lines": """tessellate isoline by 4 lines 3 as at {
+        position = inherited.position + vec3(0, 0.25, 0.25) * at.y + vec3(0, 0, 0.5) * at.x
+        mark = at.x + 2 * at.y
+        part = int(64 * at.x + 8 * at.y) + int(patch_index)
+    }""",
+    "fractional lines": """tessellate isoline spacing fractional_odd by detail + 0.5 lines 2 as at {
+        position = inherited.position + vec3(0.125, 0.25, 0) * at.y
+        mark = at.x
         part = int(64 * at.x + 8 * at.y)
     }""",
     "many points": """tessellate quad of 9 ends [0, 2, 8, 6] by 2 as at {
@@ -298,6 +310,17 @@ def _handing_on_the_first(patch: pytest.MonkeyPatch, _folder: Path) -> None:
     patch.setattr(Fields, "tessellation", wrong)
 
 
+def _other_topology(patch: pytest.MonkeyPatch, _folder: Path) -> None:
+    """A host takes the vertices of lines for those of triangles."""
+    right = binding.pipeline
+
+    def wrong(*asked: Any, **options: Any) -> Pipeline:
+        made = right(*asked, **options)
+        return replace(made, primitive="triangle") if made.primitive == "line" else made
+
+    patch.setattr(kit, "pipeline", wrong)
+
+
 PLANTED = {
     "triangles turn the other way": ("triangles", "lavapipe:glsl", _winding("glsl", "ccw")),
     "they do in HLSL": ("triangles", "lavapipe:hlsl-dxc", _winding("hlsl", "ccw")),
@@ -328,6 +351,13 @@ PLANTED = {
     ),
     "the pattern's places are others": ("triangles", "lavapipe:glsl", _other_places),
     "triangles begin with other vertices": ("quads", "lavapipe:glsl", _other_first_vertex),
+    "lines run the other way": (
+        "lines", "lavapipe:glsl", supplied("glsl", "patch_coordinate", "gl_TessCoord.yx")
+    ),
+    "as many segments as lines": (
+        "lines", "lavapipe:glsl", form("glsl", edge_level="gl_TessLevelOuter[1 - {number}]")
+    ),
+    "lines are taken for triangles": ("lines", "lavapipe:glsl", _other_topology),
     "levels of other edges": (
         "levels", "lavapipe:glsl", form("glsl", edge_level="gl_TessLevelOuter[({number} + 1) % 3]")
     ),

@@ -128,6 +128,7 @@ def conformance_page() -> str:
     page = spliced(page, "routes", table(("route", "text", "how"), _routes()))
     heading = (
         "driver", "", "interpolated", "position", "subtexel", "level", "mixed", "edges, in pixels",
+        "lines",
     )  # fmt: skip
     return spliced(page, "drivers", table(heading, _drivers()))
 
@@ -146,7 +147,7 @@ def _drivers() -> Iterator[tuple[str, ...]]:
                     found.varying_bits, found.frag_coord_bits, found.subtexel_bits, found.mip_bits,
                     found.mixing_bits or "",
                 )  # fmt: skip
-                yield f"`{name}`", what, *map(str, bits), slack
+                yield f"`{name}`", what, *map(str, bits), slack, found.lines
 
 
 def graph_page() -> str:

@@ -16,15 +16,19 @@ SPREAD = variable("spread", "float")
 
 def expansion(writer: Writer, scope: Scope, *, layers: int = 0) -> Iterator[Node]:
     """A slot of the expansion's own, and the expansion; in a pass, its targets may have layers."""
-    primitive = writer.chance.choice([*CORNERS])
-    groups = [
-        _strips(writer, scope, primitive, layers) for _ in range(writer.chance.choice((1, 1, 2)))
-    ]
     yield Node("spread : float = 0.25", role="slot", name="spread")
     if layers:
         yield Node(f"layers of {layers}", role="layers")
         yield Node("layer : int = 1", role="slot")
-    yield listed(f"expand {primitive} {{{{ {{}} }}}}", groups, " ", "expansion")
+    yield expand(writer, scope, writer.chance.choice([*CORNERS]), layers)
+
+
+def expand(writer: Writer, scope: Scope, primitive: str, layers: int = 0) -> Node:
+    """The expansion of these primitives."""
+    groups = [
+        _strips(writer, scope, primitive, layers) for _ in range(writer.chance.choice((1, 1, 2)))
+    ]
+    return listed(f"expand {primitive} {{{{ {{}} }}}}", groups, " ", "expansion")
 
 
 def _strips(writer: Writer, scope: Scope, primitive: str, layers: int) -> Node:

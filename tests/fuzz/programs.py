@@ -23,7 +23,7 @@ from .scope import (
     Signature,
     variable,
 )
-from .tessellations import tessellation
+from .tessellations import divided_and_expanded, tessellation
 from .textures import DEFAULTS, KINDS, SETTINGS, settings_of
 from .tree import Node, expression, listed
 
@@ -79,7 +79,7 @@ class _Program:
     has_bench: bool = False
     """Whether there is a space of the program's own."""
     divides_patches: bool = False
-    """Whether a material divides patches, which no pass may expand then."""
+    """Whether a material divides patches: a pass may not expand all primitives then."""
     has_buffers: bool = False
     """Whether there may be storage buffers, and so nothing that compares neighbouring pixels: Mesa
     reads zeros where a pixel is there for its neighbours only (``docs/drivers.md``)."""
@@ -166,10 +166,10 @@ class _Program:
         items += self._places(scope)
         items += self._slots(scope, "s", most=3)[1]
         if writer.maybe(0.2):
-            made = writer.chance.choice((expansion, expansion, tessellation))
+            made = writer.chance.choice((expansion, expansion, tessellation, divided_and_expanded))
             items += made(writer, scope)
             scope = scope.having(SPREAD)
-            self.divides_patches |= made is tessellation
+            self.divides_patches |= made is not expansion
         below = scope.having(*_OWN)
         last_scope, slots = self._slots(below, "c", most=1)
         color = writer.expression("rgb", last_scope)

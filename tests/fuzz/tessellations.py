@@ -5,17 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from .expansions import expand
 from .expressions import FUEL, Writer
 from .scope import Scope, variable
 from .tree import Node, listed
 
-PATCHES = {"triangle": ("vec3", 3), "quad": ("vec2", 4)}
+PATCHES = {"triangle": ("vec3", 3), "quad": ("vec2", 4), "isoline": ("vec2", 2)}
 """The type of a vertex's place in a patch, and how many ends that has."""
 
 
 def tessellation(writer: Writer, scope: Scope) -> Iterator[Node]:
-    """A slot of the tessellation's own, and the tessellation: of levels that a host can compute."""
+    """A slot of the tessellation's own, and the tessellation."""
+    yield Node("spread : float = 0.25", role="slot", name="spread")
+    yield _tessellate(writer, scope, writer.chance.choice([*PATCHES]))
+
+
+def divided_and_expanded(writer: Writer, scope: Scope) -> Iterator[Node]:
+    """The same, and an expansion of what patches are divided into."""
     patch = writer.chance.choice([*PATCHES])
+    yield Node("spread : float = 0.25", role="slot", name="spread")
+    yield _tessellate(writer, scope, patch)
+    yield expand(writer, scope, "line" if patch == "isoline" else "triangle")
+
+
+def _tessellate(writer: Writer, scope: Scope, patch: str) -> Node:
+    """A tessellation of levels that a host can compute."""
     place, ends = PATCHES[patch]
     head = f"tessellate {patch}"
     if writer.maybe(0.3):
@@ -25,7 +39,9 @@ def tessellation(writer: Writer, scope: Scope) -> Iterator[Node]:
     if writer.maybe(0.5):
         head += f" spacing {writer.chance.choice(('equal', 'fractional_even', 'fractional_odd'))}"
     head += f" by {writer.chance.choice(('2', '1.5', '3', '1 + 2 * 0.75'))}"
-    if writer.maybe(0.3):
+    if patch == "isoline":
+        head += f" lines {writer.chance.choice(('1', '2', '2.5'))}" if writer.maybe(0.5) else ""
+    elif writer.maybe(0.3):
         head += f" inside {writer.chance.choice(('1', '2', '3.25'))}"
     lanes = "xyz"[: 3 if place == "vec3" else 2]
     known = [
@@ -46,5 +62,4 @@ def tessellation(writer: Writer, scope: Scope) -> Iterator[Node]:
         if writer.maybe(0.6):
             value = writer.expression(type_, inside, FUEL // 4)
             equations.append(Node(f"{name} = {form}", (value,), role="divided", optional=True))
-    yield Node("spread : float = 0.25", role="slot", name="spread")
-    yield listed(f"{head} as at {{{{ {{}} }}}}", equations, "  ", "tessellation")
+    return listed(f"{head} as at {{{{ {{}} }}}}", equations, "  ", "tessellation")

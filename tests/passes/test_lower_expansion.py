@@ -12,10 +12,11 @@ from dataclasses import dataclass
 
 import pytest
 
-from burnish.compiler.ir.expansion import CORNERS, EmittedStrips
+from burnish.compiler.ir.expansion import EmittedStrips
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.operations import CROSS
+from burnish.compiler.ir.primitives import CORNERS
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import (
     CLIP_POSITION,

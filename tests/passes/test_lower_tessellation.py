@@ -191,9 +191,22 @@ def evaluate_mixed(ends: list[Lanes], weights: Lanes) -> list[float]:
     ]
 
 
-def test_lines_keep_their_stages() -> None:
+@pytest.mark.parametrize(("lines", "count"), [("1", 2 * 5), ("3", 2 * 3 * 5)])
+def test_lines_whose_levels_differ_have_as_many_vertices_as_they_can(
+    lines: str, count: int
+) -> None:
+    (whole,) = elaborated(
+        f"material M {{ tessellate isoline by clamp(8 * end[0].uv.x, 1, 5) lines {lines} {{ }} }}"
+    )
+    made = lower_tessellation(whole)
+    assert (made.chain, made.listed) == (RASTERISED, count)
+
+
+def test_lines_that_a_host_divides_read_where_they_lie() -> None:
     (whole,) = elaborated("material M { tessellate isoline by 4 { } }")
-    assert lower_tessellation(whole) is whole
+    made = lower_tessellation(whole)
+    assert (made.chain, made.listed) == (RASTERISED, 0)
+    assert [i.declared_type for i in made.attributes if i.mesh and i.mesh.is_of_pattern] == ["vec2"]
 
 
 @pytest.mark.parametrize(("most", "count"), [("1", 3), ("2", 3 * 6), ("5", 3 * 37)])

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from burnish.compiler.reference.picture import RasterRules
-from burnish.compiler.reference.picture.coverage import Fragments, fragments_of
-from burnish.compiler.reference.picture.faces import assemble
+from burnish.compiler.reference.picture.assembly import faces_of
+from burnish.compiler.reference.picture.coverage import Fragments, coverage_of
 from burnish.compiler.reference.picture.scene import Bools, Floats
 
 
@@ -29,9 +29,12 @@ def drawn(window: Any, triangles: Any, rules: RasterRules) -> tuple[Fragments, B
 
 
 def covered(positions: Floats, triangles: Any, rules: RasterRules) -> tuple[Fragments, Bools]:
-    """What triangles between clip positions cover."""
+    """What triangles between clip positions cover, and which pixels are undecided."""
     with np.errstate(all="ignore"):
-        return fragments_of(assemble(positions, np.asarray(triangles), rules), rules)
+        found = coverage_of(faces_of(positions, np.asarray(triangles), rules), rules)
+    unsure = np.zeros(rules.width * rules.height, dtype=np.bool_)
+    unsure[found.doubtful.pixel] = True
+    return found.fragments, unsure
 
 
 def counts(window: Any, triangles: Any, rules: RasterRules) -> Any:
@@ -84,8 +87,8 @@ def test_inner_edges_are_not_seen(rim: Any, one: Any, other: Any, bits: int | No
 
     def winding(centre: Any) -> Any:
         with np.errstate(all="ignore"):
-            faces = assemble(clip_positions([*rim, centre], rules), np.asarray(fan), rules)
-            fragments, _ = fragments_of(faces, rules)
+            faces = faces_of(clip_positions([*rim, centre], rules), np.asarray(fan), rules)
+            fragments = coverage_of(faces, rules).fragments
         signs = np.where(faces.front[fragments.face], 1, -1)
         return np.bincount(fragments.pixel, signs, 64).tolist()
 

@@ -269,6 +269,31 @@ def test_depths_that_rounding_may_exchange_are_undecided() -> None:
     assert not picture(given, layers(*rows), fine).undecided.any()
 
 
+EDGE_THROUGH_MIDDLES = [(-1, -1, 0.6, 1), (1, -1, 0.6, 1), (-1, 1, 0.6, 1)]
+"""A triangle with the diagonal through the middles of pixels, which rounding may take from it."""
+
+
+@pytest.mark.parametrize(("depth", "undecided"), [(0.2, 0), (0.8, 4)])
+@pytest.mark.parametrize("in_front", [False, True])
+def test_an_edge_that_is_hidden_leaves_nothing_undecided(
+    depth: float, undecided: int, in_front: bool
+) -> None:
+    """In whichever order the two triangles are drawn."""
+    whole = [(x, y, depth, w) for x, y, _, w in FULL]
+    corners = [whole, EDGE_THROUGH_MIDDLES][:: -1 if in_front else 1]
+    mesh = triangles([place for corner in corners for place in corner], c=[RED] * 3 + [GREEN] * 3)
+    found = picture(passing(COLOURED), mesh, changed(at(), edge_slack=2.0**-10))
+    assert found.undecided.sum() == undecided
+
+
+def test_what_may_be_discarded_hides_nothing() -> None:
+    whole = [(x, y, 0.2, w) for x, y, _, w in FULL]
+    mesh = triangles([*whole, *EDGE_THROUGH_MIDDLES], c=[RED] * 3 + [GREEN] * 3)
+    given = passing(COLOURED, discard="discard when material.c.a < 0.5")
+    found = picture(given, mesh, changed(at(), edge_slack=2.0**-10))
+    assert found.undecided.sum() == 4
+
+
 def test_the_far_plane_is_not_nearer_than_itself() -> None:
     found = picture(passing(COLOURED), layers((1.0, RED)), at(), clear=BLUE)
     assert (found.targets[0] == BLUE).all() and not found.covered.any()

@@ -122,6 +122,75 @@ error[B0201]: unknown slot of `P` `colour`
     )
 
 
+DIVIDED = """
+material M {{
+    mark  : float = uv.y
+    tessellate triangle by 4 as at {{ mark = at.x  uv = inherited.uv * at.y }}
+    color = vec3(mark, uv.x, 0)
+    {}
+}}
+"""
+PARTS = """expand triangle {
+    strip of 3 as i where corner[0].mark < 0.4 {
+        mark     = inherited.mark + corner[i].uv.x + float(patch_index)
+        position = inherited.position + mark * normal
+    }
+}"""
+
+
+@pytest.mark.parametrize("native_stages", [False, True])
+def test_a_pass_expands_divided_patches_as_their_material_would(native_stages: bool) -> None:
+    in_material = texts(DIVIDED.format(PARTS), native_stages=native_stages)
+    in_pass = texts(DIVIDED.format("") + PASS.format(PARTS), "P", native_stages=native_stages)
+    assert in_pass == in_material
+    assert len(in_pass) == (5 if native_stages else 2)
+
+
+def test_what_the_pass_overrides_is_so_at_divided_patches_too() -> None:
+    """The tessellation reads what the pass says, and not what the expansion makes of it."""
+    source = """
+        material M {
+            tessellate triangle by 4 { position = inherited.position + alpha * normal }
+            color = vec3(alpha)
+        }
+        pass P : Forward {
+            alpha = uv.x
+            expand triangle { strip of 3 as i { alpha = 0.25 * inherited.alpha * float(i) } }
+        }
+    """
+    _vertex, _control, evaluation, geometry, fragment = texts(source, "P", native_stages=True)
+    assert "float alpha = uv.x;" in evaluation
+    assert "vec3 position = inherited_position + alpha * normal;" in evaluation
+    assert "v_position_alpha = vec4(position, alpha);" in evaluation
+    (varying,) = re.findall(r"out float (\w+);", geometry)
+    assert f"{varying} = 0.25 * v_position_alpha[i].w * float(i);" in geometry
+    assert f"vec4(vec3({varying}), {varying})" in fragment
+
+
+def test_what_parts_of_patches_do_not_have() -> None:
+    source = DIVIDED.format("""expand triangle {
+        strip of 3 as i { mark = corner[3].mark + float(primitive_index) }
+    }""")
+    assert (
+        told(source + PASS.format(""))
+        == """\
+error[B0520]: there is no corner 3: the last one is 2
+ --> <text>:7:41
+  |
+7 |         strip of 3 as i { mark = corner[3].mark + float(primitive_index) }
+  |                                         ^
+  = help: Corners are numbered from 0: a point has one, a line two and a triangle three. With \
+adjacency a line has four and a triangle six.
+
+error[B0201]: unknown name `primitive_index`
+ --> <text>:7:57
+  |
+7 |         strip of 3 as i { mark = corner[3].mark + float(primitive_index) }
+  |                                                         ^^^^^^^^^^^^^^^
+  = help: what is counted here is `patch_index`"""
+    )
+
+
 def told(source: str) -> str:
     """What is said of a source."""
     return render_all(burnish.check(source, pass_="P"))

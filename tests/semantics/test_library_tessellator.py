@@ -21,7 +21,7 @@ from .kit import leaves, shader
 CALLS = {
     "triangle": "triangle_vertex(edges.xyz, insides.x, {spacing}, index)",
     "quad": "quad_vertex(edges, insides, {spacing}, index)",
-    "isolines": "line_vertex(edges.x, edges.y, {spacing}, index)",
+    "isolines": "line_vertex(edges.xy, {spacing}, index)",
 }
 MORE = 9
 """Vertices that are asked for beyond those that there are."""

@@ -15,6 +15,7 @@ import burnish
 from burnish.api import _compiled
 from burnish.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
+from burnish.compiler.ir.stages import CONTROL
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions
@@ -118,17 +119,51 @@ def test_what_is_handed_on_keeps_its_place() -> None:
 LINES = "material M { tessellate isoline by 4 { } }"
 
 
-def test_lines_need_the_stages() -> None:
-    with pytest.raises(burnish.CompileError) as caught:
-        burnish.compile(LINES, "wgsl")
-    (found,) = caught.value.diagnostics
-    assert (found.message, found.hint) == (
-        "wgsl:webgpu has no control stage",
-        "divide triangles or quads, or compile for a profile that has this stage",
-    )
+@pytest.mark.parametrize(("native", "topology"), [(False, "line"), (True, "patch")])
+def test_lines_are_drawn_with_the_stages_and_without(native: bool, topology: str) -> None:
+    (material,) = burnish.compile(LINES, "glsl:vulkan", native_stages=native).materials
+    draw = material.reflection["draw"]
+    assert (draw["topology"], draw["tessellation"]["kind"]) == (topology, "isoline")
+    assert (CONTROL in material.shader.chain) == native
 
 
-def test_lines_have_no_reference() -> None:
-    (material,) = burnish.compile(LINES, "glsl:vulkan").materials
+EXPANDED = """
+material M {{
+    tessellate triangle by {} {{ }}
+    expand triangle {{ strip of 4 as i like corner[i mod 3] {{ }} }}
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("level", "native", "vertices"),
+    [
+        ("4", True, 4),
+        ("4", False, 6),  # For each triangle of the host's pattern.
+        ("clamp(9 * end[0].uv.x, 1, 2)", True, 4),
+        ("clamp(9 * end[0].uv.x, 1, 2)", False, 6 * 6),  # For each patch, of six triangles at most.
+    ],
+)
+def test_what_a_host_draws_where_parts_of_patches_are_expanded(
+    level: str, native: bool, vertices: int
+) -> None:
+    (made,) = burnish.compile(EXPANDED.format(level), "glsl:vulkan", native_stages=native).materials
+    draw = made.reflection["draw"]
+    assert (draw["primitive"], draw["corners"]) == ("patch", 3)
+    assert draw["topology"] == ("patch" if native else "triangle")
+    assert draw["tessellation"]["divided_by"] == ("evaluation" if native else "instances")
+    assert draw["expanded_by"] == ("geometry" if native else "instances")
+    assert draw["vertices"] == vertices
+    pattern = [
+        (row["name"], row["step"], row["mesh"]["corner"])
+        for row in made.reflection["vertex_inputs"]
+        if row["mesh"] is not None and row["mesh"]["is_of_pattern"]
+    ]
+    by_host = [(f"pattern.corner{k}.patch_weights", "vertex", k) for k in range(3)]
+    assert pattern == ([] if native or level != "4" else by_host)
+
+
+def test_native_stages_have_no_reference() -> None:
+    (material,) = burnish.compile(LINES, "glsl:vulkan", native_stages=True).materials
     with pytest.raises(UndrawableError, match="M has other stages than the reference"):
         drawable(material.shader)

@@ -22,8 +22,9 @@ from ..bounds import Bounded, Errors, exact
 from ..evaluate import Evaluator
 from ..held_values import HeldValues
 from ..namespace import Lane, Lanes
-from ..picture.coverage import Fragments, fragments_of
-from ..picture.faces import Faces, assemble
+from ..picture.assembly import faces_of
+from ..picture.coverage import Fragments, coverage_of
+from ..picture.faces import Faces
 from ..picture.quads import Barycentric, Quads, depths_of, rows_above
 from ..picture.sampler import TextureReader
 from ..picture.scene import Floats, Geometry, RasterRules, Texels
@@ -89,7 +90,7 @@ class PixelShader:
         read = (node.data for node in reachable(shader.roots) if isinstance(node.data, Resource))
         self._readers = {r: Reader(textures[r.name], r, rules) for r in read}
         vertices = StageEvaluator(shader, values, textures, rules, errors).vertices(geometry)
-        faces = assemble(vertices.positions, geometry.triangles, rules, vertices.off)
+        faces = faces_of(vertices.positions, geometry.triangles, rules, vertices.off)
         for face in _faces_at(faces, rules, x, y):
             self._enter(faces, face, rules, x, y)
             if not self.evaluated(1, _unchanged).discarded[0]:
@@ -224,7 +225,7 @@ class Reader:
 
 def _faces_at(faces: Faces, rules: RasterRules, x: int, y: int) -> list[int]:
     """The faces that cover a pixel, the nearest one first."""
-    fragments, _ = fragments_of(faces, rules)
+    fragments = coverage_of(faces, rules).fragments
     here = fragments.pixel == y * rules.width + x
     members = Fragments(fragments.face[here], fragments.pixel[here])
     depth, _ = depths_of(faces, members, rules)

@@ -1,8 +1,8 @@
-"""Clips triangles in clip space: at near (0 <= z), at far (z <= w), and at the eye (0 < w).
+"""Clips triangles and lines in clip space: at near (0 <= z), at far (z <= w), at the eye (0 < w).
 
-``faces.py`` calls it before it divides by w. Double precision needs no clipping at the sides of the
-picture, but some devices do it, and snap the new corners to their grid. The algorithm is from
-Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
+``faces.py`` and ``lines.py`` call it before they divide by w. Double precision needs no clipping at
+the sides of the picture, but some devices do it, and snap the new corners to their grid. The
+algorithm for triangles is from Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
 """
 
 from __future__ import annotations
@@ -19,14 +19,15 @@ _SMALLEST_W = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Clipped:
-    """The parts of triangles that are inside of the planes; each is a face."""
+    """The parts of triangles or lines that are inside of the planes; each is a face."""
 
-    triangle: Ints
-    """(faces,): the triangle that each is a part of, in ascending order."""
+    primitive: Ints
+    """(faces,): the triangle or line that each is a part of, in ascending order."""
     weights: Floats
-    """(faces, 3, 3): each corner as a weighted sum of the triangle's corners."""
+    """(faces, 3, 3), of lines (faces, 2, 2): each corner as a weighted sum of those of the
+    whole."""
     made: Bools
-    """(faces, 3): whether clipping has made the corner."""
+    """(faces, 3 or 2): whether clipping has made the corner."""
 
 
 def clip(corners: Floats, *, sides: bool = False) -> Clipped:
@@ -36,10 +37,7 @@ def clip(corners: Floats, *, sides: bool = False) -> Clipped:
     that are not finite are removed.
     """
     distances = _distances(corners, sides)
-    inside = distances >= 0
-    finite = np.isfinite(corners).reshape(-1, 12).all(axis=1)
-    kept: Bools = np.asarray(finite & inside.any(axis=1).all(axis=-1))
-    whole: Bools = kept & inside.all(axis=(1, 2))
+    kept, whole = _kept(corners, distances)
     crossing = np.flatnonzero(kept & ~whole)
     parts = [_parts(distances[i]) for i in crossing]
     pieces = [piece for part in parts for piece in part]
@@ -51,6 +49,32 @@ def clip(corners: Floats, *, sides: bool = False) -> Clipped:
     order = np.argsort(triangle, kind="stable")
     made: Bools = np.asarray((weights < 1).all(axis=2))
     return Clipped(triangle[order], weights[order], made[order])
+
+
+def clip_lines(ends: Floats) -> Clipped:
+    """Clip lines whose ends have these clip positions, (lines, 2, 4); not at the picture's sides.
+
+    Lines with numbers that are not finite are removed.
+    """
+    distances = _distances(ends, sides=False)
+    kept, whole = _kept(ends, distances)
+    begin, end = distances[:, 0], distances[:, 1]
+    share = begin / np.where(begin == end, 1.0, begin - end)
+    first = np.where(begin < 0, share, 0.0).max(axis=1)
+    last = np.where(end < 0, share, 1.0).min(axis=1)
+    kept &= whole | (first < last)
+    shares = np.stack([first, last], axis=1)[kept]
+    weights = np.stack([1.0 - shares, shares], axis=2)
+    return Clipped(np.flatnonzero(kept), weights, np.asarray((weights < 1).all(axis=2)))
+
+
+def _kept(corners: Floats, distances: Floats) -> tuple[Bools, Bools]:
+    """Which triangles or lines may have a part inside, and which are inside as a whole."""
+    inside = distances >= 0
+    finite = np.isfinite(corners).all(axis=(1, 2))
+    kept: Bools = np.asarray(finite & inside.any(axis=1).all(axis=-1))
+    whole: Bools = kept & inside.all(axis=(1, 2))
+    return kept, whole
 
 
 def _distances(corners: Floats, sides: bool) -> Floats:

@@ -1,6 +1,6 @@
 """Finds the pixels that a face covers, with edge functions at pixel centres and the top-left rule.
 
-``drawing.py`` calls ``fragments_of``. If vertices are snapped to a grid, the edge functions are
+``drawing.py`` calls ``coverage_of``. If vertices are snapped to a grid, the edge functions are
 exact. Otherwise an edge that two faces share is still evaluated in the same direction for both, so
 that no pixel on it is drawn twice or never. Source: Pineda, "A parallel algorithm for polygon
 rasterization", 1988.
@@ -8,7 +8,7 @@ rasterization", 1988.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,8 +31,19 @@ class Fragments:
 
 
 @dataclass(frozen=True, slots=True)
+class Coverage:
+    """What faces cover, and where rounding may change that."""
+
+    fragments: Fragments
+    certain: Bools
+    """(fragments,): which of them every device has."""
+    doubtful: Fragments
+    """Those that a device may have or not, whether they are among the fragments or not."""
+
+
+@dataclass(frozen=True, slots=True)
 class _Edges:
-    """The edges of faces, each from its upper (or else left) end; arrays are (faces, 3)."""
+    """The edges of faces, each from its upper (or else left) end; arrays are (faces, sides)."""
 
     x: Floats
     y: Floats
@@ -40,7 +51,8 @@ class _Edges:
     dy: Floats
     """With the sign that makes the edge function positive inside."""
     owns: Bools
-    """Whether the face owns pixels that are exactly on the edge: a top or left edge."""
+    """Whether the face owns pixels that are exactly on the edge: a top or left edge,
+    or on some devices a bottom or left edge."""
     reach: Floats
     """The value of the edge function up to which rounding may move the edge."""
 
@@ -58,31 +70,42 @@ class _Spans:
         return _Spans(*(getattr(self, name)[begin:end] for name in self.__slots__))
 
 
-def fragments_of(faces: Faces, rules: RasterRules) -> tuple[Fragments, Bools]:
-    """The pixels that faces cover; and for each pixel whether this depends on rounding."""
-    edges = _edges(faces)
-    unsure = np.zeros(rules.width * rules.height, dtype=np.bool_)
-    found: list[Fragments] = []
-    spans = _spans(faces, edges, rules)
-    for part in _portions(spans):
-        face = np.repeat(part.face, part.length)
-        before = np.cumsum(part.length) - part.length
-        x = np.arange(len(face)) + np.repeat(part.start - before, part.length)
-        pixel = np.repeat(part.y * rules.width, part.length) + x
-        covered, close = _tried(edges, part, face, x + 0.5)
-        unsure[pixel[close]] = True
-        found.append(Fragments(face[covered], pixel[covered]))
-    if not found:
-        none = np.zeros(0, dtype=np.int64)
-        return Fragments(none, none), unsure
-    joined = Fragments(
-        np.concatenate([part.face for part in found]),
-        np.concatenate([part.pixel for part in found]),
+def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
+    """The pixels that faces cover."""
+    edges = _edges(faces, rules)
+    found = [_covered(faces, edges, part, rules) for part in _portions(_spans(faces, edges, rules))]
+    return Coverage(
+        _joined([part.fragments for part in found]),
+        np.concatenate([np.zeros(0, np.bool_), *(part.certain for part in found)]),
+        _joined([part.doubtful for part in found]),
     )
-    return joined, unsure
 
 
-def _edges(faces: Faces) -> _Edges:
+def _covered(faces: Faces, edges: _Edges, spans: _Spans, rules: RasterRules) -> Coverage:
+    """Which pixels of some spans are covered."""
+    face = np.repeat(spans.face, spans.length)
+    before = np.cumsum(spans.length) - spans.length
+    column = np.arange(len(face)) + np.repeat(spans.start - before, spans.length)
+    row = np.repeat(spans.y, spans.length)
+    pixel: Ints = row * rules.width + column
+    x, y = (np.asarray(at + 0.5, np.float64) for at in (column, row))
+    covered, close = faces.settled(face, (x, y), *_tried(edges, spans, face, x))
+    return Coverage(
+        Fragments(face[covered], pixel[covered]),
+        np.asarray(~close[covered]),
+        Fragments(face[close], pixel[close]),
+    )
+
+
+def _joined(parts: Sequence[Fragments]) -> Fragments:
+    none = np.zeros(0, np.int64)
+    return Fragments(
+        np.concatenate([none, *(part.face for part in parts)]),
+        np.concatenate([none, *(part.pixel for part in parts)]),
+    )
+
+
+def _edges(faces: Faces, rules: RasterRules) -> _Edges:
     x, y = faces.x, faces.y
     to_x, to_y = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
     swapped = (to_y < y) | ((to_y == y) & (to_x < x))
@@ -92,9 +115,9 @@ def _edges(faces: Faces) -> _Edges:
     turn = np.where(swapped != (faces.area < 0)[:, None], -1.0, 1.0)
     dx = turn * np.where(swapped, x - to_x, to_x - x)
     dy = turn * np.abs(to_y - y)
-    unsure = np.maximum(faces.unsure, np.roll(faces.unsure, -1, axis=1))
-    owns = (dy < 0) | ((dy == 0) & (dx > 0))
-    return _Edges(from_x, from_y, dx, dy, owns, unsure * np.hypot(dx, dy))
+    level_owns = dx < 0 if rules.owns_bottom else dx > 0
+    owns = (dy < 0) | ((dy == 0) & level_owns)
+    return _Edges(from_x, from_y, dx, dy, owns, faces.unsure * np.hypot(dx, dy))
 
 
 def _spans(faces: Faces, edges: _Edges, rules: RasterRules) -> _Spans:
@@ -121,7 +144,7 @@ def _clamped(places: Floats, low: int, high: int) -> Ints:
 def _between(edges: _Edges, face: Ints, y: Floats) -> tuple[Floats, Floats]:
     """Where the row through ``y`` enters and leaves each face, allowing for rounding."""
     begin, end = np.full(len(face), -np.inf), np.full(len(face), np.inf)
-    for side in range(3):
+    for side in range(edges.x.shape[1]):
         dx, dy = edges.dx[face, side], edges.dy[face, side]
         reach = np.abs(edges.reach[face, side] / dy)
         crossing = edges.x[face, side] + dx * (y - edges.y[face, side]) / dy
@@ -146,7 +169,7 @@ def _tried(edges: _Edges, spans: _Spans, face: Ints, x: Floats) -> tuple[Bools, 
     covered = np.ones(len(x), dtype=np.bool_)
     beside = np.ones(len(x), dtype=np.bool_)
     close = np.zeros(len(x), dtype=np.bool_)
-    for side in range(3):
+    for side in range(edges.x.shape[1]):
         along = edges.dx[spans.face, side] * (spans.y + 0.5 - edges.y[spans.face, side])
         value = np.repeat(along, spans.length)
         value -= edges.dy[face, side] * (x - edges.x[face, side])

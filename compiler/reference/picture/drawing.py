@@ -12,9 +12,10 @@ from ...ir.stages import DISCARD
 from ...ir.types import width
 from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
+from .assembly import faces_of
 from .copies import place_numbers
-from .coverage import Fragments, fragments_of
-from .faces import Faces, assemble
+from .coverage import Fragments, coverage_of
+from .faces import Faces
 from .quads import Barycentric, Quads, depths_of, quads_of
 from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
@@ -67,7 +68,7 @@ class _Drawing:
         self._rules = rules
         self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
-        self._faces: Faces = assemble(
+        self._faces: Faces = faces_of(
             self._vertices.positions, geometry.triangles, rules, self._vertices.off
         )
         self._places = place_numbers(shader, geometry, self._faces)
@@ -80,16 +81,32 @@ class _Drawing:
 
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas
-        fragments, canvas.undecided[:] = fragments_of(self._faces, self._rules)
+        coverage = coverage_of(self._faces, self._rules)
+        fragments, doubtful = coverage.fragments, coverage.doubtful
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._opaque:
+            sure = coverage.certain
+            hides = Fragments(fragments.face[sure], fragments.pixel[sure]), (depth + off)[sure]
+            doubtful = self._not_hidden(doubtful, *hides)
             winners, close = nearest(fragments, depth, off, self._places[fragments.face])
             canvas.undecided[close] = True
             fragments = Fragments(fragments.face[winners], fragments.pixel[winners])
             depth, off = depth[winners], off[winners]
+        canvas.undecided[doubtful.pixel] = True
         place = self._places[fragments.face]
         canvas.draw(fragments.pixel, depth, off, place, self._shaded(fragments, progress))
         return self._expected()
+
+    def _not_hidden(self, doubtful: Fragments, certain: Fragments, farthest: Floats) -> Fragments:
+        """The doubtful fragments that are not behind others which every device draws.
+
+        ``farthest`` is how far away a device may have each of these.
+        """
+        depth, off = depths_of(self._faces, doubtful, self._rules)
+        behind = np.full(self._rules.width * self._rules.height, np.inf)
+        np.minimum.at(behind, certain.pixel, farthest)
+        seen = ~(depth - off > behind[doubtful.pixel])
+        return Fragments(doubtful.face[seen], doubtful.pixel[seen])
 
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
         """The fragments' colours, computed for a limited number of quads at a time."""

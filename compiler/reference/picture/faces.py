@@ -1,39 +1,45 @@
 """Turns clip positions into triangles in the window: viewport, snapping, facing and culling.
 
-``drawing.py`` calls ``assemble`` after the vertex stage.
+``assembly.py`` calls ``triangles_of`` after the vertex stage. ``lines.py`` does the same of lines.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
 from .clip import clip
 from .scene import Bools, Floats, Ints, RasterRules
 
-_FLOAT32_STEPS = 5e-7
+FLOAT32_STEPS = 5e-7
 """The error of several roundings to float32, relative to the size of the picture."""
 
 
 @dataclass(frozen=True, slots=True)
 class Faces:
     """Triangles in the window, with x to the right, y downwards, in pixels; none has the area
-    zero."""
+    zero.
+
+    What covers pixels is an outline, for a triangle the triangle itself. What values are
+    interpolated over is a plane through three corners.
+    """
 
     corners: Ints
-    """(faces, 3): the vertices of the triangle that each is a part of."""
+    """(faces, 3): the vertices of the triangle that each is a part of; of a line its first end, the
+    other one, and the first one again."""
     weights: Floats
     """(faces, 3, 3): each corner as a weighted sum of the triangle's corners."""
     whole: Bools
     """(faces,): whether nothing was clipped, so that ``weights`` is the identity."""
     x: Floats
     y: Floats
-    """(faces, 3): the positions that decide on coverage."""
+    """(faces, sides): the corners of the outline, which decide on coverage."""
     area: Floats
-    """(faces,): twice the signed area, positive if the corners are clockwise on the screen."""
+    """(faces,): twice its signed area, positive if the corners are clockwise on the screen."""
     unsure: Floats
-    """(faces, 3): by how many pixels rounding to float32 may move a corner."""
+    """(faces, sides): by how many pixels a device may have each side elsewhere, from a corner of
+    the outline to the next one."""
     moved: Floats
     """(faces, 3): by how many pixels each of the corners may be elsewhere between which a device
     interpolates; ``shares`` says which they are."""
@@ -61,21 +67,32 @@ class Faces:
 
     def only(self, kept: Bools) -> Faces:
         """The faces for which ``kept`` is true."""
-        return Faces(*(getattr(self, name)[kept] for name in self.__slots__))
+        return replace(self, **{row.name: getattr(self, row.name)[kept] for row in fields(self)})
+
+    def settled(
+        self, face: Ints, place: tuple[Floats, Floats], covered: Bools, close: Bools
+    ) -> tuple[Bools, Bools]:
+        """Which candidates are covered, and for which rounding decides.
+
+        For each candidate it gets the face, the middle of the pixel, and what the outline says of
+        both. Where other rules count as well, a subclass has them.
+        """
+        del face, place
+        return covered, close
 
 
-def assemble(
-    positions: Floats, triangles: Ints, rules: RasterRules, off: Floats | None = None
+def triangles_of(
+    positions: Floats, triangles: Ints, rules: RasterRules, of_vertices: Floats
 ) -> Faces:
     """The faces of triangles whose vertices have these clip positions, (vertices, 4).
 
-    ``off`` says by how much a device's positions may differ.
+    ``of_vertices`` says by how much a device's positions may differ.
     """
     clipped = clip(positions[triangles], sides=rules.clips_sides)
-    corners = triangles[clipped.triangle]
+    corners = triangles[clipped.primitive]
     places = clipped.weights @ positions[corners]
-    across, down = _window(places, rules)
-    snapped_x, snapped_y = _snapped(across, rules), _snapped(down, rules)
+    across, down = window(places, rules)
+    snapped_x, snapped_y = snapped(across, rules), snapped(down, rules)
     area = _twice_area(snapped_x, snapped_y)
     planes, shares = (across, down), np.broadcast_to(np.eye(3), clipped.weights.shape)
     if rules.interpolates_snapped:
@@ -83,18 +100,17 @@ def assemble(
         planes = _on_snapped(positions[corners], shares, rules)
     # Snapping may reverse a sliver; then only the snapped positions are consistent.
     turned = (_twice_area(*planes) * area <= 0)[:, None]
-    of_vertices = np.zeros_like(positions) if off is None else off
     of_places = np.abs(clipped.weights) @ of_vertices[corners]
-    moved = _moved(places, of_places, rules).max(axis=1, keepdims=True)
-    z_off, per_w_off = _depths_off(places, of_places)
-    unsure = _unsure(across, down, moved, rules)
+    moved = moved_by(places, of_places, rules).max(axis=1, keepdims=True)
+    z_off, per_w_off = depths_off(places, of_places)
+    unsure = unsure_corners(across, down, moved, rules)
     moved = np.broadcast_to(moved, across.shape)
     if rules.interpolates_snapped:
-        whole = _window(positions[corners], rules)
+        whole = window(positions[corners], rules)
         # Corners that were clipped may be far outside of the picture, where steps are larger.
-        far = _FLOAT32_STEPS * np.maximum(*np.abs(whole))
-        own = _moved(positions[corners], of_vertices[corners], rules)
-        moved = moved + _unsure(*whole, own + far, rules)
+        far = FLOAT32_STEPS * np.maximum(*np.abs(whole))
+        own = moved_by(positions[corners], of_vertices[corners], rules)
+        moved = moved + unsure_corners(*whole, own + far, rules)
     faces = Faces(
         corners=corners,
         weights=clipped.weights,
@@ -102,9 +118,9 @@ def assemble(
         x=snapped_x,
         y=snapped_y,
         area=area,
-        unsure=unsure,
+        unsure=np.maximum(unsure, np.roll(unsure, -1, axis=1)),
         moved=moved,
-        extent=_extent(planes, rules),
+        extent=extent_of(planes, rules),
         plane_x=np.where(turned, snapped_x, planes[0]),
         plane_y=np.where(turned, snapped_y, planes[1]),
         shares=shares,
@@ -116,7 +132,7 @@ def assemble(
     return faces.only(_kept(faces, rules))
 
 
-def _window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
+def window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
     """The x and y of clip positions (…, 4) in pixels, from the left and from the top."""
     x, y, _, w = np.moveaxis(positions, -1, 0)
     return (x / w * 0.5 + 0.5) * rules.width, (0.5 - y / w * 0.5) * rules.height
@@ -134,7 +150,7 @@ def _on_snapped(corners: Floats, shares: Floats, rules: RasterRules) -> tuple[Fl
 
     A part has no planes of its own: values are interpolated over the triangle that it was cut from.
     """
-    x, y = (_snapped(places, rules) for places in _window(corners, rules))
+    x, y = (snapped(places, rules) for places in window(corners, rules))
     return (shares @ x[..., None])[..., 0], (shares @ y[..., None])[..., 0]
 
 
@@ -152,14 +168,14 @@ def _twice_area(x: Floats, y: Floats) -> Floats:
     return ux * vy - uy * vx
 
 
-def _snapped(places: Floats, rules: RasterRules) -> Floats:
+def snapped(places: Floats, rules: RasterRules) -> Floats:
     """Positions rounded to the nearest binary fraction of a pixel."""
     if rules.subpixel_bits is None:
         return places
     return np.ldexp(np.rint(np.ldexp(places, rules.subpixel_bits)), -rules.subpixel_bits)
 
 
-def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
+def moved_by(places: Floats, off: Floats, rules: RasterRules) -> Floats:
     """By how many pixels the corners (faces, 3, 4) of faces may be elsewhere, (faces, 3).
 
     The viewport's transform and the planes through the corners are computed with float32, in
@@ -172,11 +188,11 @@ def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
         for axis, size in enumerate((rules.width, rules.height))
     ]
     largest = np.nan_to_num(np.maximum(*pixels), nan=np.inf, posinf=np.inf)
-    moved: Floats = largest + _FLOAT32_STEPS * max(rules.width, rules.height)
+    moved: Floats = largest + FLOAT32_STEPS * max(rules.width, rules.height)
     return moved
 
 
-def _depths_off(places: Floats, off: Floats) -> tuple[Floats, Floats]:
+def depths_off(places: Floats, off: Floats) -> tuple[Floats, Floats]:
     """By how much the depths of corners (faces, 3, 4) may differ, and by how much their 1 / w."""
     w = np.abs(places[..., 3])
     least = np.maximum(w - off[..., 3], 0.0)
@@ -188,14 +204,14 @@ def _depths_off(places: Floats, off: Floats) -> tuple[Floats, Floats]:
     return z_off, per_w_off
 
 
-def _extent(planes: tuple[Floats, Floats], rules: RasterRules) -> Floats:
+def extent_of(planes: tuple[Floats, Floats], rules: RasterRules) -> Floats:
     """The largest coordinate with which the plane through a face's corners is computed."""
     corners = np.abs(np.stack(planes)).max(axis=(0, 2))
     extent: Floats = np.maximum(corners, max(rules.width, rules.height))
     return extent
 
 
-def _unsure(x: Floats, y: Floats, moved: Floats, rules: RasterRules) -> Floats:
+def unsure_corners(x: Floats, y: Floats, moved: Floats, rules: RasterRules) -> Floats:
     """By how many pixels a vertex at (x, y) may be elsewhere on a device after snapping."""
     if rules.subpixel_bits is None:
         return np.broadcast_to(moved, x.shape)

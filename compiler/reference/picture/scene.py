@@ -14,6 +14,11 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 Cull = Literal["none", "back", "front"]
+Lines = Literal["rectangle", "parallelogram", "diamonds", "any"]
+"""Which pixels a line of the width 1 covers: those with their middle in a rectangle around it, or
+in a parallelogram with sides along the picture, one pixel wide across the line's longer direction;
+those whose diamond it leaves, where values change along its longer direction only; or, if nothing
+is known, by any of these rules."""
 Derivatives = Literal["own", "first", "any"]
 """The differences that a device takes: those of each pixel's own row and column, those of the
 first row and column for the whole quad, or, if nothing is known, any of its quad."""
@@ -21,13 +26,13 @@ first row and column for the whole quad, or, if nothing is known, any of its qua
 
 @dataclass(frozen=True, slots=True)
 class Geometry:
-    """Indexed triangles; or other primitives, which are expanded into triangles or captured."""
+    """Indexed triangles or lines; or other primitives, which are expanded or captured."""
 
     attributes: Mapping[str, NDArray[Any]]
     """By attribute name, (vertices, lanes): float64, or int64 for integers."""
     triangles: Ints
     """(triangles, 3): indices of vertices, in the order of drawing; the first is the provoking
-    vertex. Other primitives have as many as they have corners."""
+    vertex. Lines have two, and other primitives as many as they have corners."""
     instance_count: int = 1
     """How often the same vertices are repeated, one instance after the other."""
 
@@ -89,8 +94,14 @@ class RasterRules:
     before snapping. Coverage always depends on the snapped ones."""
     clips_sides: bool = False
     """Whether triangles are clipped at the sides of the picture, before they are snapped."""
+    owns_bottom: bool = False
+    """Whether pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
     """How close to an edge, in pixels, the device may put a pixel on the wrong side."""
+    lines: Lines = "rectangle"
+    snaps_line_ends: bool = False
+    """Whether the ends of lines are snapped, and half their width by itself, instead of the corners
+    of what they cover."""
     cull: Cull = "none"
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""

@@ -8,6 +8,7 @@ from itertools import chain
 from ...diagnostics import rules
 from ...diagnostics.nearest import is_searched_out, nearest
 from ...diagnostics.source import Span
+from ...ir.stages import PATCH_INDEX, PRIMITIVE_INDEX
 from ...syntax import ast
 from ...syntax.rewriting import called_here
 from ..hints import advice
@@ -15,6 +16,9 @@ from ..names.modules import Module
 from ..state.context import Context
 from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.scope import Scope
+
+_COUNTERS = (PRIMITIVE_INDEX.name, PATCH_INDEX.name)
+"""What counts the primitives of a mesh, or its patches."""
 
 
 def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
@@ -35,7 +39,7 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
     here = called_here(name, span, VALUES[name]) if name in VALUES else ""
     lit = advice.of_a_light(name, ctx.rig)
     elsewhere = here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, "")
-    elsewhere = elsewhere or _other_kernels(ctx, name)
+    elsewhere = elsewhere or _other_kernels(ctx, name) or _other_vertices(scope, name)
     if elsewhere:
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
         return
@@ -51,6 +55,15 @@ def _other_kernels(ctx: Context, name: str) -> str:
         return ""
     own = next(row.name for row in KERNEL_INPUTS.values() if row.type == ctx.extent.type)
     return f"this kernel has `{own}`, of type {ctx.extent.type}"
+
+
+def _other_vertices(scope: Scope, name: str) -> str:
+    """What counts the primitives of a surface in place of a number that others have."""
+    made = None if scope.surface is None else scope.surface.made
+    if made is None or name not in _COUNTERS:
+        return ""
+    own = next((counter for counter in made.inputs if counter in _COUNTERS), None)
+    return f"what is counted here is `{own}`" if own else ""
 
 
 def is_known(scope: Scope, name: str) -> bool:

@@ -113,15 +113,16 @@ def _put_together(
 
 
 def with_made_vertices(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
-    """The surface with the vertices that an expansion or a tessellation makes; there is no pass
-    where a mixin is checked alone."""
-    divided = tessellated(ctx, surface, passing)
-    return expanded(ctx, surface, passing) if divided is surface else divided
+    """The surface with the vertices that a tessellation makes, and an expansion of what these are
+    then, or of the mesh's own; there is no pass where a mixin is checked alone."""
+    return expanded(ctx, tessellated(ctx, surface, passing), passing)
 
 
 def at_mesh(instance: Instance) -> Instance:
     """A surface or a pass as it is at the mesh's own vertices."""
-    return instance if instance.made is None else instance.made.base_of(instance)
+    while instance.made is not None:
+        instance = instance.made.base_of(instance)
+    return instance
 
 
 def _parts(surface: Instance) -> tuple[Instance, ...]:

@@ -96,10 +96,10 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
-    made = setting.surface.made
+    steps = setting.surface.steps
     leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
     everything = (*leaves, *lights)
-    told = _of_pattern(made)
+    told = _of_pattern(steps)
     values, graph, notes = lowered(ctx, [*(result.value for result in results), *told])
     values, told = values[: len(results)], values[len(results) :]
     return Shader(
@@ -115,18 +115,18 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
         chain=_chain(setting),
-        expansion=None if made is None else made.expansion,
-        tessellation=None if made is None else made.tessellation,
+        expansion=next((step.expansion for step in steps if step.expansion is not None), None),
+        tessellation=next((s.tessellation for s in steps if s.tessellation is not None), None),
         pattern=PatchPattern(*told) if told else None,
         capture=capture_of(setting.passing.record, results),
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
     )
 
 
-def _of_pattern(made: MadeSlots | None) -> list[Node]:
+def _of_pattern(steps: Iterable[MadeSlots]) -> list[Node]:
     """What tells the vertices of patches apart where no stage divides them."""
-    pattern = None if made is None else made.pattern
-    return [] if pattern is None else [pattern.place, pattern.is_there]
+    patterns = (step.pattern for step in steps if step.pattern is not None)
+    return [node for pattern in patterns for node in (pattern.place, pattern.is_there)]
 
 
 def delivers_vertices(results: Iterable[Result]) -> bool:
@@ -136,8 +136,8 @@ def delivers_vertices(results: Iterable[Result]) -> bool:
 
 def _chain(setting: Setting) -> Chain:
     """The stages up to the vertices, and that of the fragments where any are drawn."""
-    made = setting.surface.made
-    before = (VERTEX, *(() if made is None else made.stages))
+    made = (row for step in setting.surface.steps for row in step.stages)
+    before = (VERTEX, *made)
     return before if captures(setting.passing.record) else (*before, FRAGMENT)
 
 
@@ -160,13 +160,11 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
 
 def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
     """What the stages deliver that make vertices, besides these."""
-    made = surface.made
-    if made is None:
-        return
-    yield from made.results
-    expansion = made.expansion
-    if expansion is not None and expansion.emits == "point" and not captures(passing.record):
-        ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
+    for step in surface.steps:
+        yield from step.results
+        expansion = step.expansion
+        if expansion is not None and expansion.emits == "point" and not captures(passing.record):
+            ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:

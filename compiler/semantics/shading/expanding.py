@@ -11,23 +11,27 @@ from collections.abc import Iterable, Iterator
 from ....frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.fixes import fix_it
 from ...ir import build
 from ...ir.binding import substitute
 from ...ir.domains import MixedDomainsError
-from ...ir.expansion import CORNERS, EmittedStrips, Expansion
+from ...ir.expansion import EmittedStrips, Expansion
 from ...ir.node import Node
+from ...ir.primitives import CORNERS
 from ...ir.shader import Result
 from ...ir.stages import (
-    CORNER,
     EMITTED,
     EMITTING,
     GEOMETRY,
     GROUP,
+    INTO_EMITTED,
+    PATCH_INDEX,
     PRIMITIVE_INDEX,
     STRIP,
     STRIP_VERTEX,
     SystemInput,
 )
+from ...ir.tessellation import PATCH_KINDS
 from ...ir.types import BOOL, INT, Type
 from ...syntax import ast
 from ..checking.corners import numbered
@@ -39,7 +43,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.crossings import INPUTS
 from ..state.evaluation import node_of
-from ..state.origins import OneCorner
+from ..state.origins import MixedEnds, OneCorner
 from ..state.scope import (
     FAILURE,
     OUTERMOST,
@@ -52,7 +56,7 @@ from ..state.scope import (
     Scope,
     Value,
 )
-from .made import apart, by_vertices, slots_set
+from .made import by_vertices, pass_of, slots_set
 
 MOST_VERTICES = 4096
 """So many vertices may come of one primitive."""
@@ -66,8 +70,9 @@ def expands(instance: Instance) -> bool:
 def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
     """The surface as it is at the emitted vertices; itself where nothing is expanded.
 
-    What ``passing`` says of primitives counts instead of what the surface says. The pass itself
-    becomes what it is at the emitted vertices. There is none where a mixin is checked alone.
+    The surface may divide patches: then what these are divided into is expanded. What ``passing``
+    says of primitives counts instead of what the surface says. The pass itself becomes what it is
+    at the emitted vertices. There is none where a mixin is checked alone.
     """
     holder = surface if passing is None or not expands(passing) else passing
     written = list(holder.record.every(ast.Expand))
@@ -82,7 +87,23 @@ def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Insta
     if member.primitive.text not in CORNERS:
         unknown(ctx, "primitive", member.primitive.text, member.primitive.span, CORNERS)
         return surface
+    if not _is_there(ctx, surface, member):
+        return surface
     return _Expanding(ctx, surface, passing, holder, member, owner, level).surface()
+
+
+def _is_there(ctx: Context, surface: Instance, member: ast.Expand) -> bool:
+    """Whether patches are divided into the primitives that are expanded, if any are divided."""
+    origin, primitive = surface.origin, member.primitive
+    if not isinstance(origin, MixedEnds) or primitive.text == PATCH_KINDS[origin.patch].drawn:
+        return True
+    made = PATCH_KINDS[origin.patch].drawn
+    ctx.report.add(
+        rules.NOT_OF_PATCHES, primitive.span,
+        primitive=primitive.text, patch=origin.patch, made=made,
+        hint=fix_it(f"write `expand {made} {{ … }}`", (primitive.span, made)),
+    )  # fmt: skip
+    return False
 
 
 @frozen
@@ -114,18 +135,19 @@ class _Expanding:
         self._member = member
         self._owner = owner
         self._level = level
-        self._surface = surface
         self._passing = passing
         self._is_of_pass = holder is passing
-        base, own = apart(surface, passing)
-        self._base = base
-        self._slots = MadeSlots(
-            base,
-            own,
-            CORNERS[member.primitive.text],
-            (GEOMETRY,),
-            {**INPUTS, PRIMITIVE_INDEX.name: PRIMITIVE_INDEX},
+        self._base = base = surface
+        self._above = changed(surface, replaced=dict(surface.replaced))
+        own = pass_of(base, passing)
+        before = base.origin
+        assert not isinstance(before, OneCorner)
+        self._like_first = OneCorner(
+            self._number(0), INTO_EMITTED[base.vertex_stage.domain], before
         )
+        self._index = PRIMITIVE_INDEX if before is None else PATCH_INDEX
+        inputs = {**INPUTS, self._index.name: self._index}
+        self._slots = MadeSlots(base, own, CORNERS[member.primitive.text], (GEOMETRY,), inputs)
         self._below = own if self._is_of_pass and own is not None else base
         """The one that has the member as it is at the mesh's own vertices."""
 
@@ -137,7 +159,8 @@ class _Expanding:
         emitting = [group.emitted for group in groups if isinstance(group.emitted, Node)]
         corners = [group.corner for group in groups if isinstance(group.corner, Node)]
         made = self._made(list(self._set()))
-        slots.origin = OneCorner(self._by_group(corners or [self._number(0)]))
+        number = self._by_group(corners) if corners else self._number(0)
+        slots.origin = changed(self._like_first, number=number)
         inherited = {"inherited": corner_like(self._below, slots.origin)}
         slots.groups = tuple(
             MadeGroup(
@@ -165,7 +188,7 @@ class _Expanding:
             # What the pass overrides is one slot of both.
             if not is_own or name in base.replaced:
                 of_surface.append(name)
-        made = changed(self._surface, made=self._slots).with_replaced(by_vertices(of_surface))
+        made = changed(self._above, made=self._slots).with_replaced(by_vertices(of_surface))
         if passing is not None:
             passing.made = self._slots
             passing.surface = made
@@ -282,9 +305,7 @@ class _Expanding:
         """A value that is the same for all vertices of a strip, or that tells them apart only by
         their numbers: it knows the surface at the corners only."""
         ctx = self._ctx
-        scope = self._scope(
-            self._below, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)}
-        )
+        scope = self._scope(self._below, {**names, self._index.name: self._index_of_all()})
         node = node_of(ctx, written, scope)
         if isinstance(node, Failure):
             return node
@@ -305,7 +326,14 @@ class _Expanding:
 
     @property
     def _corners(self) -> Corners:
-        return Corners("corner", self._below, tuple(range(self._slots.corners)), CORNER)
+        numbers = tuple(range(self._slots.corners))
+        return Corners("corner", self._below, numbers, self._like_first.crossing)
+
+    def _index_of_all(self) -> Node:
+        """The number of the primitive, or of the patch that it is a part of."""
+        index = self._input(self._index)
+        is_of_patch = self._index == PATCH_INDEX
+        return self._like_first.of_patch(self._ctx.tree, index) if is_of_patch else index
 
     def _input(self, row: SystemInput) -> Node:
         return self._ctx.tree.node("input", row.type, (), row)

@@ -42,14 +42,18 @@ def by_vertices(names: Iterable[str]) -> dict[str, Replacement]:
 
 def apart(surface: Instance, passing: Instance | None) -> tuple[Instance, Instance | None]:
     """The surface with a pass of its own, so that what the pass overrides reads this surface."""
-    replaced = dict(surface.replaced)
-    base = changed(surface, replaced=replaced)
+    base = changed(surface, replaced=dict(surface.replaced))
+    return base, pass_of(base, passing)
+
+
+def pass_of(surface: Instance, passing: Instance | None) -> Instance | None:
+    """A copy of a pass that reads this surface, which from now on reads the copy in turn."""
     if passing is None:
-        return base, None
+        return None
     own = changed(
-        passing, surface=base, replaced=dict(passing.replaced), values=dict(passing.values)
+        passing, surface=surface, replaced=dict(passing.replaced), values=dict(passing.values)
     )
     for name, given in surface.replaced.items():
         if given.within is passing:
-            replaced[name] = changed(given, within=own)
-    return base, own
+            surface.replaced[name] = changed(given, within=own)
+    return own

@@ -25,6 +25,7 @@ from ..state.context import Context
 _FUNCTIONS: Mapping[Patch, str] = {
     "triangle": "triangle_vertex",
     "quad": "quad_vertex",
+    "isoline": "line_vertex",
 }
 _SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 """In the order of the library's numbers."""
@@ -35,17 +36,17 @@ def pattern_of(
 ) -> PatchPattern | None:
     """The place of a vertex by its number, where these are the levels of its patch.
 
-    There is none for lines, which only stages draw, nor where a host makes the pattern once for all
-    patches: to check the functions takes several times as long as a plain material.
+    There is none where a host makes the pattern once for all patches: to check the functions takes
+    several times as long as a plain material.
     """
-    if patch not in _FUNCTIONS or _are_known_to_host(ctx, levels):
+    if _are_known_to_host(ctx, levels):
         return None
     tree = ctx.tree
-    edges, inside = (
+    by_kind = (
         tuple(build.cross(tree, level.value, OF_PATCH) for level in levels if level.kind == kind)
         for kind in (EDGE_LEVEL, INNER_LEVEL)
     )
-    given = build.vector(tree, edges), build.vector(tree, inside)
+    given = [build.vector(tree, levels) for levels in by_kind if levels]
     number = tree.node("input", INT, (), PATTERN_VERTEX)
     arguments = (*given, build.constant(tree, INT, _SPACINGS.index(spacing)), number)
     (function,) = tessellator().find(_FUNCTIONS[patch])

@@ -16,9 +16,12 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
     for instance in (surface, passing):
-        if instance.made is not None:
-            read |= {name for part in instance.made.parts for name, _ in part.values}
-            check_overridden(ctx, instance.made.base_of(instance), instance)
+        made = instance
+        while made.made is not None:
+            read |= {name for part in made.made.parts for name, _ in part.values}
+            base = made.made.base_of(made)
+            check_overridden(ctx, base, made)
+            made = base
         check_instance(ctx, instance)
     known, root = surface.record.definitions, surface.record.root
     inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]

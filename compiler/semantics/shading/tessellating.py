@@ -58,11 +58,6 @@ def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> In
             name=passing.record.name, material=name, labels=[label],
         )  # fmt: skip
         return surface
-    for holder in filter(None, (surface, passing)):
-        for expansion, _owner, _level in holder.record.every(ast.Expand):
-            span = expansion.primitive.span
-            ctx.report.add(rules.TESSELLATED_AND_EXPANDED, span, name=name, labels=[label])
-            return surface
     patch = _patch(ctx, member)
     if patch is None:
         return surface

@@ -27,7 +27,6 @@ from ...ir.stages import (
     FRAGMENTS,
     INSTANCES,
     INTO_FRAGMENTS,
-    OF_PATCH,
     PATCHES,
     RASTERISED,
     VERTEX,
@@ -75,7 +74,8 @@ class Crossings:
         if row in FRAGMENT.inputs:
             return leaf
         if row.domain == PATCHES:
-            leaf = build.cross(self._graph, leaf, OF_PATCH)
+            assert origin is not None
+            return self.to_fragments(origin.of_patch(self._graph, leaf))
         return self.attribute(leaf, origin if row in VERTEX.inputs else None)
 
     def domain(self, node: Node) -> Domain | None:

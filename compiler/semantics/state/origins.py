@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from ....frozen import frozen
 from ...ir import build
 from ...ir.node import Graph, Node
-from ...ir.stages import CONTROL_POINT, CORNER, Crossing
+from ...ir.stages import CONTROL_POINT, CORNER, OF_PATCH, Crossing
 from ...ir.tessellation import Patch
 from ...ir.types import INT, scalar_kind
 
@@ -21,16 +21,23 @@ class OneCorner:
     """Each vertex that is emitted is like one corner of the primitive."""
 
     number: Node
-
-    @property
-    def crossing(self) -> Crossing:
-        """How a corner's value gets to the vertex."""
-        return CORNER
+    crossing: Crossing = CORNER
+    """How a corner's value gets to the vertex."""
+    patch: MixedEnds | None = None
+    """Where the corner itself lies in its patch, if the primitive is a part of one."""
 
     def value(self, graph: Graph, part: Node, *, is_of_instance: bool) -> Node:
         """A value of the mesh at this vertex."""
+        if self.patch is not None:
+            part = self.patch.value(graph, part, is_of_instance=is_of_instance)
         number = build.constant(graph, INT, 0) if is_of_instance else self.number
-        return build.at_corner(graph, part, number, CORNER)
+        return build.at_corner(graph, part, number, self.crossing)
+
+    def of_patch(self, graph: Graph, part: Node) -> Node:
+        """What is the same all over the patch that the primitive is a part of."""
+        assert self.patch is not None
+        there = self.patch.of_patch(graph, part)
+        return build.at_corner(graph, there, build.constant(graph, INT, 0), self.crossing)
 
 
 @frozen
@@ -52,6 +59,10 @@ class MixedEnds:
         if is_of_instance or scalar_kind(part.type) != "float":
             return ends[0]
         return self._mixed(graph, ends)
+
+    def of_patch(self, graph: Graph, part: Node) -> Node:
+        """What is the same all over the patch."""
+        return build.cross(graph, part, OF_PATCH)
 
     def _mixed(self, graph: Graph, ends: Sequence[Node]) -> Node:
         """Weighted by a triangle's coordinate; or blended along u, and for a quad along v then."""

@@ -61,6 +61,11 @@ class Instance:
         return None if self.made is None else self.made.origin
 
     @property
+    def steps(self) -> tuple[MadeSlots, ...]:
+        """What makes its vertices of those of a mesh, in pipeline order."""
+        return () if self.made is None else (*self.made.base.steps, self.made)
+
+    @property
     def vertex_stage(self) -> StageRow:
         """The stage that delivers its vertices."""
         return VERTEX if self.made is None else self.made.stages[-1]
@@ -109,7 +114,8 @@ class MadeSlots:
     """A surface whose vertices are made of those of a mesh: what it and its pass are made of."""
 
     base: Instance
-    """The surface as it is at the mesh's own vertices."""
+    """The surface as it is at the vertices that these are made of: the mesh's own, or those of
+    divided patches."""
     passing: Instance | None
     """The pass as it is there; ``None`` where a material's mixin is checked alone."""
     corners: int
@@ -139,8 +145,9 @@ class MadeSlots:
 
     @property
     def parts(self) -> tuple[Instance, ...]:
-        """All surfaces and passes that its equations read."""
-        parts = (self.base, self.passing, self.unset, self.passing_unset)
+        """All surfaces and passes that its equations read, and those that these are made of."""
+        before = () if self.base.made is None else self.base.made.parts
+        parts = (*before, self.base, self.passing, self.unset, self.passing_unset)
         return tuple(part for part in parts if part is not None)
 
     def is_set_behind(self, instance: Instance, name: str) -> bool:
@@ -148,7 +155,7 @@ class MadeSlots:
         return instance is self.unset and any(name in group.equations for group in self.groups)
 
     def base_of(self, instance: Instance) -> Instance:
-        """The surface or the pass, whichever ``instance`` is, at the mesh's own vertices."""
+        """The surface or the pass, whichever ``instance`` is, as ``base`` is."""
         if instance.surface is None:
             return self.base
         assert self.passing is not None
@@ -174,7 +181,7 @@ class Corner:
     """``corner[k]``: a surface or a pass as it is at one of them."""
 
     instance: Instance
-    """As it is at the mesh's own vertices."""
+    """As it is at the vertices that the corners are."""
     number: Node
     crossing: Crossing
 

@@ -34,8 +34,8 @@ TargetFormat = Literal[
 ]  # fmt: skip
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
-"""What the vertices are, in turn. All but triangles need a geometry stage, and patches need the
-stages of tessellation instead."""
+"""What the vertices are, in turn. Triangles and lines are drawn as they are; all others need a
+geometry stage, and patches need the stages of tessellation instead."""
 
 CORNERS: Mapping[Primitive, int] = {
     "point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_adjacency": 6,

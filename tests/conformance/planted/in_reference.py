@@ -165,16 +165,16 @@ _WHOLE: list[tuple[str, str, str, Callable[..., Any]]] = [
 
 edges = coverage._edges
 distances = clip._distances
-window = faces._window
+window = faces.window
 perspective = Barycentric.perspective
-snapped = faces._snapped
+snapped = faces.snapped
 level = levels.of_steps
 wrapped = texels._wrapped
 load = texels.Image.load
 
 
-def _bottom_right(given: Any) -> Any:
-    return replace(edges(given), owns=~edges(given).owns)
+def _bottom_right(*given: Any) -> Any:
+    return replace(edges(*given), owns=~edges(*given).owns)
 
 
 def _no_near_plane(corners: Any, sides: bool) -> Any:
@@ -253,9 +253,9 @@ _PICTURE = [
             replaced(coverage, "_edges", _bottom_right)),
     Planted("no near plane", "operations: Limits", GLSL,
             replaced(clip, "_distances", _no_near_plane)),
-    Planted("upside down", "operations: Limits", GLSL, replaced(faces, "_window", _upside_down)),
+    Planted("upside down", "operations: Limits", GLSL, replaced(faces, "window", _upside_down)),
     Planted("no snapping", "operations: Limits", SNAPPING,
-            replaced(faces, "_snapped", lambda places, _rules: places)),
+            replaced(faces, "snapped", lambda places, _rules: places)),
     Planted("no perspective", "operations: Limits", GLSL,
             replaced(Barycentric, "perspective", _linear)),
     Planted("flat from the last vertex", "pipeline: Crossing", HLSL,

@@ -27,9 +27,10 @@ function setState(gl, job) {
 
 function drawMesh(gl, program, job, draw) {
   withMesh(gl, program, job, draw, () => {
-    const indices = firstVertexLast(new Uint32Array(bytes(draw.indices).buffer));
+    const [mode, corners] = job.primitive === "line" ? [gl.LINES, 2] : [gl.TRIANGLES, 3];
+    const indices = firstVertexLast(new Uint32Array(bytes(draw.indices).buffer), corners);
     const mesh = makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, indices);
-    gl.drawElementsInstanced(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0, draw.instance_count);
+    gl.drawElementsInstanced(mode, indices.length, gl.UNSIGNED_INT, 0, draw.instance_count);
     gl.deleteBuffer(mesh);
   });
 }
@@ -82,14 +83,15 @@ function feed(gl, program, { identifier, format, step }, data) {
   return buffer;
 }
 
-/** The same triangles, with the first vertex of each moved to the end.
+/** The same triangles or lines, with the first vertex of each moved to the end.
  *
  * In a job, a flat varying has its value at the first vertex, but in WebGL at the last.
  */
-function firstVertexLast(indices) {
+function firstVertexLast(indices, corners) {
   const turned = new Uint32Array(indices.length);
-  for (let at = 0; at < indices.length; at += 3) {
-    turned.set([indices[at + 1], indices[at + 2], indices[at]], at);
+  for (let at = 0; at < indices.length; at += corners) {
+    turned.set(indices.subarray(at + 1, at + corners), at);
+    turned[at + corners - 1] = indices[at];
   }
   return turned;
 }

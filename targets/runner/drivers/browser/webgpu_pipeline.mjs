@@ -47,7 +47,11 @@ export async function makePipeline(device, job) {
       entryPoint: job.stages.fragment.entry,
       targets: job.targets.map((target) => targetState(device, target)),
     },
-    primitive: { topology: "triangle-list", cullMode: job.cull, frontFace: job.front_face },
+    primitive: {
+      topology: `${job.primitive}-list`,
+      cullMode: job.cull,
+      frontFace: job.front_face,
+    },
     depthStencil: { format: "depth32float", depthWriteEnabled: true, depthCompare: "less" },
   });
   return { pipeline, layouts };

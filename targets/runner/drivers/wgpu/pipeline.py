@@ -99,7 +99,7 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
             "targets": [_target(gpu, target) for target in pipeline.targets],
         },
         primitive={
-            "topology": "triangle-list",
+            "topology": f"{pipeline.primitive}-list",
             "cull_mode": pipeline.cull,
             "front_face": pipeline.front_face,
         },

@@ -1,0 +1,23 @@
+"""Points, lines and triangles: what a mesh consists of, and what is drawn of it.
+
+Expansions and tessellations say by these words what they take and what becomes of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+DrawnPrimitive = Literal["point", "line", "triangle"]
+"""What a rasteriser draws."""
+
+CORNERS: Mapping[str, int] = {
+    "point": 1,
+    "line": 2,
+    "triangle": 3,
+    "line_adjacency": 4,
+    "triangle_adjacency": 6,
+}
+"""How many vertices each kind of primitive has. With adjacency they are in the order of Vulkan and
+OpenGL: a line between the vertices next to its ends, a triangle with the vertex across each edge
+behind the one where that edge begins."""
