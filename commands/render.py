@@ -176,7 +176,6 @@ def _render(request: Request) -> None:
     with Progress("drawing") as progress, Runner(drivers, device=request.device) as runner:
         _tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
         found = subjects(request, drivers, progress.tell)
-        _refuse_captures(found)
         _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), _largest(found))
         drawn = list(panels(found, routes, request.target, runner, progress))
@@ -226,14 +225,6 @@ def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route])
     for subject, route in product(subjects, routes):
         if problem := subject.material.lacking.get(route.profile):
             remark("note", f"{subject.label} is not drawn by {route.name}: {problem}")
-
-
-def _refuse_captures(subjects: Sequence[Subject]) -> None:
-    """End the command if something has no picture."""
-    for subject in subjects:
-        if subject.material.reflection["capture"] is not None:
-            fail(f"{subject.label} captures vertices, so its pass draws nothing: "
-                 "`burnish conform` runs it")  # fmt: skip
 
 
 def _largest(subjects: Sequence[Subject]) -> tuple[int, int]:

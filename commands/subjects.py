@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from .console import remark, show
 from .failures import fail
@@ -83,11 +83,13 @@ def subjects(
     value or a name is raised, or ends the command.
     """
     compiled = list(_compiled(request, routes))
-    kernels = kernels_of(material for _titles, material in compiled)
+    kernels = kernels_of(_all_of_file(request, [material for _titles, material in compiled]))
+    pictures = [pair for pair in compiled if not is_over_buffers(pair[1].reflection)]
+    drawn_ones = [pair for pair in pictures if pair[1].reflection["capture"] is None]
+    if pictures and not drawn_ones:
+        _refuse_captures(pictures)
     found = [
-        (titles, material, _scene_state(material, request))
-        for titles, material in compiled
-        if not is_over_buffers(material.reflection)
+        (titles, material, _scene_state(material, request)) for titles, material in drawn_ones
     ]
     drawn = [state.instance for _titles, _material, state in found]
     _set_values([*drawn, *(kernel.instance for kernel in kernels)], request.values)
@@ -114,10 +116,8 @@ def target_number(reflection: Mapping[str, Any], wanted: str | None) -> int:
 def _compiled(
     request: Request, routes: Iterable[Route]
 ) -> Iterator[tuple[tuple[str, ...], CompiledMaterial]]:
-    """Each material with each rig and pass that the command line does not exclude, and its titles.
-
-    A pass that captures has no picture, and is left out unless the command line names it.
-    """
+    """Each material with each rig and pass that the command line does not exclude, and its titles;
+    and the kernels."""
     from .. import api
 
     variants = api.variants(request.file, search_path=request.search_path)
@@ -135,10 +135,26 @@ def _compiled(
     show(dict.fromkeys(found for result in results.values() for found in result.diagnostics))
     for materials in zip(*results.values(), strict=True):
         for (rig, pass_), material in zip(results, materials, strict=True):
-            if material.reflection["capture"] is None or request.pass_:
-                titles = (f"rig {rig}",) if len(rigs) > 1 else ()
-                drawn_by = (f"pass {pass_}",) if len(passes) > 1 else ()
-                yield (material.name, *titles, *drawn_by), material
+            titles = (f"rig {rig}",) if len(rigs) > 1 else ()
+            drawn_by = (f"pass {pass_}",) if len(passes) > 1 else ()
+            yield (material.name, *titles, *drawn_by), material
+
+
+def _all_of_file(
+    request: Request, compiled: Sequence[CompiledMaterial]
+) -> Iterable[CompiledMaterial]:
+    """What a file declares. If a material is named, the rest is only needed for its buffers."""
+    from .. import api
+
+    if request.material is None or not any(each.reflection["buffers"] for each in compiled):
+        return compiled
+    return api.compile(request.file, (), rig=request.rig, search_path=request.search_path)
+
+
+def _refuse_captures(captured: Sequence[tuple[tuple[str, ...], CompiledMaterial]]) -> NoReturn:
+    """End the command, as nothing has a picture."""
+    label = ", ".join(captured[0][0])
+    fail(f"{label} captures vertices, so its pass draws nothing: `burnish conform` runs it")
 
 
 def _own_passes(variants: Iterable[tuple[str | None, str | None]]) -> list[str | None]:
