@@ -13,9 +13,9 @@ from collections.abc import Iterator, Mapping
 
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node
+from ...compiler.ir.operations import NATIVE, OF_GROUPS
 from ...compiler.ir.program import Stage
 from ...compiler.ir.types import INT, UINT, Array, Scalar, Type, scalar_kind
-from ...compiler.passes.walks import visible
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import GroupPart, OfGroup
 from .comments import comment_lines
@@ -51,8 +51,9 @@ class GroupFunctions(GroupCalls):
         self._literals = context.language.literals
         group = context.program.work_group
         self._size = 1 if group is None else invocations(group)
-        used = {(use.builtin, use.types[0]): use.node for use in stage.natives if _row(use.builtin)}
-        self._origins = _nodes(stage, used)
+        used = [(use.builtin, use.types[0]) for use in stage.natives if use.builtin in OF_GROUPS]
+        self._origins: dict[Use, Node] = {}
+        """By what each function is called first: what its lines belong to."""
         builtins = [builtin for builtin, _ in used]
         declare = context.names.common.declare
         self._names = {
@@ -80,8 +81,10 @@ class GroupFunctions(GroupCalls):
             for type_, name in self._arrays.items()
         ]
 
-    def call(self, builtin: str, type_: Type, operand: Printed) -> Printed:
+    def call(self, node: Node, operand: Printed) -> Printed:
         """What a builtin comes to at this invocation."""
+        builtin, type_ = NATIVE.data(node), node.type
+        self._origins.setdefault((builtin, type_), node)
         arguments = [*separable([operand]), self._place]
         if _part(builtin) == "all":
             arguments.append(self._present)
@@ -121,7 +124,8 @@ class GroupFunctions(GroupCalls):
         return lines
 
     def views(self, natives: Natives) -> list[FunctionView]:
-        """The functions; ``natives`` prints how two values are joined."""
+        """The functions, once all calls have been printed; ``natives`` prints how two values are
+        joined."""
         return [self._view(use, natives) for use in self._names]
 
     def _view(self, use: Use, natives: Natives) -> FunctionView:
@@ -227,14 +231,6 @@ class GroupFunctions(GroupCalls):
 
     def _number(self, number: int) -> str:
         return literal(number, "uint", self._literals)
-
-
-def _nodes(stage: Stage, used: Mapping[Use, int]) -> Mapping[Use, Node]:
-    """For each use, the operation that it is known by."""
-    if not used:
-        return {}
-    nodes = {node.id: node for node in visible(stage.roots, into_bodies=True)}
-    return {use: nodes[id_] for use, id_ in used.items()}
 
 
 def _row(builtin: str) -> OfGroup | None:

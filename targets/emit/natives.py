@@ -71,8 +71,8 @@ class GroupCalls(ABC):
     """What prints the calls of builtins that join the values of a work group."""
 
     @abstractmethod
-    def call(self, builtin: str, type_: Type, operand: Printed) -> Printed:
-        """What a builtin comes to, of an operand of this type."""
+    def call(self, node: Node, operand: Printed) -> Printed:
+        """What such a call comes to, of its printed operand."""
 
 
 class Natives:
@@ -103,7 +103,7 @@ class Natives:
             if (builtin, types) in self._definitions:
                 return self._functions[self._definitions[builtin, types].body].call(operands)
         if builtin in OF_GROUPS:
-            return self._groups.call(builtin, node.type, operands[0])
+            return self._groups.call(node, operands[0])
         if builtin in self._splats:
             operands = self._widened(node, operands)
         write = self._writers.get(builtin)

@@ -85,8 +85,7 @@ class StagePrinter:
         expressions, statements = self._body(namer)
         extent = stage.value_of(EXTENT)
         opening = self._opening(namer, expressions, extent)
-        functions = self._groups.views(self._natives)
-        functions += [self._function(function) for function in stage.functions]
+        functions = [self._function(function) for function in stage.functions]
         guard = "" if self._groups else self._guard(expressions, extent)
         group = self._context.program.work_group
         lines = statements.lines(stage.region)
@@ -106,7 +105,7 @@ class StagePrinter:
             buffers=self._declarations.buffers((stage,)),
             images=self._declarations.images((stage,)),
             textures=self._declarations.textures((stage,)),
-            functions=functions,
+            functions=[*self._groups.views(self._natives), *functions],
             lines=lines,
             shared=self._groups.shared,
             stores=[] if stage.emitted else list(self._stores(expressions)),

@@ -64,13 +64,15 @@ def _over_buffers(writer: Writer, outside: Scope) -> Node:
     if writer.maybe(0.5):
         items += scatters(writer, scope)
     if writer.maybe(0.5):
+        items.append(Node("runs over given.count", optional=True))
+    if writer.maybe(0.5):
         items.append(Node(writer.chance.choice(SIZES), optional=True))
     members = listed("{{\n    {}\n}}", items, "\n    ")
     return Node("kernel Computed {}", (members,), role="kernel", optional=True)
 
 
 def scatters(writer: Writer, scope: Scope) -> Iterator[Node]:
-    """What a kernel scatters, to elements that may not exist, and that it runs as it would."""
+    """What a kernel scatters, to elements that may not exist."""
     kind = writer.chance.choice(("int", "uint"))
     value, place = (writer.expression(type_, scope, FUEL // 3) for type_ in (kind, "int"))
     operator = writer.chance.choice(OPERATORS)
@@ -80,5 +82,3 @@ def scatters(writer: Writer, scope: Scope) -> Iterator[Node]:
         yield Node(form + " where ({})", (value, place, condition), optional=True)
     else:
         yield Node(form, (value, place), optional=True)
-    if writer.maybe(0.3):
-        yield Node("runs over given.count", optional=True)

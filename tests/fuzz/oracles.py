@@ -35,7 +35,7 @@ from burnish.targets.toolchain import Toolchain
 from ..examples.kit import jobs_of
 from ..passes.agreement import disagreements
 from ..passes.hardware import flat
-from ..passes.kit import Alone, World, shaders
+from ..passes.kit import Alike, World, shaders
 from ..passes.value_ranges import LARGEST, broken
 from ..targets.standings import PROFILES
 from .equivalence import differences
@@ -200,7 +200,7 @@ def is_defined(case: Case, world: World) -> bool:
         largest = max(largest, *(abs(lane) for lane in flat(value)))
         return value
 
-    evaluator = Evaluator(world, Alone(), look)
+    evaluator = Evaluator(world, Alike(), look)
     for root in case.shader.roots:
         evaluator.value(root)
     return largest <= LARGEST

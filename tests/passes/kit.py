@@ -272,29 +272,32 @@ class Smooth:
         return tuple(self.xp.int64(100.0 * lane) for lane in lanes)
 
 
-class Alone(WorkGroups):
-    """Python's numbers in the place of arrays, for an invocation that is a group of its own."""
+class Alike(WorkGroups):
+    """Python's numbers in the place of arrays, for the last one of 64 invocations of a work group
+    that all have the same values."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(scalars, name)
 
-    def all_joined(self, _join: Binary, x: Any) -> Any:
-        """There is nothing to join it with."""
+    def all_joined(self, join: Binary, x: Any) -> Any:
+        """What these come to."""
+        for _ in range(6):
+            x = join(x, x)
         return x
 
-    def joined_through(self, _join: Binary, x: Any) -> Any:
-        """Nor is anything before it."""
-        return x
+    def joined_through(self, join: Binary, x: Any) -> Any:
+        """All are before the last one."""
+        return self.all_joined(join, x)
 
-    def at_the_one_before(self, _x: Any, first: Any) -> Any:
-        """Nothing."""
-        return first
+    def at_the_one_before(self, x: Any, _first: Any) -> Any:
+        """So nearly the same is before it."""
+        return x
 
 
 def evaluator_of(roots: Sequence[Node], world: World) -> Evaluator:
     """What evaluates some values in a world."""
     if any(map(joins_group, reachable(tuple(roots)))):
-        return Evaluator(world, Alone())
+        return Evaluator(world, Alike())
     return Evaluator(world)
 
 

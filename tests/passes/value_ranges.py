@@ -16,7 +16,7 @@ from burnish.compiler.reference.namespace import Lanes
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, Fact
 
 from .hardware import flat
-from .kit import Alone, World
+from .kit import Alike, World
 
 LARGEST = 3.4028234663852886e38
 
@@ -72,7 +72,7 @@ def broken(given_shader: Shader, world: World, *, single: bool) -> list[str]:
         return value
 
     try:
-        evaluator = Evaluator(world, Alone(), check)
+        evaluator = Evaluator(world, Alike(), check)
         for root in roots:
             evaluator.value(root)
     except OverflowedError:

@@ -161,7 +161,10 @@ def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
 
 
 def program_of_rows(profile: Profile) -> Program:
-    """A fragment stage that calls every instance of every builtin that a profile has natively."""
+    """A fragment stage that calls every instance of every builtin that a profile has natively.
+
+    Only kernels join the values of work groups: ``test_kernels.py`` has their texts.
+    """
     make = Maker()
     lanes = {
         kind: Parameter(f"some_{kind}", type_, "material")
@@ -198,7 +201,7 @@ def program_of_rows(profile: Profile) -> Program:
     lets = [
         Let(f"{row.name}_{number}", call(row, operands, result))
         for row in BUILTINS.values()
-        if row.name not in profile.cannot
+        if row.name not in profile.cannot and row.of_group is None
         for number, (operands, result) in enumerate(instances(row))
         if is_native(row, operands)
     ]

@@ -23,7 +23,7 @@ def uses() -> Iterator[str]:
     """Each builtin of numbers with a choice as every operand, as a float."""
     numbers = count(1)
     for row in BUILTINS.values():
-        if not row.operator and row.method is None and not row.constants:
+        if not (row.operator or row.method is not None or row.constants or row.of_group):
             for operands, result in instances(row):
                 kinds = [type_.kind for type_ in operands if isinstance(type_, Scalar)]
                 if len(kinds) == len(operands) and SIDES.keys() >= set(kinds):

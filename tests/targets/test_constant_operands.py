@@ -53,7 +53,11 @@ MOST = 8
 """So many random combinations of special values are tried for each row and choice of operands."""
 TOGETHER = 150
 """So many values are added up in one shader."""
-ROWS = [row for row in BUILTINS.values() if row.method is None and not row.constants]
+ROWS = [
+    row
+    for row in BUILTINS.values()
+    if row.method is None and not row.constants and row.of_group is None
+]
 
 
 def shader() -> Shader:

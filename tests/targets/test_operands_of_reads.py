@@ -51,7 +51,7 @@ material M {
     param n      : int in 0..9
 """
 READS = [row for row in BUILTINS.values() if row.method is not None and row.parameters]
-DERIVATIVES = [row for row in BUILTINS.values() if row.uniform_control_flow and row not in READS]
+DERIVATIVES = [row for row in BUILTINS.values() if row.compares_pixels and row not in READS]
 
 
 def operand(type_: Type, lane: str) -> str:
