@@ -887,10 +887,11 @@ POINTS_NOT_CAPTURED = _error(
     "A pass with members such as `capture place : vec3 = position` captures points. What is drawn "
     "are triangles: `strip of 4 as i { … }` makes a square of a point.",
 )
-POINTS_AND_TRIANGLES = _error(
+DIFFERENT_PRIMITIVES = _error(
     "B0564",
-    "an expansion emits points or triangles, and not both",
-    "All groups of an expansion are `points`, or all of them are strips and lists.",
+    "an expansion emits points, lines or triangles, and only one of these",
+    "All groups of an expansion are `points`, or all are `line`s, or all are strips and lists of "
+    "triangles.",
 )
 NO_POINTS = _error(
     "B0565",
@@ -955,6 +956,16 @@ NOT_OF_THIS_PATCH = _error(
     "`{patch}` patches have no `{word}`",
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
+)
+LINES_CAPTURED = _error(
+    "B0581",
+    "`{name}` captures the vertices of lines",
+    "Vertices of triangles and points are captured. `points of 2` captures both ends of a line.",
+)
+NO_SEGMENTS = _error(
+    "B0582",
+    "a line of {count} vertices goes nowhere",
+    "`line of n` has two vertices or more, and a segment from each to the next one.",
 )
 NOT_OF_PATCHES = _error(
     "B0590",

@@ -6,6 +6,7 @@ geometry stage draw by it, and the reflection tells it to the host.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import accumulate
 from typing import Literal
 
@@ -13,7 +14,7 @@ from ...frozen import frozen
 from ..diagnostics.source import Span
 from .primitives import CORNERS, DrawnPrimitive
 
-StripShape = Literal["strip", "list", "points"]
+StripShape = Literal["strip", "list", "line", "points"]
 
 
 @frozen
@@ -21,8 +22,8 @@ class EmittedStrips:
     """One group of strips."""
 
     shape: StripShape
-    """Triangles that each share two vertices with the one before, or that share none; or points,
-    which only a pass can emit that captures them."""
+    """Triangles that each share two vertices with the one before, or that share none; lines from
+    each vertex to the next one; or points, which only a pass can emit that captures them."""
     vertices: int
     """Of each strip."""
     strips: int
@@ -35,12 +36,20 @@ class EmittedStrips:
     @property
     def triangles(self) -> int:
         """Of each strip."""
-        whole = {"strip": self.vertices - 2, "list": self.vertices // 3, "points": 0}
-        return whole[self.shape]
+        whole = {"strip": self.vertices - 2, "list": self.vertices // 3}
+        return whole.get(self.shape, 0)
+
+    @property
+    def emits(self) -> DrawnPrimitive:
+        """What its vertices are."""
+        emitted: Mapping[StripShape, DrawnPrimitive] = {"line": "line", "points": "point"}
+        return emitted.get(self.shape, "triangle")
 
     @property
     def listed_each(self) -> int:
-        """How many vertices each strip has as a list of triangles, or of points."""
+        """How many vertices each strip has as a list of triangles, of lines, or of points."""
+        if self.shape == "line":
+            return 2 * (self.vertices - 1)
         return self.vertices if self.shape == "points" else 3 * self.triangles
 
     @property
@@ -72,13 +81,13 @@ class Expansion:
 
     @property
     def listed(self) -> int:
-        """How many there are as a list of triangles, or of points."""
+        """How many there are as a list of triangles, of lines, or of points."""
         return sum(group.listed for group in self.groups)
 
     @property
     def emits(self) -> DrawnPrimitive:
         """What the emitted vertices are; all groups agree in that."""
-        return "point" if self.groups[0].shape == "points" else "triangle"
+        return self.groups[0].emits
 
     @property
     def starts(self) -> tuple[int, ...]:

@@ -84,7 +84,7 @@ def groups_of(
 
 def _nothing(graph: Graph, expansion: Expansion, roots: Sequence[Node]) -> GroupValues:
     """What is emitted where no condition can hold: compilers want to see some vertex, and one alone
-    makes no triangle; but it is a point, so of these there are none."""
+    makes no triangle and no line; but it is a point, so of these there are none."""
     zeros = []
     for root in roots:
         kind = scalar_kind(root.type)

@@ -1,11 +1,11 @@
 """Expansions without a geometry stage: each primitive of the mesh is drawn as an instance.
 
 ``lower_stages`` calls ``lower_expansion`` before all passes. The draw has as many vertices as a
-primitive emits at most, as a list of triangles, and a vertex knows by its number in which group,
-strip and triangle it is. What the mesh has at the corners of the primitive are vertex inputs per
-instance, one for each corner that is read. A strip that is not emitted has all its vertices in one
-place, beyond the picture. Where render targets have layers, each of these is a draw of its own, in
-which the strips of all others are not emitted. The result is the same, as are the order of
+primitive emits at most, as a list of triangles or lines, and a vertex knows by its number in which
+group, strip and triangle it is. What the mesh has at the corners of the primitive are vertex inputs
+per instance, one for each corner that is read. A strip that is not emitted has all its vertices in
+one place, beyond the picture. Where render targets have layers, each of these is a draw of its own,
+in which the strips of all others are not emitted. The result is the same, as are the order of
 triangles and the vertex that each begins with: triangle ``t`` of a strip has the vertices ``t``,
 ``t + 1 + t mod 2`` and ``t + 2 - t mod 2``, as in Vulkan.
 """
@@ -168,7 +168,7 @@ def _is_true(value: Node) -> bool:
 
 
 class EmittedNumbers:
-    """Where a vertex of a list of triangles lies among the groups of strips that are emitted."""
+    """Where a vertex of a list of triangles or lines lies among the groups that are emitted."""
 
     def __init__(self, graph: Graph, expansion: Expansion, vertex: Node) -> None:
         """``vertex`` is the number of the vertex in that list."""
@@ -206,6 +206,9 @@ class EmittedNumbers:
         group, place = self._groups[number], self._within(number)
         if group.strips > 1:
             place = self._call("mod", place, self._number(group.listed_each))
+        if group.shape == "line" and group.vertices > 2:
+            part, end = (self._call(name, place, self._number(2)) for name in ("div", "mod"))
+            return self._call("add", part, end)
         if group.shape != "strip" or group.triangles == 1:
             return place
         triangle = self._call("div", place, self._number(3))

@@ -115,7 +115,7 @@ def _cells(usual: int, draw: Mapping[str, Any], size: Size) -> int:
     patches = draw["tessellation"]
     triangles = (draw["vertices"] or 0) / 3 if patches else 0
     share = min(1.0, math.sqrt(FEW_TRIANGLES / triangles)) if triangles else 1.0
-    if patches and patches["kind"] == "isoline":
+    if patches and draw["topology"] == "line":
         share = FEW_LINES
     return max(3, round(usual * share * min(1.0, max(size) / max(SIZE))))
 

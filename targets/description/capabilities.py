@@ -65,7 +65,7 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "expansions",
-        "A primitive of the mesh becomes others: `expand triangle { … }`.",
+        "A primitive of the mesh becomes triangles or lines: `expand triangle { … }`.",
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
     ),
     Capability(

@@ -81,7 +81,7 @@ class Language:
     spacings: Mapping[Spacing, str] = EMPTY
     """What it calls the ways in which their edges are divided."""
     emitted: Mapping[str, str] = EMPTY
-    """What it calls the streams of points and of triangles that it emits."""
+    """What it calls the streams of points, lines and triangles that it emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     atomics: Mapping[ScatterOperator, str] = EMPTY

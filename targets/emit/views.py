@@ -137,7 +137,7 @@ class ExpansionView:
     """In the language's own word."""
     corners: int
     emitted: str
-    """What it emits: the language's word for streams of points or of triangles."""
+    """What it emits: the language's word for streams of points, lines or triangles."""
     places: bool
     """Whether it says where vertices go; those that are captured go nowhere."""
     vertices: int

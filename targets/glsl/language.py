@@ -137,7 +137,7 @@ FORMS = Forms(
     inner_level="gl_TessLevelInner[{number}]",
 )
 
-EMITTED = {"point": "points", "triangle": "triangle_strip"}
+EMITTED = {"point": "points", "line": "line_strip", "triangle": "triangle_strip"}
 
 ATOMICS: Mapping[ScatterOperator, str] = {
     "add": "atomicAdd",

@@ -178,7 +178,7 @@ INPUTS = {
     "patch_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
 }
 
-EMITTED = {"point": "PointStream", "triangle": "TriangleStream"}
+EMITTED = {"point": "PointStream", "line": "LineStream", "triangle": "TriangleStream"}
 
 PRIMITIVES = {
     "point": "point",

@@ -42,8 +42,8 @@ def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     if draw["tessellation"] is not None:
         return _divided(instance, data, mesh)
     corners = primitives(mesh, draw["primitive"])
-    captured, is_expanded = reflection["capture"], draw["expanded_by"] is not None
-    if not len(corners) and (is_expanded or captured is not None):
+    is_expanded = draw["expanded_by"] is not None
+    if not len(corners) and (is_expanded or reflection["capture"] is not None):
         work = "expand" if is_expanded else "capture"
         raise MeshError(f"the mesh has no {draw['primitive']} to {work}")
     if draw["expanded_by"] in (None, GEOMETRY.name):
@@ -51,8 +51,7 @@ def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
     copies = mesh.instance_count
     rows = reflection["vertex_inputs"]
     attributes = {row["name"]: _values(row["mesh"], data, corners, copies) for row in rows}
-    emits_points = captured is not None and captured["primitive"] == "point"
-    listed = np.arange(draw["vertices"]).reshape(-1, 1 if emits_points else 3)
+    listed = np.arange(draw["vertices"]).reshape(-1, CORNERS[draw["topology"]])
     return Drawn(attributes, listed, copies * len(corners))
 
 

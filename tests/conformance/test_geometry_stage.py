@@ -73,6 +73,14 @@ EXACT = {
         position = inherited.position + 0.0625 * vec3(float(i mod 2), 0, 0.5 * float(i mod 2))
         mark     = 0.5 * float(i)
     } }""",
+    "lines": """line {
+        line of 3 as i for s in 0..count where corner[0].uv.x < 0.8 like corner[i mod 2] {
+            position = inherited.position
+                + 0.0625 * vec3(float(s), float(i mod 2), 0.5 * float(i) + float(s))
+            mark     = 0.5 * float(i)
+        }
+        line of 2 as i { mark = 2 }
+    }""",
     "triangle": """triangle { strip of 3 as i for s in 0..count where corner[0].position.x < 0.4 {
         position = inherited.position + vec3(0.125, 0.25, 0.5) * float(s)
         mark     = float(s)
@@ -154,7 +162,14 @@ def _too_early(expansion: Expansion) -> tuple[int, ...]:
     return (0, *[2] * (len(expansion.groups) - 1))
 
 
+def _apart(numbers: EmittedNumbers, group: int) -> Node:
+    """The number of a vertex in its line, as if lines shared no vertices."""
+    place = numbers._within(group)
+    return numbers._call("mod", place, numbers._number(numbers._groups[group].vertices))
+
+
 PLANTED = {
+    "lines are cut into pieces": ("lines", replaced(EmittedNumbers, "_strip_vertex", _apart)),
     "triangles of a strip are not turned": (
         "a long strip", replaced(EmittedNumbers, "_strip_vertex", _without_turning)
     ),

@@ -13,6 +13,10 @@ CORNERS = {"point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_
 SPREAD = variable("spread", "float")
 """The slot that only an expansion or a tessellation sets."""
 
+TRIANGLES = (("strip", 3), ("strip", 4), ("strip", 5), ("list", 6))
+LINES = (("line", 2), ("line", 3), ("line", 5))
+"""What groups emit, and of how many vertices. All groups of an expansion emit one or the other."""
+
 
 def expansion(writer: Writer, scope: Scope, *, layers: int = 0) -> Iterator[Node]:
     """A slot of the expansion's own, and the expansion; in a pass, its targets may have layers."""
@@ -25,16 +29,19 @@ def expansion(writer: Writer, scope: Scope, *, layers: int = 0) -> Iterator[Node
 
 def expand(writer: Writer, scope: Scope, primitive: str, layers: int = 0) -> Node:
     """The expansion of these primitives."""
+    shapes = LINES if writer.maybe(0.2) else TRIANGLES
     groups = [
-        _strips(writer, scope, primitive, layers) for _ in range(writer.chance.choice((1, 1, 2)))
+        _strips(writer, scope, primitive, layers, *writer.chance.choice(shapes))
+        for _ in range(writer.chance.choice((1, 1, 2)))
     ]
     return listed(f"expand {primitive} {{{{ {{}} }}}}", groups, " ", "expansion")
 
 
-def _strips(writer: Writer, scope: Scope, primitive: str, layers: int) -> Node:
-    """One group of strips, or of a list."""
+def _strips(
+    writer: Writer, scope: Scope, primitive: str, layers: int, shape: str, count: int
+) -> Node:
+    """One group of strips, of a list, or of lines."""
     corners = CORNERS[primitive]
-    shape, count = writer.chance.choice((("strip", 3), ("strip", 4), ("strip", 5), ("list", 6)))
     head = f"{shape} of {count} as i"
     known = [*_of_corner(writer, corners), variable("float(i)", "float"), variable("i", "int")]
     parts: list[Node] = []

@@ -160,11 +160,14 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
 
 def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
     """What the stages deliver that make vertices, besides these."""
+    captured = captures(passing.record)
     for step in surface.steps:
         yield from step.results
         expansion = step.expansion
-        if expansion is not None and expansion.emits == "point" and not captures(passing.record):
+        if expansion is not None and expansion.emits == "point" and not captured:
             ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
+        if expansion is not None and expansion.emits == "line" and captured:
+            ctx.report.add(rules.LINES_CAPTURED, expansion.span, name=passing.record.name)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:

@@ -207,14 +207,14 @@ class _Expanding:
     def _fits(self, groups: list[EmittedStrips]) -> bool:
         """Whether a primitive turns into something, and not into more than anything could draw."""
         span, count = self._member.primitive.span, sum(group.listed for group in groups)
-        shapes = {group.shape == "points" for group in groups}
+        emitted = {group.emits for group in groups}
         if not count:
             self._ctx.report.add(rules.NO_STRIPS, span)
-        elif len(shapes) > 1:
-            self._ctx.report.add(rules.POINTS_AND_TRIANGLES, span)
+        elif len(emitted) > 1:
+            self._ctx.report.add(rules.DIFFERENT_PRIMITIVES, span)
         elif count > MOST_VERTICES:
             self._ctx.report.add(rules.EXPANDS_TOO_FAR, span, count=count, most=MOST_VERTICES)
-        return 0 < count <= MOST_VERTICES and len(shapes) == 1
+        return 0 < count <= MOST_VERTICES and len(emitted) == 1
 
     def _set(self) -> Iterator[str]:
         """The slots that some group sets; reported where there is none of that name."""
@@ -274,6 +274,11 @@ class _Expanding:
         if written.shape == "points":
             if count < 1:
                 ctx.report.add(rules.NO_POINTS, span, count=count)
+                return None
+            return count
+        if written.shape == "line":
+            if count < 2:
+                ctx.report.add(rules.NO_SEGMENTS, span, count=count)
                 return None
             return count
         if count < 3 or (written.shape == "list" and count % 3):

@@ -115,7 +115,7 @@ class Capture:
     value: Expression
 
 
-StripShape = Literal["strip", "list", "points"]
+StripShape = Literal["strip", "list", "line", "points"]
 """Triangles that each share two vertices with the one before, or that share none; or vertices that
 are points, each alone."""
 
