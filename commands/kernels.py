@@ -27,9 +27,7 @@ def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
     return [Kernel(material, material.instance()) for material in found.values()]
 
 
-def feed(
-    kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[str, str]
-) -> Feeding:
+def feed(kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[str, str]) -> Feeding:
     """What gives the buffers of all that is drawn their elements.
 
     The command ends if nothing is drawn. Raises ``FeedError``.

@@ -88,9 +88,7 @@ def subjects(
     drawn_ones = [pair for pair in pictures if pair[1].reflection["capture"] is None]
     if pictures and not drawn_ones:
         _refuse_captures(pictures)
-    found = [
-        (titles, material, _scene_state(material, request)) for titles, material in drawn_ones
-    ]
+    found = [(titles, material, _scene_state(material, request)) for titles, material in drawn_ones]
     drawn = [state.instance for _titles, _material, state in found]
     _set_values([*drawn, *(kernel.instance for kernel in kernels)], request.values)
     _set_pictures(drawn, request.size)

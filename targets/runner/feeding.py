@@ -74,7 +74,9 @@ class Feeding:
         return [
             row["name"]
             for row in rows
-            if row["stages"] and row["name"] not in self._writers and not contents[row["name"]].count
+            if row["stages"]
+            and row["name"] not in self._writers
+            and not contents[row["name"]].count
         ]
 
     def run(self, steps: int, tell: Progress) -> None:

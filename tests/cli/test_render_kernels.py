@@ -32,9 +32,7 @@ material Bar {
 def linear(picture: tuple[int, ...]) -> list[float]:
     """The linear light of a colour of a picture."""
     shares = [value / 255 for value in picture]
-    return [
-        round(s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4, 2) for s in shares
-    ]
+    return [round(s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4, 2) for s in shares]
 
 
 def test_a_buffer_has_what_a_kernel_writes(tmp_path: Path) -> None:
