@@ -50,7 +50,8 @@ def told() -> Iterator[None]:
     except DriverError as error:
         fail(str(error).replace("\n", "\n  "))
     except (
-        CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError, UndrawableError,
+        CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
+        UndrawableError,
     ) as error:  # fmt: skip
         fail(str(error))
     except MemoryError:
