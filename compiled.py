@@ -16,7 +16,7 @@ from .compiler.inputs import Inputs
 from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Staged
-from .frozen import EMPTY, frozen
+from .frozen import EMPTY, changed, frozen
 from .garbage import seldom_collected
 from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
@@ -106,7 +106,13 @@ class CompiledMaterial:
             for legal, emission in self._emissions
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
-        return reflect(self.shader, self._staged.program, tables, derived)
+        # Which inputs a storage buffer has instead is known behind the passes.
+        last = self._staged.shader
+        bound = changed(
+            self.shader,
+            parameters=last.parameters, attributes=last.attributes, buffers=last.buffers,
+        )  # fmt: skip
+        return reflect(bound, self._staged.program, tables, derived)
 
     @property
     def staged(self) -> Staged:

@@ -31,6 +31,7 @@ def told() -> Iterator[None]:
         from ..compiler.diagnostics.diagnostic import CompileError
         from ..targets.runner.codes import CodeError
         from ..targets.runner.drivers.draw import DriverError
+        from ..targets.runner.feeding import FeedError
         from ..targets.runner.instances.instance import MissingValuesError
         from ..targets.runner.instances.values import ParameterError
         from ..targets.runner.kernels import UndrawableError
@@ -49,7 +50,8 @@ def told() -> Iterator[None]:
     except DriverError as error:
         fail(str(error).replace("\n", "\n  "))
     except (
-        CodeError, MeshError, MissingValuesError, ParameterError, PictureError, UndrawableError,
+        CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
+        UndrawableError,
     ) as error:  # fmt: skip
         fail(str(error))
     except MemoryError:

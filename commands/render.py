@@ -105,6 +105,14 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="A parameter or a texture; may be given many times.",
 )  # fmt: skip
 @click.option(
+    "--steps", metavar="N", default=1, show_default=True, type=click.IntRange(1, 100_000),
+    help="How many steps kernels make, if --again says what goes from step to step.",
+)  # fmt: skip
+@click.option(
+    "--again", metavar="BUFFER=RESULT", multiple=True, callback=_pairs,
+    help="What a buffer becomes before the next step; may be given many times.",
+)  # fmt: skip
+@click.option(
     "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
     help="The colour behind the mesh.",
 )  # fmt: skip
@@ -132,12 +140,18 @@ def render(**chosen: Any) -> None:
         'lamps[0].place=0,2,1'       a part of one light of an array
         albedo=bricks.png            a texture of numbers; srgb:bricks.jpg is one of colours
         sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices
+        lamps=lamps.json             the elements of a buffer
+
+    Kernels over buffers draw nothing. But a `buffer` has the elements of the `result` that is
+    called like it, of a kernel in the same file, which the reference runs. For simulations, --steps
+    runs it again and again; --again says which buffers go on with what was written.
 
     \b
     Example:
         burnish render plastic.burnish -o plastic.png
         burnish render plastic.burnish -o torus.png --mesh torus --set power=200
         burnish render plastic.burnish -o sheet.png --on all --size 256
+        burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
     """
     request = Request(**chosen)
     with told():
@@ -161,8 +175,7 @@ def _render(request: Request) -> None:
     check_device(request.device, drivers)
     with Progress("drawing") as progress, Runner(drivers, device=request.device) as runner:
         _tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
-        found = subjects(request, drivers)
-        _refuse_kernels(found)
+        found = subjects(request, drivers, progress.tell)
         _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), _largest(found))
         drawn = list(panels(found, routes, request.target, runner, progress))
@@ -212,17 +225,6 @@ def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route])
     for subject, route in product(subjects, routes):
         if problem := subject.material.lacking.get(route.profile):
             remark("note", f"{subject.label} is not drawn by {route.name}: {problem}")
-
-
-def _refuse_kernels(subjects: Sequence[Subject]) -> None:
-    """End the command if something has no picture."""
-    for subject in subjects:
-        if subject.material.reflection["capture"] is not None:
-            fail(f"{subject.label} captures vertices, so its pass draws nothing: "
-                 "`burnish conform` runs it")  # fmt: skip
-        if not subject.material.reflection["targets"]:
-            fail(f"{subject.label} is a kernel over buffers, which draws nothing: "
-                 "`burnish conform` runs it")  # fmt: skip
 
 
 def _largest(subjects: Sequence[Subject]) -> tuple[int, int]:

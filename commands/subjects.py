@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from .console import remark, show
 from .failures import fail
+from .kernels import feed, is_over_buffers, kernels_of
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial
@@ -46,6 +48,10 @@ class Request(NamedTuple):
     search_path: tuple[Path, ...]
     hoist: bool
     native_stages: bool
+    steps: int
+    """How often kernels that a step changes are run."""
+    again: tuple[tuple[str, str], ...]
+    """Buffers, and what they become from step to step."""
 
     @property
     def draws_everything(self) -> bool:
@@ -54,7 +60,7 @@ class Request(NamedTuple):
 
 
 class Subject(NamedTuple):
-    """One material with one rig, ready to draw."""
+    """One material with one rig and one pass, ready to draw."""
 
     titles: tuple[str, ...]
     """The lines above its picture."""
@@ -67,20 +73,28 @@ class Subject(NamedTuple):
         return ", ".join(self.titles)
 
 
-def subjects(request: Request, routes: Iterable[Route]) -> list[Subject]:
+def subjects(
+    request: Request, routes: Iterable[Route], tell: Callable[[float], None]
+) -> list[Subject]:
     """Compile all that the command line asks for, for some routes, and set every value.
 
-    Warnings and notes are printed. An error in a material, a value or a name is raised, or ends the
-    command.
+    Kernels over buffers are run, for the materials that read what they write; ``tell`` is told
+    which part of their steps is done. Warnings and notes are printed. An error in a material, a
+    value or a name is raised, or ends the command.
     """
-    found = [
-        (titles, material, _scene_state(material, request))
-        for titles, material in _compiled(request, routes)
-    ]
-    instances = [state.instance for _titles, _material, state in found]
-    _set_values(instances, request.values)
-    _set_pictures(instances, request.size)
-    _insist_on_values(instances)
+    compiled = list(_compiled(request, routes))
+    kernels = kernels_of(_all_of_file(request, [material for _titles, material in compiled]))
+    pictures = [pair for pair in compiled if not is_over_buffers(pair[1].reflection)]
+    drawn_ones = [pair for pair in pictures if pair[1].reflection["capture"] is None]
+    if pictures and not drawn_ones:
+        _refuse_captures(pictures)
+    found = [(titles, material, _scene_state(material, request)) for titles, material in drawn_ones]
+    drawn = [state.instance for _titles, _material, state in found]
+    _set_values([*drawn, *(kernel.instance for kernel in kernels)], request.values)
+    _set_pictures(drawn, request.size)
+    feeding = feed(kernels, drawn, dict(request.again))
+    _insist_on_values([*drawn, *(kernel.instance for kernel in feeding.kernels)])
+    feeding.run(request.steps, tell)
     return [Subject(titles, material, _sized(state)) for titles, material, state in found]
 
 
@@ -100,24 +114,51 @@ def target_number(reflection: Mapping[str, Any], wanted: str | None) -> int:
 def _compiled(
     request: Request, routes: Iterable[Route]
 ) -> Iterator[tuple[tuple[str, ...], CompiledMaterial]]:
-    """Each material with each rig that the command line does not exclude, and its titles."""
+    """Each material with each rig and pass that the command line does not exclude, and its titles;
+    and the kernels."""
     from .. import api
 
     variants = api.variants(request.file, search_path=request.search_path)
     rigs = [request.rig] if request.rig else list(dict.fromkeys(rig for rig, _ in variants))
+    passes = [request.pass_] if request.pass_ else _own_passes(variants)
     profiles = sorted({route.profile for route in routes})
     results = {
-        rig: api.compile(
-            request.file, profiles, material=request.material, rig=rig, pass_=request.pass_,
+        (rig, pass_): api.compile(
+            request.file, profiles, material=request.material, rig=rig, pass_=pass_,
             search_path=request.search_path, hoist=request.hoist, partial=request.draws_everything,
             native_stages=request.native_stages,
         )
-        for rig in rigs
+        for rig, pass_ in product(rigs, passes)
     }  # fmt: skip
-    show(found for result in results.values() for found in result.diagnostics)
+    show(dict.fromkeys(found for result in results.values() for found in result.diagnostics))
     for materials in zip(*results.values(), strict=True):
-        for rig, material in zip(rigs, materials, strict=True):
-            yield (material.name, f"rig {rig}") if len(rigs) > 1 else (material.name,), material
+        for (rig, pass_), material in zip(results, materials, strict=True):
+            titles = (f"rig {rig}",) if len(rigs) > 1 else ()
+            drawn_by = (f"pass {pass_}",) if len(passes) > 1 else ()
+            yield (material.name, *titles, *drawn_by), material
+
+
+def _all_of_file(
+    request: Request, compiled: Sequence[CompiledMaterial]
+) -> Iterable[CompiledMaterial]:
+    """What a file declares. If a material is named, the rest is only needed for its buffers."""
+    from .. import api
+
+    if request.material is None or not any(each.reflection["buffers"] for each in compiled):
+        return compiled
+    return api.compile(request.file, (), rig=request.rig, search_path=request.search_path)
+
+
+def _refuse_captures(captured: Sequence[tuple[tuple[str, ...], CompiledMaterial]]) -> NoReturn:
+    """End the command, as nothing has a picture."""
+    label = ", ".join(captured[0][0])
+    fail(f"{label} captures vertices, so its pass draws nothing: `burnish conform` runs it")
+
+
+def _own_passes(variants: Iterable[tuple[str | None, str | None]]) -> list[str | None]:
+    """The passes that a file declares; the library's if it declares none."""
+    passes = dict.fromkeys(pass_ for _, pass_ in variants)
+    return [pass_ for pass_ in passes if pass_ is not None] or [None]
 
 
 def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:

@@ -458,6 +458,8 @@ class Program:
     """What is written of each vertex instead of drawing."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
+    corner_buffer: Buffer | None = None
+    """What the first stage reads the corners of primitives of, if vertex inputs do not suffice."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""
@@ -470,6 +472,11 @@ class Program:
     def vertex_inputs(self) -> tuple[Field, ...]:
         """What the host's vertex buffers have to supply."""
         return self.stages[0].inputs
+
+    @property
+    def input_locations(self) -> int:
+        """How many locations these take: one counts also where nothing is read at those before."""
+        return max((field.location + 1 for field in self.vertex_inputs), default=0)
 
     @property
     def varyings(self) -> tuple[Varying, ...]:

@@ -101,8 +101,9 @@ class BufferInfo:
     doc: str
     span: Span
     of_mesh: tuple[tuple[str, AttributeInfo], ...] = ()
-    """Where a kernel captures vertices, the vertex inputs whose values the members of its elements
-    hold, by the members' names."""
+    """Where a kernel captures vertices, or the vertex stage has too few inputs for the corners of
+    primitives: the vertex inputs whose values the members of its elements hold, by the members'
+    names."""
     each: int = 1
     """How many elements an invocation writes."""
 

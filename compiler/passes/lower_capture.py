@@ -22,13 +22,10 @@ from ..ir.node import Graph, Node, reachable
 from ..ir.rewrite import rewrite
 from ..ir.shader import AttributeInfo, BufferInfo, MeshInput, ParameterInfo, Result, Shader, Store
 from ..ir.stages import CAPTURE, COMPUTE, COMPUTED, EMITTING, EXTENT, STORE, VERTEX, SystemInput
-from ..ir.types import INT, UINT, RuntimeArray, Struct, Type, Vector, width
+from ..ir.types import INT, UINT, RuntimeArray, Type, Vector, width
 from .corner_inputs import VERTEX_INDEX, as_attribute
+from .mesh_buffers import buffer_info, free_name, member_name, mesh_buffer, names_taken
 
-MESH = "mesh"
-"""The buffer that is read; a host binds it with what the kernel writes."""
-VERTEX_STRUCT, PRIMITIVE_STRUCT = "MeshVertex", "MeshPrimitive"
-"""What its elements are."""
 CAPTURED = "captured"
 """The buffer that is written."""
 INDEX = changed(next(row for row in COMPUTE.inputs if row.type == INT), most=int(MOST_ELEMENTS) - 1)
@@ -79,8 +76,8 @@ class _Reading:
         self.span = _first_span(shader)
         """Where the first value is that is captured."""
         infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
-        self._members = {info.attribute: _member_name(info.attribute) for info in infos}
-        self.mesh = _mesh(shader, infos, self._members, is_primitive=self._is_expanded)
+        self._members = {info.attribute: member_name(info.attribute) for info in infos}
+        self.mesh = mesh_buffer(shader, infos, is_primitive=self._is_expanded)
         """The buffer."""
         index = shader.graph.node("input", INT, (), INDEX)
         self._vertex = self._element = index
@@ -140,74 +137,15 @@ def _first_span(shader: Shader) -> Span:
     return next((span for span in places if span is not None), next(iter(spans.values())))
 
 
-def _member_name(leaf: Attribute) -> str:
-    return leaf.name.replace(".", "_")
-
-
-def _mesh(
-    shader: Shader,
-    infos: Iterable[AttributeInfo],
-    members: dict[Attribute, str],
-    *,
-    is_primitive: bool,
-) -> BufferInfo:
-    """The buffer that has the inputs of a vertex, or of a primitive, in each element."""
-    rows = [(members[info.attribute], info) for info in infos]
-    taken = {name for info in shader.buffers for name in _structs_of(info.buffer.type)}
-    taken |= {name for info in shader.parameters for name in _structs_of(info.parameter.type)}
-    struct = Struct(
-        _free(PRIMITIVE_STRUCT if is_primitive else VERTEX_STRUCT, taken),
-        tuple((name, info.attribute.type) for name, info in rows),
-    )
-    span = rows[0][1].span
-    # A mesh's values are taken as they are: what a type says beyond its numbers is not checked.
-    described = tuple(
-        ParameterInfo(Parameter(name, type_, ""), str(type_), None, None, info.doc, span)
-        for (name, type_), (_, info) in zip(struct.members, rows, strict=True)
-    )
-    buffer = Buffer(_free(MESH, _names(shader)), RuntimeArray(struct), WRITTEN_GROUP)
-    element = ParameterInfo(Parameter("", struct, ""), struct.name, None, None, "", span, described)
-    return changed(_info(buffer, element, span), of_mesh=tuple(rows))
-
-
 def _written(shader: Shader, span: Span) -> BufferInfo:
     """The buffer of which each invocation writes the numbers of a vertex."""
     assert shader.capture is not None
-    buffer = Buffer(_free(CAPTURED, _names(shader)), RuntimeArray(UINT), WRITTEN_GROUP)
+    buffer = Buffer(free_name(CAPTURED, names_taken(shader)), RuntimeArray(UINT), WRITTEN_GROUP)
     element = ParameterInfo(Parameter("", UINT, ""), str(UINT), None, None, "", span)
     conditions = shader.results_of(EMITTING)
-    return changed(_info(buffer, element, span), each=shader.capture.numbers + len(conditions))
-
-
-def _info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInfo:
-    doc = f"How many elements `{buffer.name}` has"
-    limits = (0.0, buffer.count.fact.hi)
-    count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
-    return BufferInfo(buffer, element, count, "", span)
-
-
-def _structs_of(type_: Type) -> Iterator[str]:
-    """The name of the structure that a parameter or a buffer consists of, if it does."""
-    while not isinstance(type_, Struct) and hasattr(type_, "element"):
-        type_ = type_.element
-    if isinstance(type_, Struct):
-        yield type_.name
-
-
-def _names(shader: Shader) -> set[str]:
-    """What parameters, textures and buffers are called."""
-    return {
-        *(info.parameter.name for info in shader.parameters),
-        *(info.resource.name for info in shader.resources),
-        *(info.buffer.name for info in shader.buffers),
-    }
-
-
-def _free(name: str, taken: set[str]) -> str:
-    """A name like this that nothing has."""
-    while name in taken:
-        name += "_"
-    return name
+    return changed(
+        buffer_info(buffer, element, span), each=shader.capture.numbers + len(conditions)
+    )
 
 
 def _stores(shader: Shader, written: BufferInfo, results: Iterable[Result]) -> Iterator[Result]:

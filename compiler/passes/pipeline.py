@@ -15,6 +15,7 @@ from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Result, Shader
 from ..ir.stages import EXTENT, LENGTH
 from .checkpoint import verified, verified_results
+from .corners_in_buffer import MOST_INPUTS, corners_in_buffer
 from .expand_builtins import expand_builtins
 from .fuse import fuse
 from .guard import Guard, Guarding
@@ -126,6 +127,8 @@ def stage(shader: Shader, options: Options) -> Staged:
     made = partial(_form, derived=derived, ranges=ranges if guarding.undecided else None)
     shader = changed(shader, results=results)
     form = made(whole_texels(shader))
+    if form.program.input_locations > MOST_INPUTS:
+        form = made(corners_in_buffer(shader))
     drawn = made(full_screen(shader)) if writes_images(shader) else None
     guards = tuple(guarding.kept.values())
     return Staged(form.shader, form.program, derived, guards, evidence, form.undecided, drawn)

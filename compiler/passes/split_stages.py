@@ -13,6 +13,7 @@ from itertools import count
 from ...frozen import changed, frozen
 from ..ir import build
 from ..ir.kernel import WRITTEN_GROUP
+from ..ir.leaves import Buffer
 from ..ir.node import Graph, Node, formals_of
 from ..ir.operations import INPUT
 from ..ir.program import (
@@ -30,7 +31,17 @@ from ..ir.program import (
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
-from ..ir.stages import CAPTURE, EDGE_LEVEL, EMITTING, EXTENT, IMAGE, INNER_LEVEL, VARYING, StageRow
+from ..ir.stages import (
+    CAPTURE,
+    EDGE_LEVEL,
+    EMITTING,
+    EXTENT,
+    IMAGE,
+    INNER_LEVEL,
+    VARYING,
+    VERTEX,
+    StageRow,
+)
 from ..ir.types import UINT, scalar_kind
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .emit_strips import GroupValues, groups_of
@@ -83,7 +94,15 @@ def split_stages(
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
         shader.expansion, shader.tessellation, shader.capture, shader.work_group,
+        _corner_buffer(shader),
     )  # fmt: skip
+
+
+def _corner_buffer(shader: Shader) -> Buffer | None:
+    """What the vertex stage of a draw reads the mesh of, if that are no vertex inputs."""
+    if shader.chain[0] != VERTEX:
+        return None
+    return next((info.buffer for info in shader.buffers if info.of_mesh), None)
 
 
 def _name_levels(results: Sequence[Result], notes: Notes) -> None:

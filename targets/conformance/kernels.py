@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.shader import Shader, Store
-from ...compiler.ir.storage import byte_size, place_in, stored_element
+from ...compiler.ir.storage import LANE, byte_size, stored_element
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.kernel import Lane, computed
 from ...compiler.reference.picture import Expected, RasterRules, formats
@@ -23,6 +23,7 @@ from ..runner.drivers.draw import Device, Dispatch, Written
 from ..runner.instances.instance import Instance
 from ..runner.kernels import dispatch_of, elements_of, job_of
 from ..runner.reference import Program, texels_of, values_for
+from ..runner.reference_kernels import place_of
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.subject import Subject
@@ -159,14 +160,11 @@ def _got(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> list[F
     found = []
     for part in _parts(lanes):
         store = part[0].store
-        type_, offset = place_in(store.buffer.type.element, store.path)
         size = byte_size(stored_element(store.buffer.type.element))
         words = np.frombuffer(data[store.buffer.name], np.uint8).reshape(-1, size * store.stride)
-        start = store.offset * size + offset
-        kind = {"float": "<f4", "int": "<i4", "uint": "<u4"}[type_]
         columns = [
-            np.ascontiguousarray(words[:, start + 4 * n : start + 4 * n + 4]).view(kind)[:, 0]
-            for n in range(len(part))
+            np.ascontiguousarray(words[:, start : start + LANE]).view(kind)[:, 0]
+            for start, kind in map(place_of, part)
         ]
         found.append(_target(columns, width))
     return found

@@ -12,8 +12,8 @@ from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import OF_GROUPS
 from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
-from ...compiler.ir.stages import CAPTURE, CONTROL, TARGET
-from ...compiler.ir.types import Texture, width
+from ...compiler.ir.stages import CAPTURE, CONTROL, TARGET, VERTEX
+from ...compiler.ir.types import Struct, Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.capabilities import (
@@ -67,6 +67,7 @@ class Lack:
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits of a profile that a program exceeds."""
     by_corner = program.expansion is not None and not _emitting(program)
+    by_corner = by_corner or program.corner_buffer is not None
     for name, count in _counts(program, profile).items():
         limit = getattr(profile.limits, name)
         if count > limit:
@@ -86,8 +87,7 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
     return {
         # What is captured leaves a stage as what crosses does.
         "varyings": max(*crossing, len(program.results_of(CAPTURE)), 0),
-        # A location counts also where nothing is read at those before it.
-        "attributes": max((field.location + 1 for field in program.vertex_inputs), default=0),
+        "attributes": program.input_locations + _missing_inputs(program, profile),
         "textures": max(len(stage.resources) for stage in program.stages),
         "block_bytes": max((block.size for block in program.blocks), default=0),
         "nested_blocks": max(depths),
@@ -96,6 +96,15 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "shared_bytes": _shared_bytes(program),
         **_buffer_counts(program, profile),
     }
+
+
+def _missing_inputs(program: Program, profile: Profile) -> int:
+    """How many vertex inputs a program lacks a buffer for, which has corners where there can be
+    one."""
+    corners = program.corner_buffer
+    if corners is None or not isinstance(corners.type.element, Struct):
+        return 0
+    return 0 if buffers_of(VERTEX).is_met(profile) else len(corners.type.element.members)
 
 
 def _shared_bytes(program: Program) -> int:
@@ -165,8 +174,9 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 LANE_BYTES = 4
 
 BY_CORNER = (
-    "each corner that is read has inputs of its own: read fewer slots by corner, or compile with "
-    "`--native-stages` for a profile that has it"
+    "each corner that is read has inputs of its own, unless the vertex stage reads storage "
+    "buffers: read fewer slots by corner, or compile for a profile that has these, or with "
+    "`--native-stages` for one that has the stage"
 )
 
 WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captures the vertices"
@@ -184,7 +194,8 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives, instead)
     for stage in program.stages:
         need = buffers_of(stage.row)
-        if stage.buffers and stage.row in profile.stages and not need.is_met(profile):
+        buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
+        if buffers and stage.row in profile.stages and not need.is_met(profile):
             yield Lack(need.feature, _first_use(stage))
     captured = program.results_of(CAPTURE)
     if captured and not STREAM_OUTPUT.is_met(profile):

@@ -19,14 +19,12 @@ from .binding import pipeline
 from .codes import compile_one
 from .drivers.draw import Captured, CaptureJob, DriverError, Pipeline, Written
 from .kernels import dispatch_of, elements_of, job_of
+from .mesh_buffers import KINDS, give_mesh, mesh_rows
 from .meshes import Mesh, MeshError
 from .routes import Route
 from .runner import Runner
 from .scene_state import SceneState
 from .subject import Subject
-
-KINDS = {"f": "<f4", "v": "<f4", "i": "<i4", "u": "<u4"}
-"""The type of a number, by the first letter of the representation."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -86,26 +84,12 @@ def captured_by(
         answers = runner.capture(route, CaptureJob(bound, draws, tuple(map(most, states))))
         return [vertices(reflection, answer) for answer in answers]
     for state in states:
-        give_mesh(state)
+        rows = mesh_rows(reflection)
+        give_mesh(state.instance, {row["name"]: _of_elements(row, state) for row in rows})
     dispatches = [dispatch_of(state.instance) for state in states]
     written = runner.compute(route, job_of(reflection, bound, dispatches))
     found = map(_compacted, states, written)
     return [vertices(reflection, captured) for captured in found]
-
-
-def give_mesh(state: SceneState) -> None:
-    """Set the storage buffer of which a kernel reads the mesh."""
-    reflection = state.instance.reflection
-    rows = [row for row in reflection["vertex_inputs"] if row["buffer"] is not None]
-    values = {row["buffer"]["member"]: _of_elements(row, state) for row in rows}
-    fields = [
-        (name, KINDS[row["representation"][0]], each.shape[1:] if each.shape[1] > 1 else ())
-        for row, (name, each) in zip(rows, values.items(), strict=True)
-    ]
-    elements = np.zeros(len(next(iter(values.values()))), fields)
-    for name, each in values.items():
-        elements[name] = each if each.shape[1] > 1 else each[:, 0]
-    state.instance.set(rows[0]["buffer"]["name"], elements)
 
 
 def _of_elements(row: Mapping[str, Any], state: SceneState) -> NDArray[Any]:

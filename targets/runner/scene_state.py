@@ -17,6 +17,7 @@ from ...compiler.reference.picture import Geometry, instanced
 from .drivers.draw import Draw
 from .expanding import as_drawn
 from .instances.instance import Instance
+from .mesh_buffers import give_mesh, mesh_rows
 from .meshes import Indices, Mesh
 from .scene import Scene, vertex_data
 
@@ -61,6 +62,7 @@ class SceneState:
             vertices=tuple(
                 _bytes(row["representation"], self.attributes[row["name"]])
                 for row in reflection["vertex_inputs"]
+                if row["buffer"] is None
             ),
             indices=self.triangles.astype("<u4").tobytes(),
             blocks=self._blocks(),
@@ -103,6 +105,8 @@ def set_up(
     reflection = instance.reflection
     data = vertex_data(reflection, mesh)
     drawn = as_drawn(instance, data, mesh)
+    if mesh_rows(reflection) and reflection["capture"] is None:
+        give_mesh(instance, drawn.attributes)
     cleared = (clear,) * len(reflection["targets"])
     return SceneState(
         width, height, drawn.attributes, drawn.corners, instance, cleared, drawn.instance_count

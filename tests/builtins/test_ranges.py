@@ -36,8 +36,10 @@ OF_FLOATS = [
     for row in BUILTINS.values()
     if row.range is not anything
     and row.name not in LOOSE
+    and row.of_group is None
     and (row.name in VECTORS or any(set(s) <= set("TNS ,->") for s in row.signatures))
 ]
+"""What joins work groups is none of these: ``tests/reference/test_in_groups.py`` has its ranges."""
 
 Floats = NDArray[np.float64]
 

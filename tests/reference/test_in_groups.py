@@ -9,7 +9,10 @@ import pytest
 from numpy.typing import NDArray
 
 from burnish.compiler.reference.bounds import Bounded, exact
+from burnish.compiler.reference.functions import evaluate
 from burnish.compiler.reference.in_groups import InGroups
+from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.facts import Fact
 
 SIZES = (1, 2, 32, 37, 64)
 COUNTS = (0, 1, 31, 64, 70, 200)
@@ -97,3 +100,13 @@ def test_what_is_the_same_everywhere_counts_once_for_each_invocation() -> None:
     library = InGroups(_no_error, 70, 64)
     found = library.all_joined(lambda x, y, /: x + y, 1.0)
     assert found.value.tolist() == [64.0] * 64 + [6.0] * 6
+
+
+@pytest.mark.parametrize("name", ["group_min", "group_max"])
+def test_the_least_and_the_greatest_stay_in_their_range(name: str) -> None:
+    values = _values(70)
+    lane = exact(values.astype(np.float64))
+    (found,) = evaluate(name, [(lane,)], InGroups(_no_error, 70, 64))
+    claimed = BUILTINS[name].range((Fact(values.min(), values.max()),), False)
+    assert (claimed.lo, claimed.hi) == (values.min(), values.max())
+    assert claimed.lo <= np.min(found.value) <= np.max(found.value) <= claimed.hi

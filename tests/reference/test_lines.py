@@ -87,6 +87,15 @@ def test_a_rectangle_is_wider_than_a_parallelogram_where_lines_are_steep() -> No
     assert at not in places(begin, end, "diamonds")
 
 
+@pytest.mark.parametrize("rule", [*RULES, "any"])
+def test_a_picture_in_front_of_which_all_lines_lie(rule: Lines) -> None:
+    """Nothing is left of a line that lies before the near plane."""
+    ends = np.array([[0.0, 0.0, -1.0, 1.0], [0.5, 0.5, -1.0, 1.0]])
+    fragments, unsure = covered(ends, LINE, by(rule))
+    assert len(fragments.pixel) == 0
+    assert not unsure.any()
+
+
 def test_lines_without_a_length_cover_nothing() -> None:
     for rule in RULES:
         assert places((3.2, 3.4), (3.2, 3.4), rule) == set()

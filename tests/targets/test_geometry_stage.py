@@ -158,12 +158,17 @@ def test_more_than_the_stage_can_emit() -> None:
 
 
 def test_more_inputs_than_there_are() -> None:
-    assert told(WIDE, "wgsl", native_stages=False) == [
-        """error[B0702]: 18 vertex inputs of Wide, but wgsl:webgpu has only 16
+    assert told(WIDE, "glsl:es300", native_stages=False) == [
+        """error[B0702]: 18 vertex inputs of Wide, but glsl:es300 has only 16
  --> <text>:3:12
   |
 3 |     expand triangle_adjacency {
   |            ^^^^^^^^^^^^^^^^^^
-  = help: each corner that is read has inputs of its own: read fewer slots by corner, or compile with `--native-stages` for a profile that has it"""  # noqa: E501
+  = help: each corner that is read has inputs of its own, unless the vertex stage reads storage buffers: read fewer slots by corner, or compile for a profile that has these, or with `--native-stages` for one that has the stage"""  # noqa: E501
     ]
+    (drawn,) = burnish.compile(WIDE, "wgsl").materials
+    (buffer,) = drawn.reflection["buffers"]
+    assert (buffer["name"], buffer["stages"]) == ("mesh", ["vertex"])
+    assert len(drawn.reflection["vertex_inputs"]) == 18
+    assert {row["buffer"]["name"] for row in drawn.reflection["vertex_inputs"]} == {"mesh"}
     burnish.compile(WIDE, PROFILES, native_stages=True)

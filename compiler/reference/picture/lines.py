@@ -233,7 +233,7 @@ def _unsure(outline: _Outline, slack: Floats, is_cut: Bools, rules: RasterRules)
         ends = ends + _ANY_END
     elif rules.lines == "parallelogram":
         ends = ends + np.where(outline.diagonal, _ANY_END, 0.0)[:, None]
-    unsure: Floats = np.stack([along, ends], axis=2).reshape(len(sides), -1)
+    unsure: Floats = np.stack([along, ends], axis=2).reshape(sides.shape)
     return unsure
 
 

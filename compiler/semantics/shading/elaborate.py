@@ -160,20 +160,23 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
 
 def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
     """What the stages deliver that make vertices, besides these."""
-    captured = captures(passing.record)
+    captured, name = captures(passing.record), passing.record.name
     for step in surface.steps:
         yield from step.results
         expansion = step.expansion
-        if expansion is not None and expansion.emits == "point" and not captured:
-            ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=passing.record.name)
-        if expansion is not None and expansion.emits == "line" and captured:
-            ctx.report.add(rules.LINES_CAPTURED, expansion.span, name=passing.record.name)
+        if expansion is None:
+            continue
+        if expansion.emits == "point" and not captured:
+            ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=name)
+        if expansion.emits == "line" and captured:
+            ctx.report.add(rules.LINES_CAPTURED, expansion.span, name=name)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
-    if not written and not drawn.baseless and is_whole and not captures(drawn):
+    is_empty = not written and not drawn.baseless and is_whole and not captures(drawn)
+    if is_empty and not ctx.report.unread_names:  # What could not be read may have been a target.
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(ctx, drawn, passing, layers, *row) for row in written)
     return (target for target in found if target is not None)

@@ -19,7 +19,7 @@ from .contents import Contents, empty, layout_of
 from .names import Names
 from .parts import Part, Rig
 from .shapes import Elements, Numbers
-from .texts import parse
+from .texts import elements_in_file, parse
 from .values import ParameterError, changed, filled, initial, plain, rounded, unset
 
 if TYPE_CHECKING:
@@ -99,6 +99,23 @@ class Instance:
         else:
             self._values |= self._changes(name, value)
 
+    def set_bytes(self, name: str, data: bytes) -> None:
+        """Set a storage buffer to elements as a GPU has them: what a kernel has written.
+
+        Raises ``ParameterError`` if there is no such buffer, or for a part of an element.
+        """
+        _check_name(name)
+        if name not in self._buffers:
+            raise ParameterError(name, f"there is no storage buffer `{name}`")
+        layout = self._buffers[name].layout
+        count, rest = divmod(len(data), layout.stride)
+        if rest:
+            raise ParameterError(
+                name, f"`{name}` takes elements of {layout.stride} bytes each, and was given "
+                f"{len(data)} bytes"
+            )  # fmt: skip
+        self._set_buffer(Contents(layout, count, data))
+
     def having(self, name: str, value: object) -> Instance:
         """A copy that differs in one value. Raises ``ParameterError``, as ``set`` does."""
         made = copy(self)
@@ -113,10 +130,11 @@ class Instance:
 
         ``texts`` explains how values are written. A texture is a colour such as ``#b5651d``, or the
         file of a picture, whose colours are taken as sRGB if its name begins with ``srgb:``.
-        Layers, slices or faces are files separated by commas.
+        Layers, slices or faces are files separated by commas. A storage buffer is a JSON file with
+        a list of elements.
 
-        Raises ``ParameterError`` as ``set`` does, and ``PictureError`` for a picture that cannot be
-        read.
+        Raises ``ParameterError`` as ``set`` does, also for a file that is no such list, and
+        ``PictureError`` for a picture that cannot be read.
         """
         _check_name(name)
         expect("text", text, str, "a text")
@@ -127,6 +145,8 @@ class Instance:
             self._textures[name] = Texture.parse(
                 text, dimension=row["dimension"], sample=row["sample"]
             )
+        elif name in self._buffers:
+            self.set(name, elements_in_file(name, text))
         else:
             self.set(name, parse(text, self._names.place(name).shape, name))
 

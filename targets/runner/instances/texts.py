@@ -6,7 +6,9 @@ word that has no meaning is returned unchanged, so that the check of the value r
 
 from __future__ import annotations
 
+import json
 import re
+from pathlib import Path
 
 from .shapes import Elements, Kind, Members, Numbers, Shape
 from .values import ParameterError
@@ -25,6 +27,24 @@ def parse(text: str, shape: Shape, name: str) -> object:
     if isinstance(shape, Members) or not isinstance(shape.element, Numbers):
         raise ParameterError(name, f"`{name}` ({shape.type}) is set by its parts, each by its name")
     return _elements(words, shape, shape.element, name)
+
+
+def elements_in_file(name: str, path: str) -> list[object]:
+    """The elements of a storage buffer from a JSON file.
+
+    Raises ``ParameterError`` if it cannot be read, or holds no list.
+    """
+    try:
+        found = json.loads(Path(path).read_text("utf-8"))
+    except OSError as error:
+        reason = error.strerror or str(error)
+    except (ValueError, RecursionError) as error:
+        reason = f"it is no JSON: {error}"
+    else:
+        if isinstance(found, list):
+            return found
+        reason = "it holds no list of elements"
+    raise ParameterError(name, f"cannot take `{name}` from `{path}`: {reason}")
 
 
 def _elements(words: list[str], shape: Elements, element: Numbers, name: str) -> object:

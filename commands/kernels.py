@@ -1,0 +1,55 @@
+"""The kernels of a file that ``burnish render`` draws: they give materials what these read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from .console import remark
+from .failures import fail
+
+if TYPE_CHECKING:
+    from ..api import CompiledMaterial
+    from ..targets.runner.feeding import Feeding, Kernel
+    from ..targets.runner.instances.instance import Instance
+
+
+def is_over_buffers(reflection: Mapping[str, Any]) -> bool:
+    """Whether something compiled is a kernel over buffers, which has no picture of its own."""
+    return bool(reflection["results"]) and reflection["capture"] is None
+
+
+def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
+    """The kernels over buffers among what a file declares: each once, whatever the rigs are."""
+    from ..targets.runner.feeding import Kernel
+
+    found = {each.name: each for each in materials if is_over_buffers(each.reflection)}
+    return [Kernel(material, material.instance()) for material in found.values()]
+
+
+def feed(kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[str, str]) -> Feeding:
+    """What gives the buffers of all that is drawn their elements.
+
+    The command ends if nothing is drawn. Raises ``FeedError``.
+    """
+    from ..targets.runner.feeding import Feeding
+
+    if not drawn:
+        _tell_how_to_draw(kernels)
+    feeding = Feeding(kernels, drawn, again)
+    for instance in drawn:
+        for name in feeding.unfed(instance):
+            material = instance.reflection["material"]
+            remark("note", (
+                f"`{name}` of {material} has no elements: a kernel with `result {name} : …` in the "
+                f"same file makes some, or --set {name}=FILE.json"
+            ))  # fmt: skip
+    return feeding
+
+
+def _tell_how_to_draw(kernels: Sequence[Kernel]) -> None:
+    kernel = kernels[0]
+    name, row = next(iter(kernel.results.items()))
+    fail(f"{kernel.name} is a kernel over buffers, which draws nothing\n"
+         f"  = help: a material in the same file that reads `buffer {name} : {row['type']}` is "
+         f"drawn with what {kernel.name} writes")  # fmt: skip

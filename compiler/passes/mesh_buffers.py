@@ -1,0 +1,80 @@
+"""Storage buffers that have what vertices read of a mesh, instead of vertex inputs.
+
+``lower_capture`` has a kernel read such a buffer, and ``corners_in_buffer`` the vertex stage where
+the corners of a primitive need more vertex inputs than there are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ...frozen import changed
+from ..diagnostics.source import Span
+from ..ir.kernel import WRITTEN_GROUP
+from ..ir.leaves import Attribute, Buffer, Parameter
+from ..ir.shader import AttributeInfo, BufferInfo, ParameterInfo, Shader
+from ..ir.types import RuntimeArray, Struct, Type
+
+MESH = "mesh"
+"""The buffer; a host binds it with what it sets for each draw, or what a kernel writes."""
+VERTEX_STRUCT, PRIMITIVE_STRUCT = "MeshVertex", "MeshPrimitive"
+"""What its elements are."""
+
+
+def mesh_buffer(
+    shader: Shader, infos: Iterable[AttributeInfo], *, is_primitive: bool
+) -> BufferInfo:
+    """The buffer that has the inputs of a vertex, or of a primitive, in each element."""
+    rows = [(member_name(info.attribute), info) for info in infos]
+    taken = {name for info in shader.buffers for name in _structs_of(info.buffer.type)}
+    taken |= {name for info in shader.parameters for name in _structs_of(info.parameter.type)}
+    struct = Struct(
+        free_name(PRIMITIVE_STRUCT if is_primitive else VERTEX_STRUCT, taken),
+        tuple((name, info.attribute.type) for name, info in rows),
+    )
+    span = rows[0][1].span
+    # A mesh's values are taken as they are: what a type says beyond its numbers is not checked.
+    described = tuple(
+        ParameterInfo(Parameter(name, type_, ""), str(type_), None, None, info.doc, span)
+        for (name, type_), (_, info) in zip(struct.members, rows, strict=True)
+    )
+    buffer = Buffer(free_name(MESH, names_taken(shader)), RuntimeArray(struct), WRITTEN_GROUP)
+    element = ParameterInfo(Parameter("", struct, ""), struct.name, None, None, "", span, described)
+    return changed(buffer_info(buffer, element, span), of_mesh=tuple(rows))
+
+
+def member_name(leaf: Attribute) -> str:
+    """What the member of an element is called that has the values of a vertex input."""
+    return leaf.name.replace(".", "_")
+
+
+def buffer_info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInfo:
+    """A buffer that nobody has declared, with the number of its elements."""
+    doc = f"How many elements `{buffer.name}` has"
+    limits = (0.0, buffer.count.fact.hi)
+    count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
+    return BufferInfo(buffer, element, count, "", span)
+
+
+def names_taken(shader: Shader) -> set[str]:
+    """What parameters, textures and buffers are called."""
+    return {
+        *(info.parameter.name for info in shader.parameters),
+        *(info.resource.name for info in shader.resources),
+        *(info.buffer.name for info in shader.buffers),
+    }
+
+
+def free_name(name: str, taken: set[str]) -> str:
+    """A name like this that nothing has."""
+    while name in taken:
+        name += "_"
+    return name
+
+
+def _structs_of(type_: Type) -> Iterator[str]:
+    """The name of the structure that a parameter or a buffer consists of, if it does."""
+    while not isinstance(type_, Struct) and hasattr(type_, "element"):
+        type_ = type_.element
+    if isinstance(type_, Struct):
+        yield type_.name

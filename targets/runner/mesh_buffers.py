@@ -1,0 +1,37 @@
+"""Meshes in storage buffers, where shaders read them so instead of vertex inputs.
+
+``scene_state.py`` gives the vertex stage its corners, and ``capturing.py`` a kernel its vertices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .instances.instance import Instance
+
+KINDS = {"f": "<f4", "v": "<f4", "i": "<i4", "u": "<u4"}
+"""The type of a number, by the first letter of the representation."""
+
+
+def mesh_rows(reflection: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """The vertex inputs that are members of a storage buffer."""
+    return [row for row in reflection["vertex_inputs"] if row["buffer"] is not None]
+
+
+def give_mesh(instance: Instance, values: Mapping[str, NDArray[Any]]) -> None:
+    """Set the buffer that has the mesh; ``values`` are by vertex input, one for each element."""
+    rows = mesh_rows(instance.reflection)
+    fields = []
+    for row in rows:
+        lanes = values[row["name"]].shape[1:]
+        kind = KINDS[row["representation"][0]]
+        fields.append((row["buffer"]["member"], kind, lanes if lanes[0] > 1 else ()))
+    elements = np.zeros(len(values[rows[0]["name"]]), fields)
+    for row in rows:
+        each = values[row["name"]]
+        elements[row["buffer"]["member"]] = each if each.shape[1] > 1 else each[:, 0]
+    instance.set(rows[0]["buffer"]["name"], elements)
