@@ -39,6 +39,10 @@ BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 
 FEW_TRIANGLES = 1
 """Into so many a patch may be divided before meshes get fewer patches."""
+FINEST_USUAL = 6.0
+"""Into so many steps the edges of all patches may be divided before meshes get fewer of them. So a
+draw makes 65536 vertices of patches at most: llvmpipe and lavapipe (Mesa 22.3) number those of one
+draw by 16 bits, and draw others in wrong places."""
 FEW_LINES = 1 / 4
 """The share of cells that meshes have of whose edges lines are drawn."""
 
@@ -74,7 +78,7 @@ def series_of(
     the material, whose meshes these cases have: what is drawn with native stages is compared with
     what is drawn without.
     """
-    draw = (like or reflection)["draw"]
+    form = like or reflection
     if has_images(reflection):
         yield Series(exact=False, cases=tuple(
             Case(name, full_screen_state(_kernel(reflection, seed + turn, size), UNCOVERED))
@@ -82,14 +86,14 @@ def series_of(
         ))  # fmt: skip
         return
     yield Series(exact=True, cases=(
-        _defaults(reflection, size, draw),
-        _stretched("stretched", reflection, seed, UNCOVERED, size, draw),
-        _behind(reflection, seed + 1, size),
+        _defaults(reflection, size, form),
+        _stretched("stretched", reflection, seed, UNCOVERED, size, form),
+        _behind(reflection, seed + 1, size, form),
         _inside(reflection, seed + 2, size),
     ))  # fmt: skip
     if any(row["blend"] != "none" for row in reflection["targets"]):
         yield Series(
-            exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size, draw),)
+            exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size, form),)
         )
 
 
@@ -106,24 +110,36 @@ def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:
     return instance
 
 
-def _cells(usual: int, draw: Mapping[str, Any], size: Size) -> int:
+def _cells(usual: int, form: Instance, size: Size) -> int:
     """How many cells a mesh has in one direction, which has ``usual`` ones in the usual size.
 
     There are fewer if each patch is drawn with many vertices, or if lines are drawn: where many of
     them cross in one pixel, rounding decides which is seen.
     """
+    draw = form.reflection["draw"]
     patches = draw["tessellation"]
     triangles = (draw["vertices"] or 0) / 3 if patches else 0
     share = min(1.0, math.sqrt(FEW_TRIANGLES / triangles)) if triangles else 1.0
     if patches and draw["topology"] == "line":
         share = FEW_LINES
+    share = min(share, _divided_share(form))
     return max(3, round(usual * share * min(1.0, max(size) / max(SIZE))))
 
 
-def _defaults(reflection: Mapping[str, Any], size: Size, draw: Mapping[str, Any]) -> Case:
-    instance = Instance(reflection)
-    sample_values(instance, 0, missing=True)
-    mesh = sphere(_cells(32, draw, size), _cells(16, draw, size))
+def _divided_share(form: Instance) -> float:
+    """The share of cells that a mesh may have whose patches the values of ``form`` all divide."""
+    patches = form.reflection["draw"]["tessellation"]
+    if patches is None or patches["levels"] is None:
+        return 1.0
+    finest = max(1.0, *(level for levels in form.patch_levels() for level in levels))
+    return min(1.0, FINEST_USUAL / finest)
+
+
+def _defaults(reflection: Mapping[str, Any], size: Size, form: Mapping[str, Any]) -> Case:
+    instance, shaped = Instance(reflection), Instance(form)
+    for each in (instance, shaped):
+        sample_values(each, 0, missing=True)
+    mesh = sphere(_cells(32, shaped, size), _cells(16, shaped, size))
     return _case("defaults", instance, mesh, Scene(light_count=2), size)
 
 
@@ -133,7 +149,7 @@ def _stretched(
     seed: int,
     clear: Color,
     size: Size,
-    draw: Mapping[str, Any],
+    form: Mapping[str, Any],
 ) -> Case:
     """Scaled differently along each axis, with all lights, close to the mesh and inside it."""
     scene = Scene(
@@ -142,14 +158,16 @@ def _stretched(
         light_distance=0.35,
         light_count=64,
     )
-    mesh = torus(_cells(24, draw, size), _cells(16, draw, size))
+    shaped = _sampled(form, seed)
+    mesh = torus(_cells(24, shaped, size), _cells(16, shaped, size))
     return _case(name, _sampled(reflection, seed), mesh, scene, size, clear)
 
 
-def _behind(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:
+def _behind(reflection: Mapping[str, Any], seed: int, size: Size, form: Mapping[str, Any]) -> Case:
     """Back faces, and as few lights as possible."""
     scene = Scene(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0), light_count=0)
-    return _case("behind", _sampled(reflection, seed), plane(4), scene, size)
+    cells = max(3, round(4 * min(1.0, 4 * _divided_share(_sampled(form, seed)))))
+    return _case("behind", _sampled(reflection, seed), plane(cells), scene, size)
 
 
 def _inside(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:

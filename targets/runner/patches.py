@@ -1,7 +1,8 @@
 """The patches of a mesh, and the pattern into which each of them is divided.
 
 ``expanding.py`` draws with them. A mesh may say which control points its patches have. Otherwise
-its triangles and edges are patches, and its grids have quads of any square number of points.
+its triangles and edges are patches, and its grids have quads of any square number of points,
+triangles of 6, 10, 15, … points and lines of any number of points.
 """
 
 from __future__ import annotations
@@ -29,8 +30,8 @@ def patches(mesh: Mesh, kind: Patch, points: int, ends: Sequence[int]) -> Indice
                 f"material divides patches of {points}"
             )
         found = mesh.patches
-    elif kind == "quad" and mesh.lattices and isqrt(points) ** 2 == points:
-        found = np.concatenate([_windows(each, points, ends) for each in mesh.lattices])
+    elif mesh.lattices and (of_a_grid := _of_grids(kind, points)) is not None:
+        found = np.concatenate([of_a_grid(each, points, ends) for each in mesh.lattices])
     elif points == PATCH_KINDS[kind].ends:
         found = _MADE[kind](mesh)
     else:
@@ -53,22 +54,77 @@ def pattern(
     return places, np.array(found.cells, np.int64).reshape(-1, row.cell)
 
 
+_OfGrid = Callable[[Indices, int, Sequence[int]], Indices]
+"""Makes the patches of a grid that have so many points, of which some are their ends."""
+
+
+def _of_grids(kind: Patch, points: int) -> _OfGrid | None:
+    """What makes patches of grids; ``None`` if their vertices are no such patches."""
+    if kind == "quad" and isqrt(points) ** 2 == points:
+        return _windows
+    if points == PATCH_KINDS[kind].ends:
+        return None
+    if kind == "triangle" and _steps(points) * (_steps(points) + 3) == 2 * (points - 1):
+        return _halves
+    return _runs if kind == "isoline" else None
+
+
 def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
     """Squares of vertices of a grid, row by row, which lie so that neighbours share their ends.
 
-    Four points go round, as ends do. Beyond the border of a small grid its last vertices repeat.
+    Four points go round, as ends do.
     """
     side = isqrt(points)
     step = 1 if points == len(ends) else _distance(side, ends[0], ends[1])
-    offsets = np.arange(side)
-    found = [
-        lattice[np.ix_(np.minimum(row + offsets, len(lattice) - 1), columns)].reshape(-1)
-        for row in _starts(len(lattice), side, step)
-        for start in _starts(lattice.shape[1], side, step)
-        for columns in [np.minimum(start + offsets, lattice.shape[1] - 1)]
-    ]
-    whole = np.array(found, np.int64)
+    whole = np.array([each.reshape(-1) for each in _squares(lattice, side, step)], np.int64)
     return whole[:, [0, 1, 3, 2]] if points == len(ends) else whole
+
+
+def _halves(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
+    """The two halves of each square of a grid, as triangles whose neighbours share their edges.
+
+    If the ends are those of a triangle that is written row by row, each row shorter by one, the
+    points lie so. Otherwise the points that are no ends follow each other along the edges, from the
+    first end on, and behind them come those inside.
+    """
+    steps = _steps(points)
+    rows = [(row, column) for row in range(steps + 1) for column in range(steps + 1 - row)]
+    corners = [(0, 0), (0, steps), (steps, 0)]
+    places = rows
+    if {rows.index(corner) for corner in corners} != set(ends):
+        edges = [(0, k) for k in range(1, steps)]
+        edges += [(k, steps - k) for k in range(1, steps)]
+        edges += [(steps - k, 0) for k in range(1, steps)]
+        others = iter([*edges, *(place for place in rows if place not in {*corners, *edges})])
+        at_end = dict(zip(ends, corners, strict=True))
+        places = [at_end.get(number) or next(others) for number in range(points)]
+    row, column = np.array(places).T
+    squares = list(_squares(lattice, steps + 1, steps))
+    halves = [half[row, column] for each in squares for half in (each, each[::-1, ::-1])]
+    return np.array(halves, np.int64).reshape(-1, points)
+
+
+def _runs(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
+    """Vertices that follow each other in a row of a grid; neighbours share their ends."""
+    step = max(abs(ends[1] - ends[0]), 1)
+    across = lattice.shape[1]
+    columns = [np.arange(start, start + points) for start in _starts(across, points, step)]
+    found = [row[np.minimum(run, across - 1)] for row in lattice for run in columns]
+    return np.array(found, np.int64).reshape(-1, points)
+
+
+def _steps(points: int) -> int:
+    """Into how many steps the edges of a triangle are divided that is made of so many points."""
+    return (isqrt(8 * points + 1) - 3) // 2
+
+
+def _squares(lattice: Indices, side: int, step: int) -> Iterator[Indices]:
+    """Squares of vertices of a grid. Beyond the border of a small grid its last vertices repeat."""
+    offsets = np.arange(side)
+    for row in _starts(len(lattice), side, step):
+        for start in _starts(lattice.shape[1], side, step):
+            rows = np.minimum(row + offsets, len(lattice) - 1)
+            yield lattice[np.ix_(rows, np.minimum(start + offsets, lattice.shape[1] - 1))]
 
 
 def _distance(side: int, one: int, other: int) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 import burnish
 from burnish.targets.conformance.cases import SIZE, UNCOVERED, Case, series_of
 from burnish.targets.runner.instances.instance import Instance
+from burnish.targets.runner.patches import pattern
 
 from ..examples.kit import FOLDER
 
@@ -79,6 +81,24 @@ def light_places(case: Case) -> list[Any]:
     instance = case.state.instance
     used = instance.get("lamps")[: instance.get("lamps.count")]
     return [*(lamp["place"] for lamp in used), instance.get("torch.place")]
+
+
+@pytest.mark.parametrize("level", [8, 26, 53, 64])
+def test_draws_of_finely_divided_patches_have_fewer_of_them(tmp_path: Path, level: int) -> None:
+    """llvmpipe draws wrongly what has more than 65536 vertices of patches."""
+    source = tmp_path / "round.burnish"
+    source.write_text(
+        "import std.tessellation.{PNTriangles}\n"
+        f"material Round : Surface + PNTriangles {{ color = vec3(uv, 1)  detail = {level}.0 }}\n",
+        encoding="utf-8",
+    )
+    lowered = burnish.compile(source, ())["Round"].reflection
+    native = burnish.compile(source, (), native_stages=True)["Round"].reflection
+    places, _ = pattern("triangle", "equal", (level, level, level), (level,))
+    (series,) = series_of(native, like=lowered)
+    for case in series.cases:
+        patches = len(case.state.triangles)
+        assert 12 <= patches <= 65536 / len(places), case.name
 
 
 def test_names_are_told_apart() -> None:

@@ -53,6 +53,45 @@ def test_a_small_grid_repeats_its_last_vertices() -> None:
     assert found[0].tolist() == [a, b, b, d, c, c, d, c, c]
 
 
+@pytest.mark.parametrize(
+    ("ends", "middles"),
+    [((0, 2, 5), (1, 4, 3)), ((0, 2, 4), (1, 3, 5)), ((0, 1, 2), (3, 4, 5))],
+    ids=["row by row", "round", "ends first"],
+)
+def test_a_grid_has_triangles_of_six_points(
+    ends: tuple[int, ...], middles: tuple[int, ...]
+) -> None:
+    whole = mesh("plane")
+    position = whole.channels["position"]
+    found = patches(whole, "triangle", 6, ends)
+    assert len(found) == 2 * 4 * 4
+    corners = position[found[:, list(ends)]]
+    between = (corners + np.roll(corners, -1, axis=1)) / 2
+    assert (position[found[:, list(middles)]] == between).all()
+    along, beside = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    assert (np.cross(along, beside) == [0, 0, 0.25]).all(), "counter-clockwise, and all of it"
+
+
+@pytest.mark.parametrize("ends", [(0, 3, 9), (0, 3, 6), (0, 1, 2)])
+def test_a_grid_has_triangles_of_ten_points(ends: tuple[int, ...]) -> None:
+    whole = mesh("sphere")
+    found = patches(whole, "triangle", 10, ends)
+    assert len(found) == 2 * 21 * 10
+    assert all(len(set(map(int, patch))) == 10 for patch in found)
+    first, second = found[0, list(ends)], found[1, list(ends)]
+    assert set(map(int, first)) & set(map(int, second)) == {int(first[1]), int(first[2])}
+
+
+def test_a_grid_has_lines_of_several_points() -> None:
+    whole = mesh("plane")
+    row = patches(whole, "isoline", 3, (0, 2))[:4]
+    assert row[:-1, 2].tolist() == row[1:, 0].tolist()
+    along = np.diff(whole.channels["position"][row], axis=1)
+    assert (along == [0.25, 0, 0]).all()
+    spline = patches(whole, "isoline", 4, (1, 2))
+    assert spline[0, 1:].tolist() == spline[1, :3].tolist()
+
+
 def test_edges_are_lines() -> None:
     assert patches(flat((0, 1, 2), (0, 2, 3)), "isoline", 2, (0, 1)).tolist() == [
         [0, 1], [1, 2], [2, 0], [2, 3], [3, 0],
@@ -68,6 +107,7 @@ def test_a_mesh_says_its_own_control_points() -> None:
 
 
 WRONG = {
+    "no triangle": (mesh("plane"), "triangle", 7, "of 7 control points, and the mesh has none"),
     "control points": (flat((0, 1, 2)), "quad", 16, "of 16 control points, and the mesh has non"),
     "an odd one": (flat((0, 1, 2)), "quad", 4, "no pairs, so they make no quads"),
     "apart": (flat((0, 1, 2), (3, 4, 5)), "quad", 4, r"\[0, 1, 2\] and \[3, 4, 5\] share no edge"),

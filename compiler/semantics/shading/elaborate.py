@@ -175,7 +175,8 @@ def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result
 def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
-    if not written and not drawn.baseless and is_whole and not captures(drawn):
+    is_empty = not written and not drawn.baseless and is_whole and not captures(drawn)
+    if is_empty and not ctx.report.unread_names:  # What could not be read may have been a target.
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(ctx, drawn, passing, layers, *row) for row in written)
     return (target for target in found if target is not None)
