@@ -899,17 +899,6 @@ NO_POINTS = _error(
     "`points of n` emits one point or more.",
 )
 
-LINES_CAPTURED = _error(
-    "B0581",
-    "`{name}` captures the vertices of lines",
-    "Vertices of triangles and points are captured. `points of 2` captures both ends of a line.",
-)
-NO_SEGMENTS = _error(
-    "B0582",
-    "a line of {count} vertices goes nowhere",
-    "`line of n` has two vertices or more, and a segment from each to the next one.",
-)
-
 # Tessellations
 
 TESSELLATED_AND_CAPTURED = _error(
@@ -967,6 +956,16 @@ NOT_OF_THIS_PATCH = _error(
     "`{patch}` patches have no `{word}`",
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
+)
+LINES_CAPTURED = _error(
+    "B0581",
+    "`{name}` captures the vertices of lines",
+    "Vertices of triangles and points are captured. `points of 2` captures both ends of a line.",
+)
+NO_SEGMENTS = _error(
+    "B0582",
+    "a line of {count} vertices goes nowhere",
+    "`line of n` has two vertices or more, and a segment from each to the next one.",
 )
 NOT_OF_PATCHES = _error(
     "B0590",
