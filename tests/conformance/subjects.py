@@ -69,7 +69,7 @@ def row(studio: Studio, name: str, route: str) -> Row:
     return found
 
 
-def called(name: str) -> frozenset[str]:
-    """The builtins that one of ``NAMES`` uses."""
-    shader = compiled(name).shader
-    return frozenset(CALL.data(node) for node in reachable(shader.roots) if node.op == "call")
+def called(subject: CompiledMaterial) -> frozenset[str]:
+    """The builtins that a material or a kernel uses."""
+    nodes = reachable(subject.shader.roots)
+    return frozenset(CALL.data(node) for node in nodes if node.op == "call")

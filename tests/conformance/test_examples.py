@@ -15,6 +15,7 @@ from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
+from burnish.targets.conformance import kernels
 from burnish.targets.conformance.cases import IMAGE_CASES
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
@@ -26,15 +27,18 @@ from .kit import PROFILES, Studio
 
 LEAST_COVERED = 0.1
 """Of the pixels of all cases together."""
+LEAST_CASES = 4
+"""Of a material."""
+KERNELS_CASES = (IMAGE_CASES, kernels.CASES)
+"""Those of a kernel over images, and of one over buffers."""
 
 Key = tuple[Variant, str, str]
 """A variant, a material and a route."""
 
 
 def _materials(path: Path) -> Iterator[str]:
-    """The materials of a file, and its kernels over images, which are drawn as well."""
-    text = path.read_text("utf-8")
-    kinds = ("material", "kernel") if "image2d" in text else ("material",)
+    """The materials and kernels of a file."""
+    text, kinds = path.read_text("utf-8"), ("material", "kernel")
     for declared in parse(Source(path.name, text), Report()).declarations:
         if isinstance(declared, ast.Record) and declared.kind in kinds and not declared.abstract:
             yield declared.name.text
@@ -91,7 +95,7 @@ def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
 @pytest.mark.parametrize("key", CASES)
 def test_it_agrees(rows: Callable[[Path], dict[Key, Row]], key: Key) -> None:
     row = rows(key[0].path)[key]
-    if ROUTES[key[2]].profile in key[0].lacking:
+    if ROUTES[key[2]].profile in key[0].lacking(key[1]):
         assert row.status == "not run", row.status
         return
     stem, driver = key[0].path.stem, ROUTES[key[2]].driver
@@ -103,7 +107,8 @@ def test_it_agrees(rows: Callable[[Path], dict[Key, Row]], key: Key) -> None:
     assert row.covered > LEAST_COVERED * sum(r.comparison.pixels for r in row.results)
     assert all(np.isfinite(target).all() for result in row.results for target in result.got)
     cases = {result.case for result in row.results}
-    assert len(cases) == len(row.results) >= (2 if cases <= {*IMAGE_CASES} else 4)
+    wanted = next((len(names) for names in KERNELS_CASES if cases == {*names}), LEAST_CASES)
+    assert len(cases) == len(row.results) >= wanted
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)

@@ -14,6 +14,7 @@ from burnish.targets.conformance.rows import Row
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
+from . import test_work_groups
 from .kit import Studio
 from .subjects import DEFECTS, LACKING, MAY_PROVE_LITTLE, NAMES, called, compiled
 
@@ -58,5 +59,7 @@ def test_it_agrees(rows: Callable[[str], dict[str, Row]], route: str, name: str)
 
 
 def test_every_builtin_is_called() -> None:
-    """Or is an operator that the first pass has replaced."""
-    assert not set(BUILTINS) - set().union(*map(called, NAMES))
+    """By a material, by a kernel whose groups join values, or it is an operator that the first
+    pass has replaced."""
+    subjects = [compiled(name) for name in NAMES] + [*test_work_groups.compiled()]
+    assert not set(BUILTINS) - set().union(*map(called, subjects))

@@ -20,19 +20,26 @@ from ..targets.standings import PROFILES, profiles
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
 NEEDING: Mapping[str, str] = {
-    "lanterns": "storage buffers at fragments",
-    "street": "storage buffers at fragments",
-    "clusters": "storage buffers at fragments",
     "cloth": "kernels over buffers",
+    "cloth.Linen": "storage buffers at vertices",
+    "clusters": "kernels over buffers",
+    "clusters.Hall": "storage buffers at fragments",
     "compaction": "kernels over buffers",
+    "compaction.Chart": "storage buffers at fragments",
     "histogram": "kernels over buffers",
+    "histogram.Compared": "storage buffers at fragments",
+    "lanterns": "kernels over buffers",
+    "lanterns.Wall": "storage buffers at fragments",
     "ray_tracer": "kernels over buffers",
+    "street": "kernels over buffers",
+    "street.Cobbles": "storage buffers at fragments",
     "swarm": "kernels over buffers",
+    "swarm.Fly": "storage buffers at vertices",
     # Without a stage of its own for that, a capture is a kernel.
     "particles-Step": "kernels over buffers",
 }
-"""By example, or by one of its variants, the capability that it shows, if there are profiles
-without it."""
+"""By example, by one of its variants, or by one of its materials and kernels, the capability that
+it shows, if there are profiles without it."""
 LACKING: Mapping[str, frozenset[str]] = {
     name: profiles("absent", capability) for name, capability in NEEDING.items()
 }
@@ -50,19 +57,14 @@ class Variant:
     def __str__(self) -> str:
         return "-".join(filter(None, (self.path.stem, self.rig, self.pass_)))
 
-    @property
-    def lacking(self) -> frozenset[str]:
-        """The profiles that lack what it shows."""
-        return LACKING.get(f"{self}", LACKING.get(self.path.stem, frozenset()))
-
-    @property
-    def profiles(self) -> tuple[str, ...]:
-        """Those of all targets that have what it shows."""
-        return tuple(profile for profile in PROFILES if profile not in self.lacking)
+    def lacking(self, name: str) -> frozenset[str]:
+        """The profiles that lack what a material or kernel called ``name`` shows."""
+        names = (f"{self.path.stem}.{name}", f"{self}", self.path.stem)
+        return next((LACKING[each] for each in names if each in LACKING), frozenset())
 
     def compile(self) -> burnish.CompileResult:
-        """All its materials, compiled for every profile that can have them."""
-        return burnish.compile(self.path, self.profiles, rig=self.rig, pass_=self.pass_)
+        """All its materials and kernels, each compiled for every profile that can have it."""
+        return burnish.compile(self.path, PROFILES, rig=self.rig, pass_=self.pass_, partial=True)
 
 
 def variants() -> Iterator[Variant]:

@@ -20,19 +20,17 @@ from burnish.compiler.ir.node import reachable
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.picture import Expected, RasterRules
 from burnish.targets.conformance.cases import series_of
-from burnish.targets.runner.kernels import drawable
+from burnish.targets.runner.kernels import drawable, is_drawn
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.reference import expected, graph_text
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import SceneState, set_up
 
 from ..conformance import subjects
-from ..examples.kit import EXAMPLES, NEEDING
+from ..examples.kit import EXAMPLES
 from ..targets.standings import PROFILES
 
-DRAWN = tuple(path for path in EXAMPLES if NEEDING.get(path.stem) != "kernels over buffers")
-"""Not kernels over buffers, of which ``tests/conformance/test_kernels.py`` asks the same."""
-FILES = (*DRAWN, *sorted(subjects.FOLDER.glob("*.burnish")))
+FILES = (*EXAMPLES, *sorted(subjects.FOLDER.glob("*.burnish")))
 RULES = RasterRules(36, 28)
 """Small pictures, of a device that rounds nothing."""
 CLOSE = 1e-9
@@ -74,8 +72,8 @@ def _distance(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.floa
 def test_every_profile_means_the_same(path: Path) -> None:
     for rig, pass_ in api.variants(path):
         for material in burnish.compile(path, PROFILES, rig=rig, pass_=pass_, partial=True):
-            if material.reflection["capture"] is not None:
-                continue  # It has no picture; `tests/conformance/test_captures.py` judges it.
+            if not is_drawn(material):
+                continue  # `tests/conformance/` judges captures and kernels over buffers.
             drawn = programs(material)
             seen = 0
             for name, state in states(material):
