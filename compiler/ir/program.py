@@ -268,17 +268,19 @@ class EmittedGroup:
     vertex: Formal
     """The number of a vertex in its strip."""
     head: Region
-    """What it takes to know whether a strip is emitted."""
+    """What is computed for each strip: what it takes to know whether it is emitted."""
     emitted: Node
+    entered: Region
+    """What is computed for a strip that is emitted, before its vertices."""
     body: Region
-    """What a vertex takes."""
-    results: tuple[Output, ...]
-    """What is delivered at each vertex."""
+    """What is computed for each vertex."""
+    delivered: tuple[Node, ...]
+    """The value of each of the stage's results at a vertex."""
 
     @property
     def regions(self) -> tuple[Region, ...]:
         """The blocks in it."""
-        return self.head, self.body
+        return self.head, self.entered, self.body
 
 
 @frozen
@@ -380,7 +382,7 @@ class Stage:
     handed_on: tuple[Field, ...] = ()
     """Those of its inputs that the next stage reads as well, so that it hands them on."""
     emitted: tuple[EmittedGroup, ...] = ()
-    """Where it emits vertices, in which groups; then there is nothing else that it computes."""
+    """Where it emits vertices, in which groups. Its region is then what these share."""
     emitting: tuple[Node, ...] = ()
     """For each group of the expansion, whether a strip of it is emitted; one graph for all."""
 

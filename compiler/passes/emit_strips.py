@@ -57,6 +57,11 @@ class GroupValues:
     delivered: tuple[Node, ...]
     """At each vertex."""
 
+    @property
+    def is_certain(self) -> bool:
+        """Whether all strips are emitted, whatever the primitive is."""
+        return self.emitted.op == "constant" and bool(self.emitted.data)
+
 
 def groups_of(
     graph: Graph, notes: Notes, expansion: Expansion, emitted: Sequence[Node], roots: Sequence[Node]

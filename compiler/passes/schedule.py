@@ -3,7 +3,8 @@
 ``split_stages`` makes a ``Scheduler`` for each stage and function. Every node is computed once, in
 the innermost region that encloses all of its uses; a value that does not depend on a loop's
 variables is computed before the loop. A value that is shared, or that the user named, becomes a
-``Let``. All other values are printed in place.
+``Let``. All other values are printed in place. Where a stage emits vertices, the loops over strips
+and over their vertices are such regions, too.
 """
 
 from __future__ import annotations
@@ -14,10 +15,21 @@ from collections.abc import Sequence
 from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS, joins_group
-from ..ir.program import Branch, Connective, Iterate, Let, Loop, Region, State, Statement
+from ..ir.program import (
+    Branch,
+    Connective,
+    EmittedGroup,
+    Iterate,
+    Let,
+    Loop,
+    Region,
+    State,
+    Statement,
+)
 from ..ir.shader import Notes
 from ..ir.types import Texture
 from .choices import Choices, chooses, has_to_branch, may_skip, short_circuits
+from .emit_strips import GroupValues
 from .naming import Naming
 from .path_conditions import DEEPEST
 from .uniformity import compares
@@ -38,13 +50,13 @@ class _Block:
     """A region under construction."""
 
     parent: _Block | None
-    owner: Node | None = None
-    """The fold or select whose part this is."""
     loop: frozenset[Formal] = frozenset()
     """The variables, where this is the body of a loop."""
     depth: int = 0
     uniform: bool = True
     """Whether all pixels of a draw take the same branches to it."""
+    skipped: bool = False
+    """Whether it may be left out, so that nothing that is computed in it moves out of it."""
     statements: list[Statement] = fresh(factory=list)
 
     @property
@@ -53,17 +65,46 @@ class _Block:
         return Region(tuple(self.statements))
 
 
+@record
+class _Strips:
+    """The blocks of a group of strips, from outside to inside."""
+
+    values: GroupValues
+    strip: _Block
+    entered: _Block
+    vertex: _Block
+
+    @property
+    def group(self) -> EmittedGroup:
+        """What they become, once all of their statements are known."""
+        values = self.values
+        return EmittedGroup(
+            values.strips, values.strip, values.vertex, self.strip.region, values.emitted,
+            self.entered.region, self.vertex.region, values.delivered,
+        )  # fmt: skip
+
+
 class Scheduler:
     """Schedules one body: a stage's entry point or a function."""
 
     def __init__(
-        self, roots: Sequence[Node], notes: Notes, naming: Naming, together: frozenset[int]
+        self,
+        roots: Sequence[Node],
+        notes: Notes,
+        naming: Naming,
+        together: frozenset[int],
+        groups: Sequence[GroupValues] = (),
     ) -> None:
-        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``)."""
-        self._roots = list(roots)
+        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``).
+        ``groups`` are those of the strips that a body emits."""
         self._notes = notes
         self._naming = naming
         self._top = _Block(None)
+        self._strips = [_strips(group, self._top) for group in groups]
+        self._roots = [(root, self._top) for root in roots]
+        for each in self._strips:
+            self._roots.append((each.values.emitted, each.strip))
+            self._roots += [(value, each.vertex) for value in each.values.delivered]
         self._home: dict[int, _Block] = {}
         self._uses: dict[int, int] = {}
         self._loops: dict[int, tuple[_Block, _Block]] = {}
@@ -85,7 +126,7 @@ class Scheduler:
         self._choosing: set[int] = set()
         """Expressions with such an operation printed in them."""
         self._together = together
-        nodes = in_order_of_use(self._roots)
+        nodes = in_order_of_use([root for root, _ in self._roots])
         self._naming.learn(reversed(nodes))
         self._order = [node for node in nodes if node.op not in LEAVES]
         self._choices = Choices(self._order, together)
@@ -101,12 +142,18 @@ class Scheduler:
                 self._home[node.id].statements.append(statement)
         return self._top.region
 
+    @property
+    def groups(self) -> tuple[EmittedGroup, ...]:
+        """The groups of strips, once ``schedule`` has said what is computed for them."""
+        return tuple(each.group for each in self._strips)
+
     # --- placing ---------------------------------------------------------------------------------
 
     def _place(self) -> None:
         """Users first, give every node the region that encloses its uses."""
-        homes: dict[int, list[_Block]] = {root.id: [self._top] for root in self._roots}
-        for root in self._roots:
+        homes: dict[int, list[_Block]] = {}
+        for root, block in self._roots:
+            homes.setdefault(root.id, []).append(block)
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
         optional: set[int] = set()
         for node in reversed(self._order):
@@ -139,17 +186,19 @@ class Scheduler:
         """The blocks of a loop, or of a choice that becomes a branch."""
         if node.op in LOOPS:
             variables = frozenset(formals_of(node))
-            head = _Block(home, node, variables, home.depth + 1, home.uniform)
+            head = _Block(home, variables, home.depth + 1, home.uniform)
             tail = head
             if node.op == "iterate":
-                tail = _Block(head, None, depth=head.depth + 1, uniform=home.uniform)
+                tail = _Block(head, depth=head.depth + 1, uniform=home.uniform)
             self._loops[node.id] = head, tail
         elif chooses(node) and self._branches(node, home):
             uniform = home.uniform and self._choices.is_uniform(node)
             if home.depth >= DEEPEST and node.data != BRANCH:
                 self._flat.add(node.id)
+            skipped = node.data == BRANCH
             self._sides[node.id] = tuple(
-                _Block(home, node, depth=home.depth + 1, uniform=uniform) for _ in node.operands[1:]
+                _Block(home, depth=home.depth + 1, uniform=uniform, skipped=skipped)
+                for _ in node.operands[1:]
             )
 
     def _branches(self, choice: Node, home: _Block) -> bool:
@@ -182,7 +231,7 @@ class Scheduler:
         while block.parent is not None:
             if not block.loop.isdisjoint(node.variables):
                 break
-            if block.owner is not None and block.owner.data == BRANCH and not together:
+            if block.skipped and not together:
                 break
             if block.loop or (together and not block.uniform):
                 best = block.parent
@@ -191,7 +240,7 @@ class Scheduler:
 
     def _region_results(self) -> set[int]:
         """Values that a statement of their own region takes, where a name would only repeat it."""
-        found = {root.id for root in self._roots}
+        found = {root.id for root, _ in self._roots}
         for node in self._order:
             if node.op in LOOPS:
                 found.update(node.operands[i].id for i in bodies_of(node))
@@ -318,6 +367,17 @@ def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[t
         needed.subtract(nexts[k].variables)
         order.append((k, not free))
     return order
+
+
+def _strips(group: GroupValues, top: _Block) -> _Strips:
+    """The blocks of a group: the loop over its strips, what is done where a strip is emitted, and
+    the loop over the vertices of one."""
+    loop = frozenset({group.strip}) if group.strips.strips > 1 else frozenset()
+    strip = _Block(top, loop, top.depth + 1)
+    entered = _Block(strip, depth=strip.depth + 1, skipped=not group.is_certain)
+    return _Strips(
+        group, strip, entered, _Block(entered, frozenset({group.vertex}), entered.depth + 1)
+    )
 
 
 def _enclosing(blocks: list[_Block]) -> _Block:

@@ -1,14 +1,15 @@
 """Prints what a geometry stage does: a loop for each group of strips, and one for their vertices.
 
-``stage.py`` calls ``Strips.lines_of`` where a stage emits vertices.
+``stage.py`` calls ``Strips.emitted`` where a stage emits vertices.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from ...compiler.ir.node import Formal, Node
-from ...compiler.ir.program import EmittedGroup, Output
+from ...compiler.ir.program import EmittedGroup, Output, Stage
 from ...compiler.ir.types import INT
 from .literals import literal
 from .statements import Lines, Statements
@@ -20,18 +21,21 @@ Delivered = Callable[[Output, str], Iterator[str]]
 class Strips(Statements):
     """The statements of a body that emits vertices."""
 
-    def lines_of(self, groups: Sequence[EmittedGroup], delivered: Delivered) -> list[str]:
-        """All groups, one after the other."""
-        return self.laid_out(line for group in groups for line in self._group(group, delivered))
+    def emitted(self, stage: Stage, delivered: Delivered) -> list[str]:
+        """What all groups share, and then these, one after the other."""
+        return self.laid_out(self._groups(stage, delivered))
 
-    def _group(self, group: EmittedGroup, delivered: Delivered) -> Lines:
-        if group.strips.strips > 1:
-            yield self._counting(group.strip, group.strips.strips, group.emitted)
-            yield self._strip(group, delivered)
-            yield self._forms.end
-            self._namer.leave()
-        else:
-            yield from self._strip(group, delivered)
+    def _groups(self, stage: Stage, delivered: Delivered) -> Lines:
+        yield from self._region(stage.region)
+        for group in stage.emitted:
+            emit = partial(self._vertex, group, stage.results, delivered)
+            if group.strips.strips > 1:
+                yield self._counting(group.strip, group.strips.strips, group.emitted)
+                yield self._strip(group, emit)
+                yield self._forms.end
+                self._namer.leave()
+            else:
+                yield from self._strip(group, emit)
 
     def _counting(self, number: Formal, count: int, about: Node) -> str:
         """The line that opens a loop; what is declared after this call is inside of it."""
@@ -46,35 +50,39 @@ class Strips(Statements):
         )
         return self._mark(text, about)
 
-    def _strip(self, group: EmittedGroup, delivered: Delivered) -> Lines:
+    def _strip(self, group: EmittedGroup, emit: Callable[[], Lines]) -> Lines:
         with self._inside():
             yield from self._region(group.head)
             emitted = group.emitted
             if emitted.op == "constant":
                 if emitted.data:
-                    yield from self._vertices(group, delivered)
+                    yield from self._vertices(group, emit)
                 return
             condition = self._expressions.text(emitted)
             yield self._mark(self._forms.if_.format(condition=condition), emitted)
-            yield self._vertices(group, delivered)
+            yield self._vertices(group, emit)
             yield self._forms.end
 
-    def _vertices(self, group: EmittedGroup, delivered: Delivered) -> Lines:
-        value = group.results[0].value
-        yield self._counting(group.vertex, group.strips.vertices, value)
-        yield self._vertex(group, delivered)
-        yield self._forms.end
-        self._namer.leave()
-        if not _stands_alone(group):
-            yield self._mark(self._forms.end_strip, value)
+    def _vertices(self, group: EmittedGroup, emit: Callable[[], Lines]) -> Lines:
+        with self._inside():
+            yield from self._region(group.entered)
+            value = group.delivered[0]
+            yield self._counting(group.vertex, group.strips.vertices, value)
+            yield emit()
+            yield self._forms.end
+            self._namer.leave()
+            if not _stands_alone(group):
+                yield self._mark(self._forms.end_strip, value)
 
-    def _vertex(self, group: EmittedGroup, delivered: Delivered) -> Lines:
+    def _vertex(
+        self, group: EmittedGroup, outputs: Sequence[Output], delivered: Delivered
+    ) -> Lines:
         with self._inside():
             yield from self._region(group.body)
-            for output in group.results:
-                for line in delivered(output, self._expressions.text(output.value)):
-                    yield self._mark(line, output.value)
-            value = group.results[0].value
+            for output, value in zip(outputs, group.delivered, strict=True):
+                for line in delivered(output, self._expressions.text(value)):
+                    yield self._mark(line, value)
+            value = group.delivered[0]
             yield self._mark(self._forms.emit_vertex, value)
             if _stands_alone(group) and group.strips.triangles:
                 last = self._expressions.formals[group.vertex]

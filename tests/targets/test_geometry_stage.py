@@ -172,3 +172,25 @@ def test_more_inputs_than_there_are() -> None:
     assert len(drawn.reflection["vertex_inputs"]) == 18
     assert {row["buffer"]["name"] for row in drawn.reflection["vertex_inputs"]} == {"mesh"}
     burnish.compile(WIDE, PROFILES, native_stages=True)
+
+
+SHARED = """
+material M : Surface {
+    expand triangle {
+        strip of 3 as i {}
+        strip of 4 as i for s in 0..2 where dot(corner[0].normal, corner[1].position) > 0 {
+            position = corner[i mod 3].position
+                + float(i + s) * cross(corner[0].normal, corner[1].position)
+        }
+    }
+}
+"""
+
+
+def test_what_does_not_hang_on_the_vertex_is_computed_before_all_vertices() -> None:
+    (material,) = burnish.compile(SHARED, "glsl:vulkan", native_stages=True)
+    lines = material.text("glsl:vulkan", "geometry").splitlines()
+    loops = [number for number, line in enumerate(lines) if "for (" in line]
+    (crossed,) = [number for number, line in enumerate(lines) if "cross(" in line]
+    (asked,) = [number for number, line in enumerate(lines) if "dot(" in line]
+    assert asked < crossed < loops[-1]
