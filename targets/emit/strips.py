@@ -27,7 +27,8 @@ class Strips(Statements):
     def _group(self, group: EmittedGroup, delivered: Delivered) -> Lines:
         if group.strips.strips > 1:
             yield self._counting(group.strip, group.strips.strips, group.emitted)
-            yield self._strip(group, delivered)
+            with self._inside():
+                yield self._strip(group, delivered)
             yield self._forms.end
             self._namer.leave()
         else:
@@ -47,17 +48,17 @@ class Strips(Statements):
         return self._mark(text, about)
 
     def _strip(self, group: EmittedGroup, delivered: Delivered) -> Lines:
+        yield from self._region(group.head)
+        emitted = group.emitted
+        if emitted.op == "constant":
+            if emitted.data:
+                yield from self._vertices(group, delivered)
+            return
+        condition = self._expressions.text(emitted)
+        yield self._mark(self._forms.if_.format(condition=condition), emitted)
         with self._inside():
-            yield from self._region(group.head)
-            emitted = group.emitted
-            if emitted.op == "constant":
-                if emitted.data:
-                    yield from self._vertices(group, delivered)
-                return
-            condition = self._expressions.text(emitted)
-            yield self._mark(self._forms.if_.format(condition=condition), emitted)
             yield self._vertices(group, delivered)
-            yield self._forms.end
+        yield self._forms.end
 
     def _vertices(self, group: EmittedGroup, delivered: Delivered) -> Lines:
         value = group.results[0].value

@@ -59,6 +59,21 @@ material Wide {
     color = vec3(uv, 0) * normal
 }
 """
+ALIKE = """
+material Alike {
+    param weights : float[20]
+    expand triangle {
+        strip of 3 as i
+            where (sum k in 0..20 : corner[0].uv.x * weights[k] * sin(corner[0].uv.y)) > 0.5 {}
+        strip of 3 as i
+            where (sum k in 0..20 : corner[1].uv.x * weights[k] * sin(corner[0].uv.y)) > 0.5 {}
+        strip of 3 as i { position = -inherited.position }
+        strip of 3 as i { position = -2 * inherited.position }
+    }
+    color = vec3(1)
+}
+"""
+"""Groups with conditions that take statements, and all with the same names."""
 
 
 @pytest.mark.parametrize("profile", PROFILES)
@@ -80,11 +95,18 @@ def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
     assert refused(material) == []
 
 
+@pytest.mark.parametrize("profile", PROFILES)
+def test_groups_may_use_the_same_names(profile: str) -> None:
+    """They stand one after the other in one function, and compilers have nothing to remark."""
+    (material,) = burnish.compile(ALIKE, profile, native_stages=True).materials
+    assert refused(material) == []
+
+
 def refused(material: CompiledMaterial) -> list[str]:
-    """What compilers say of the texts that they refuse."""
+    """What compilers say of the texts that they refuse, or about which they remark something."""
     with Toolchain() as toolchain:
         verdicts = toolchain.check([*jobs_of(material)])
-    return [verdict.log for verdict in verdicts if verdict.status != "accepted"]
+    return [one.log for one in verdicts if one.status != "accepted" or one.messages]
 
 
 @pytest.mark.parametrize("profile", PROFILES)
