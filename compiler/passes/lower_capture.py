@@ -131,10 +131,15 @@ class _Reading:
 
 
 def _first_span(shader: Shader) -> Span:
-    """Where the first value is written that is captured and stands somewhere."""
+    """Where the first value is written that is captured and stands somewhere.
+
+    Values that the pipeline supplies stand nowhere: if nothing else is captured, it is where
+    anything of the material stands.
+    """
     spans = shader.notes.spans
-    places = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))
-    return next((span for span in places if span is not None), next(iter(spans.values())))
+    captured = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))
+    declared = (info.span for info in (*shader.attributes, *shader.parameters))
+    return next(span for span in (*captured, *spans.values(), *declared) if span is not None)
 
 
 def _written(shader: Shader, span: Span) -> BufferInfo:

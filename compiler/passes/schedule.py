@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from itertools import groupby
 
 from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
@@ -19,6 +20,7 @@ from ..ir.program import (
     Branch,
     Connective,
     EmittedGroup,
+    EmittedPart,
     Iterate,
     Let,
     Loop,
@@ -70,6 +72,7 @@ class _Strips:
     """The blocks of a group of strips, from outside to inside."""
 
     values: GroupValues
+    part: _Block
     strip: _Block
     entered: _Block
     vertex: _Block
@@ -79,8 +82,8 @@ class _Strips:
         """What they become, once all of their statements are known."""
         values = self.values
         return EmittedGroup(
-            values.strips, values.strip, values.vertex, self.strip.region, values.emitted,
-            self.entered.region, self.vertex.region, values.delivered,
+            values.strips, values.strip, values.vertex, values.count, self.strip.region,
+            values.emitted, self.entered.region, self.vertex.region, values.delivered,
         )  # fmt: skip
 
 
@@ -100,11 +103,10 @@ class Scheduler:
         self._notes = notes
         self._naming = naming
         self._top = _Block(None)
-        self._strips = [_strips(group, self._top) for group in groups]
         self._roots = [(root, self._top) for root in roots]
-        for each in self._strips:
-            self._roots.append((each.values.emitted, each.strip))
-            self._roots += [(value, each.vertex) for value in each.values.delivered]
+        self._strips: list[_Strips] = []
+        for group in groups:
+            self._add(group)
         self._home: dict[int, _Block] = {}
         self._uses: dict[int, int] = {}
         self._loops: dict[int, tuple[_Block, _Block]] = {}
@@ -131,6 +133,22 @@ class Scheduler:
         self._order = [node for node in nodes if node.op not in LEAVES]
         self._choices = Choices(self._order, together)
 
+    def _add(self, group: GroupValues) -> None:
+        """Make the blocks of a group. Groups with the same condition share one."""
+        before = self._strips[-1] if self._strips else None
+        if before is not None and before.values.condition is group.condition:
+            part = before.part
+        else:
+            part = _conditional(self._top, group.condition)
+            self._roots.append((group.condition, self._top))
+        several = group.strips.strips > 1
+        strip = _Block(part, frozenset([group.strip] if several else []), part.depth + 1)
+        entered = _conditional(strip, group.emitted)
+        vertex = _Block(entered, frozenset([group.vertex]), entered.depth + 1)
+        self._strips.append(_Strips(group, part, strip, entered, vertex))
+        self._roots += [(group.count, part), (group.emitted, strip)]
+        self._roots += [(value, vertex) for value in group.delivered]
+
     def schedule(self) -> Region:
         """The statements that compute the roots."""
         self._place()
@@ -143,9 +161,15 @@ class Scheduler:
         return self._top.region
 
     @property
-    def groups(self) -> tuple[EmittedGroup, ...]:
+    def emitted(self) -> tuple[EmittedPart, ...]:
         """The groups of strips, once ``schedule`` has said what is computed for them."""
-        return tuple(each.group for each in self._strips)
+        parts = (list(part) for _, part in groupby(self._strips, lambda each: id(each.part)))
+        return tuple(
+            EmittedPart(
+                part[0].values.condition, part[0].part.region, tuple(each.group for each in part)
+            )
+            for part in parts
+        )
 
     # --- placing ---------------------------------------------------------------------------------
 
@@ -369,15 +393,9 @@ def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[t
     return order
 
 
-def _strips(group: GroupValues, top: _Block) -> _Strips:
-    """The blocks of a group: the loop over its strips, what is done where a strip is emitted, and
-    the loop over the vertices of one."""
-    loop = frozenset({group.strip}) if group.strips.strips > 1 else frozenset()
-    strip = _Block(top, loop, top.depth + 1)
-    entered = _Block(strip, depth=strip.depth + 1, skipped=not group.is_certain)
-    return _Strips(
-        group, strip, entered, _Block(entered, frozenset({group.vertex}), entered.depth + 1)
-    )
+def _conditional(parent: _Block, condition: Node) -> _Block:
+    """A block that is done only where a condition holds."""
+    return _Block(parent, depth=parent.depth + 1, skipped=condition.op != "constant")
 
 
 def _enclosing(blocks: list[_Block]) -> _Block:

@@ -127,7 +127,11 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
     """The values that a stage has to compute."""
     if not groups:
         return [output.value for output in outputs]
-    return [node for group in groups for node in (group.emitted, *group.delivered)]
+    return [
+        node
+        for group in groups
+        for node in (group.condition, group.count, group.emitted, *group.delivered)
+    ]
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
@@ -241,7 +245,7 @@ def _stage(
         natives=native_uses(nodes),
         handed_on=_fields(handing),
         emitting=work.emitting,
-        emitted=scheduler.groups,
+        emitted=scheduler.emitted,
     )
 
 

@@ -54,7 +54,8 @@ def measure() -> Iterator[Section]:
 
 def _row(example: str, pass_: str, stage: str, twin: str) -> Row:
     path = EXAMPLES / f"{example}.burnish"
-    (material, *_) = burnish.compile(path, PROFILE, pass_=pass_ or None, native_stages=True).materials
+    compiled = burnish.compile(path, PROFILE, pass_=pass_ or None, native_stages=True)
+    material = compiled.materials[0]
     own, by_hand = (
         _count(stage, text)
         for text in (material.text(PROFILE, stage), (TWINS / twin).read_text(encoding="utf-8"))

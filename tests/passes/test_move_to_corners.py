@@ -46,7 +46,7 @@ def test_a_value_that_is_read_as_it_is_crosses_alone() -> None:
 
 def test_values_of_two_corners_are_joined_where_both_are_known() -> None:
     position = "position = corner[i].position * dot(corner[0].normal, corner[1].normal)"
-    vertex, geometry = texts(EXPANDED.format(position), "geometry")
+    _, geometry = texts(EXPANDED.format(position), "geometry")
     assert "dot(" in geometry.split("void main")[1]
 
 
