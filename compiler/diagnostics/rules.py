@@ -958,11 +958,6 @@ NOT_OF_THIS_PATCH = _error(
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
 )
-LINES_CAPTURED = _error(
-    "B0581",
-    "`{name}` captures the vertices of lines",
-    "Vertices of triangles and points are captured. `points of 2` captures both ends of a line.",
-)
 NO_SEGMENTS = _error(
     "B0582",
     "a line of {count} vertices goes nowhere",

@@ -196,7 +196,7 @@ class StreamOutput:
     outputs: tuple[CapturedOutput, ...]
     stride: int
     """The bytes from one vertex to the next."""
-    primitive: Literal["point", "triangle"]
+    primitive: Literal["point", "line", "triangle"]
     """What the captured vertices are, in turn."""
     in_text: bool
     """Whether the text says where its outputs go."""
