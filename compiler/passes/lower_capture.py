@@ -11,6 +11,7 @@ host leaves the others out.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import chain
 
 from ...frozen import changed
 from ..diagnostics.source import Span
@@ -138,8 +139,10 @@ def _first_span(shader: Shader) -> Span:
     """
     spans = shader.notes.spans
     captured = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))
-    declared = (info.span for info in (*shader.attributes, *shader.parameters))
-    return next(span for span in (*captured, *spans.values(), *declared) if span is not None)
+    of_inputs = (info.span for info in shader.attributes)
+    of_parameters = (info.span for info in shader.parameters)
+    places = chain(captured, spans.values(), of_inputs, of_parameters)
+    return next(span for span in places if span is not None)
 
 
 def _written(shader: Shader, span: Span) -> BufferInfo:
