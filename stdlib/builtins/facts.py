@@ -73,6 +73,13 @@ class Fact:
         """An upper bound of every lane's magnitude."""
         return max(abs(self.lo), abs(self.hi))
 
+    def in_words(self) -> str:
+        """The bounds as messages say them: a number, or between which ones."""
+        lo, hi = (
+            f"{end:.0f}" if self.kind != "float" else f"{end:g}" for end in (self.lo, self.hi)
+        )
+        return lo if lo == hi else f"between {lo} and {hi}"
+
     def within(self, lo: float, hi: float) -> bool:
         """Whether every lane lies in [lo, hi]."""
         return lo <= self.lo and self.hi <= hi
