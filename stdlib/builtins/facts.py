@@ -75,9 +75,8 @@ class Fact:
 
     def in_words(self) -> str:
         """The bounds as messages say them: a number, or between which ones."""
-        lo, hi = (
-            f"{end:.0f}" if self.kind != "float" else f"{end:g}" for end in (self.lo, self.hi)
-        )
+        form = "g" if self.kind == "float" else ".0f"
+        lo, hi = (f"{end + 0.0:{form}}" for end in (self.lo, self.hi))  # no zero has a sign
         return lo if lo == hi else f"between {lo} and {hi}"
 
     def within(self, lo: float, hi: float) -> bool:
