@@ -177,7 +177,7 @@ class Evaluator:
     def _operands(
         self, wanted: Sequence[Node], frame: Frame, pending: list[Node]
     ) -> list[Lanes] | None:
-        """The values of operands; ``None`` if some are not known, which are added to ``pending``."""
+        """The values of operands; ``None`` if some are not known yet: ``pending`` gets these."""
         values, missing = [], False
         for operand in wanted:
             value = self._home(operand, frame).values.get(operand.id)
