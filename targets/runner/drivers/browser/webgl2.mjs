@@ -78,13 +78,15 @@ function withContext(work) {
 /** What `run` makes of each draw of a job, with the job's program. */
 function eachDraw(gl, job, run) {
   const program = linkProgram(gl, job.pipeline);
-  const found = job.draws.map((draw, at) => {
-    const made = run(program, draw, at);
-    refuseErrors(gl);
-    return made;
-  });
-  gl.deleteProgram(program);
-  return found;
+  try {
+    return job.draws.map((draw, at) => {
+      const made = run(program, draw, at);
+      refuseErrors(gl);
+      return made;
+    });
+  } finally {
+    gl.deleteProgram(program);
+  }
 }
 
 function refuseErrors(gl) {

@@ -7,11 +7,21 @@ const LANE = 4; // bytes
 
 /** The number of captured vertices, and their bytes. */
 export function captureVertices(gl, program, job, draw, most) {
-  const { stride, primitive } = job.stream_output;
   const indices = new Uint32Array(bytes(draw.indices).buffer);
   const count = indices.length * draw.instance_count;
   if (count > most) throw new Refusal(`${count} vertices are captured, with room for ${most}`);
   const target = gl.createBuffer();
+  try {
+    return captured(gl, program, job, draw, { indices, count, most, target });
+  } finally {
+    gl.disable(gl.RASTERIZER_DISCARD);
+    gl.deleteBuffer(target);
+  }
+}
+
+/** The vertices of a draw, written into the buffer `target`, which has room for `most` of them. */
+function captured(gl, program, job, draw, { indices, count, most, target }) {
+  const { stride, primitive } = job.stream_output;
   gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, target);
   gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, Math.max(most, 1) * stride, gl.STREAM_READ);
   gl.enable(gl.RASTERIZER_DISCARD);
@@ -23,11 +33,9 @@ export function captureVertices(gl, program, job, draw, most) {
     gl.endTransformFeedback();
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
   });
-  gl.disable(gl.RASTERIZER_DISCARD);
   const data = new Uint8Array(count * stride);
   gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, target);
   gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, data);
-  gl.deleteBuffer(target);
   return { count, data: base64(data) };
 }
 

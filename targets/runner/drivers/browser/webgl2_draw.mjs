@@ -8,13 +8,15 @@ import { bindSampler, bindTexture } from "./webgl2_textures.mjs";
 export function drawPicture(gl, extensions, program, job, draw) {
   const size = [draw.width, draw.height];
   const screen = makeScreen(gl, job.targets, size);
-  clear(gl, draw.clear);
-  setState(gl, job);
-  setBlending(gl, extensions, job.targets);
-  drawMesh(gl, program, job, draw);
-  const picture = job.targets.map(({ format }, at) => readTarget(gl, at, format, size));
-  deleteScreen(gl, screen);
-  return picture;
+  try {
+    clear(gl, draw.clear);
+    setState(gl, job);
+    setBlending(gl, extensions, job.targets);
+    drawMesh(gl, program, job, draw);
+    return job.targets.map(({ format }, at) => readTarget(gl, at, format, size));
+  } finally {
+    deleteScreen(gl, screen);
+  }
 }
 
 function setState(gl, job) {
@@ -30,33 +32,42 @@ function drawMesh(gl, program, job, draw) {
     const [mode, corners] = job.primitive === "line" ? [gl.LINES, 2] : [gl.TRIANGLES, 3];
     const indices = firstVertexLast(new Uint32Array(bytes(draw.indices).buffer), corners);
     const mesh = makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, indices);
-    gl.drawElementsInstanced(mode, indices.length, gl.UNSIGNED_INT, 0, draw.instance_count);
-    gl.deleteBuffer(mesh);
+    try {
+      gl.drawElementsInstanced(mode, indices.length, gl.UNSIGNED_INT, 0, draw.instance_count);
+    } finally {
+      gl.deleteBuffer(mesh);
+    }
   });
 }
 
-/** Calls `work` while everything is bound that the program reads. */
+/** Calls `work` while everything is bound that the program reads, and deletes it in any case. */
 export function withMesh(gl, program, job, draw, work) {
+  const deletions = [];
+  const keep = (made, remove) => (deletions.push(() => remove.call(gl, made)), made);
+  try {
+    bindEverything(gl, program, job, draw, keep);
+    work();
+  } finally {
+    gl.bindVertexArray(null);
+    deletions.forEach((remove) => remove());
+  }
+}
+
+function bindEverything(gl, program, job, draw, keep) {
   gl.useProgram(program);
   job.host_uniforms.forEach((name) => {
     gl.uniform1f(gl.getUniformLocation(program, name), draw.height);
   });
-  const textures = draw.textures.map((image, unit) => bindTexture(gl, unit, image));
-  const samplers = job.textures.map((slot, unit) => bindSampler(gl, unit, slot));
-  const blocks = draw.blocks.map((data, at) => {
-    const block = makeBuffer(gl, gl.UNIFORM_BUFFER, bytes(data));
+  draw.textures.forEach((image, unit) => keep(bindTexture(gl, unit, image), gl.deleteTexture));
+  job.textures.forEach((slot, unit) => keep(bindSampler(gl, unit, slot), gl.deleteSampler));
+  draw.blocks.forEach((data, at) => {
+    const block = keep(makeBuffer(gl, gl.UNIFORM_BUFFER, bytes(data)), gl.deleteBuffer);
     gl.bindBufferBase(gl.UNIFORM_BUFFER, at, block);
-    return block;
   });
-  const array = gl.createVertexArray();
-  gl.bindVertexArray(array);
-  const attributes = job.inputs.map((slot, at) => feed(gl, program, slot, draw.vertices[at]));
-  work();
-  gl.bindVertexArray(null);
-  gl.deleteVertexArray(array);
-  [...blocks, ...attributes].forEach((buffer) => gl.deleteBuffer(buffer));
-  textures.forEach((texture) => gl.deleteTexture(texture));
-  samplers.forEach((sampler) => gl.deleteSampler(sampler));
+  gl.bindVertexArray(keep(gl.createVertexArray(), gl.deleteVertexArray));
+  job.inputs.forEach((slot, at) =>
+    keep(feed(gl, program, slot, draw.vertices[at]), gl.deleteBuffer),
+  );
 }
 
 function makeBuffer(gl, kind, data) {
