@@ -238,7 +238,7 @@ def _lacking(
                 rules.UNSUPPORTED,
                 expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
                 target=name, feature=lack.feature,
-                hint=lack.instead or way_out(lack.feature, profile),
+                hint=lack.instead or way_out(lack.feature, profile, lack.needed_for),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics

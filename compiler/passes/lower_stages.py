@@ -13,4 +13,4 @@ from .lower_tessellation import lower_tessellation
 
 def lower_stages(shader: Shader) -> Shader:
     """The shader without the stages that not every target has, where that can be."""
-    return lower_tessellation(lower_capture(lower_expansion(shader)))
+    return lower_capture(lower_tessellation(lower_expansion(shader)))
