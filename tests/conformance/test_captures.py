@@ -220,6 +220,18 @@ def test_triangles_are_captured_corner_by_corner(studio: Studio) -> None:
         assert (found.members["corner"] == plane(2).channels["uv"][whole]).all()
 
 
+@pytest.mark.parametrize("route", PLAIN)
+def test_nothing_is_captured_of_no_primitives(studio: Studio, route: str) -> None:
+    """Where there is nothing to draw, such as patches of level 0, a draw has no indices."""
+    text = "material Dust { color = vec3(1) } pass Moved { capture corner : vec2 = uv }"
+    profile = ROUTES[route].profile
+    (material,) = burnish.compile(text, profile, pass_="Moved", native_stages=True).materials
+    state = replace(state_of(material), triangles=np.zeros((0, 3), np.int64))
+    found = capture(material, state, ROUTES[route], studio.runner, studio.toolchain)
+    assert found.count == 0
+    assert found.members["corner"].shape == (0, 2)
+
+
 def test_what_is_captured_is_drawn_again(studio: Studio) -> None:
     """Captured triangles are a mesh: captured once more unchanged, they are the same."""
     text = """

@@ -269,7 +269,10 @@ class Draw:
     vertices: tuple[bytes, ...]
     """For each of ``Pipeline.inputs``, the values of all vertices or of all instances."""
     indices: bytes
-    """A uint32 for each corner of each primitive; the first one's vertex is the provoking one."""
+    """A uint32 for each corner of each primitive; the first one's vertex is the provoking one.
+
+    Empty where there is nothing to draw, such as patches of level 0: the targets are only
+    cleared."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     clear: tuple[tuple[float, float, float, float], ...]

@@ -98,14 +98,18 @@ class Painter:
             vk.vkCmdBindDescriptorSets(
                 commands, GRAPHICS, self._layout, 0, len(sets), sets, 0, None
             )
+        with around(commands):
+            if draw.indices:  # a buffer of no bytes cannot be made
+                self._draw_primitives(commands, draw)
+
+    def _draw_primitives(self, commands: Any, draw: Draw) -> None:
         if vertices := [self._buffer(MESH, data).handle for data in draw.vertices]:
             offsets = [0] * len(vertices)
             vk.vkCmdBindVertexBuffers(commands, 0, len(vertices), vertices, offsets)
         indices = self._buffer(MESH, draw.indices).handle
         vk.vkCmdBindIndexBuffer(commands, indices, 0, vk.VK_INDEX_TYPE_UINT32)
         count = len(draw.indices) // INDEX_SIZE
-        with around(commands):
-            vk.vkCmdDrawIndexed(commands, count, draw.instance_count, 0, 0, 0)
+        vk.vkCmdDrawIndexed(commands, count, draw.instance_count, 0, 0, 0)
 
     def _canvas(self, *size: int) -> Canvas:
         width, height = size
