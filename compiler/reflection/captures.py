@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from ..ir.shader import Shader
-from ..passes.patch_vertices import levels_of, most_cells
 
 
 def capture_row(shader: Shader) -> dict[str, Any]:
@@ -42,10 +41,6 @@ def _primitive(shader: Shader) -> str:
 
 def _vertices_each(shader: Shader) -> int:
     """How many vertices come of each primitive or patch that is drawn, at most."""
-    expansion, patches = shader.expansion, shader.tessellation
-    if patches is None:
-        return 3 if expansion is None else expansion.listed
     if shader.listed:
         return shader.listed
-    each = patches.kind.cell if expansion is None else expansion.listed
-    return each * most_cells(patches, levels_of(shader))
+    return 3 if shader.expansion is None else shader.expansion.listed
