@@ -12,15 +12,12 @@ from ...ir.types import Array, Opaque, Texture, Type
 from ...syntax import ast
 from ...syntax.quoting import counted
 from ..declarations.contracts import as_declared
-from ..declarations.written_types import struct_of
+from ..declarations.written_types import MOST_ELEMENTS, struct_of
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types.coercion import coerce
 from .combinations import checked
-
-LONGEST = 4096
-"""Elements of an array."""
 
 
 def structure(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call) -> Value:
@@ -50,7 +47,7 @@ def structure(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.
 
 def array(ctx: Context, e: ast.Array, elements: Sequence[Node], scope: Scope) -> Value:
     """``[a, b, c]``: elements of one type, to which constants among them adapt."""
-    if len(elements) > LONGEST:
+    if len(elements) > MOST_ELEMENTS:
         ctx.report.add(rules.BAD_COUNT, e.span, count=len(elements))
         return FAILURE
     for element, written in zip(elements, e.elements, strict=True):

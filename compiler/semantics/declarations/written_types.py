@@ -18,6 +18,9 @@ from ..state.scope import Failure, Scope, Value
 from ..types.typenames import Declared, Variables, array_of, structure, unsized_array_of
 from .fitting import fit
 
+MOST_ELEMENTS = 4096
+"""Of an array."""
+
 MOST_LEVELS, MOST_PARTS = 64, 4096
 """How deep structures nest, and into how many numbers, vectors and matrices one is taken apart."""
 
@@ -107,7 +110,7 @@ def count_of(
 def _keep_count(ctx: Context, key: Hashable, expression: ast.Expression, value: Value) -> None:
     node = fit(ctx, plain(ctx, value, expression), INT, "int", expression.span)
     count = None if isinstance(node, Failure) else ctx.constants.integer(node, expression.span)
-    if count is not None and not 1 <= count <= 4096:
+    if count is not None and not 1 <= count <= MOST_ELEMENTS:
         ctx.report.add(rules.BAD_COUNT, expression.span, count=count)
         count = None
     ctx.types.counts[key] = count
