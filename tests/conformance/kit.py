@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 import burnish
 from burnish.api import CompiledMaterial
+from burnish.compiler.diagnostics.source import Span
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.closing import Closing
 from burnish.targets.runner.binding import pipeline
@@ -30,6 +32,19 @@ Found = TypeVar("Found")
 FOLDER = Path(__file__).parent
 REFERENCE = "reference"
 PROFILES = tuple(sorted({route.profile for route in ROUTES.values()}))
+
+
+@dataclass(frozen=True, slots=True)
+class HandWritten:
+    """A text with one stage or several that Burnish has not written, as compilers of routes take
+    it."""
+
+    name: str
+    target: str
+    profile: str
+    entry_points: Mapping[str, str]
+    text: str
+    spans: Mapping[int, Span] = field(default_factory=dict)
 
 
 class Studio(Closing):

@@ -9,7 +9,7 @@ import math
 import re
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 import burnish
 from burnish.api import CompiledMaterial
-from burnish.compiler.diagnostics.source import Span
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.plan import bounds_of, to_targets
@@ -41,7 +40,7 @@ from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import Color, SceneState, set_up
 
 from ..bench import __file__ as bench
-from .kit import PROFILES, Studio
+from .kit import PROFILES, HandWritten, Studio
 
 FOLDER = Path(bench).parent
 SIZE = (72, 56)
@@ -51,24 +50,14 @@ BLOCK_SIZE = 368
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
-    """A stage, or both, as the compilers of routes take them."""
-
-    name: str
-    target: str
-    profile: str
-    entry_points: Mapping[str, str]
-    text: str
-    spans: Mapping[int, Span] = field(default_factory=dict)
-
-
-def texts(profile: str) -> tuple[Text, ...]:
+def texts(profile: str) -> tuple[HandWritten, ...]:
     """The hand-written shaders in the language of a profile."""
     target, _, dialect = profile.partition(":")
     if target == "glsl":
         return tuple(
-            Text(f"phong.{suffix}.glsl", target, dialect, {stage: "main"}, _glsl(suffix, dialect))
+            HandWritten(
+                f"phong.{suffix}.glsl", target, dialect, {stage: "main"}, _glsl(suffix, dialect)
+            )
             for stage, suffix in _SUFFIXES.items()
         )
     text = (FOLDER / "twins" / f"phong.{target}").read_text(encoding="utf-8")
@@ -78,7 +67,7 @@ def texts(profile: str) -> tuple[Text, ...]:
         text = text.replace(" float p;", "")
     else:
         entries = {"vertex": "vsmain", "fragment": "fsmain"}
-    return (Text(f"phong.{target}", target, dialect, entries, text),)
+    return (HandWritten(f"phong.{target}", target, dialect, entries, text),)
 
 
 _SUFFIXES: Mapping[str, str] = {"vertex": "vert", "fragment": "frag"}
