@@ -43,6 +43,8 @@ INLINE_SIZE = 12
 """Operations in one printed expression."""
 
 
+_COUNTED = frozenset({"formal", "constant"})
+"""Variables of loops, and what is known of them from the start."""
 BOUND = (0, 0)
 """Size and depth, where it is used, of a value that has a name, and of a leaf."""
 
@@ -249,8 +251,11 @@ class Scheduler:
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
         """Out of loops that a value does not depend on; what all pixels have to reach also out of
-        branches that some of them do not take."""
+        branches that some of them do not take. A step from the variable of an outer loop is no
+        shorter with a name."""
         together = node.id in self._together
+        if node.id not in self._notes.names and all(o.op in _COUNTED for o in node.operands):
+            return home
         block, best = home, home
         while block.parent is not None:
             if not block.loop.isdisjoint(node.variables):

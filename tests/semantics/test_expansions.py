@@ -79,7 +79,7 @@ def test_slots_of_the_pass() -> None:
     assert re.search(rf"float height = float\(s\) \* {weights}\[i\]\.[xyzw];", geometry)
     # What is not set is that of the corner behind `like`.
     assert f"v_uv[uv_difference], height, {weights}[uv_difference].w);" in geometry
-    assert "v_position[uv_difference] + far * (2.0 * height) * normal;" in geometry
+    assert "+ far * (2.0 * height) * v_normal[uv_difference];" in geometry
     (varying,) = re.findall(r"in vec4 (\w+);", fragment)
     assert f"+ vec3(2.0 * {varying}.z, {varying}.z, 1.0);" in fragment
 
@@ -161,9 +161,9 @@ def test_what_the_pass_overrides_is_so_at_divided_patches_too() -> None:
     _vertex, _control, evaluation, geometry, fragment = texts(source, "P", native_stages=True)
     assert "float alpha = uv.x;" in evaluation
     assert "vec3 position = inherited_position + alpha * normal;" in evaluation
-    assert "v_position_alpha = vec4(position, alpha);" in evaluation
+    assert "v_position_alpha_product = vec4(position, 0.25 * alpha);" in evaluation
     (varying,) = re.findall(r"out float (\w+);", geometry)
-    assert f"{varying} = 0.25 * v_position_alpha[i].w * float(i);" in geometry
+    assert f"{varying} = v_position_alpha_product[i].w * float(i);" in geometry
     assert f"vec4(vec3({varying}), {varying})" in fragment
 
 
