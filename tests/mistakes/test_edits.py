@@ -19,6 +19,9 @@ _OFFERS = re.compile(r"(?:write|read \d lanes:|read one lane, as in|did you mean
 Found = list[tuple[Case, tuple[Diagnostic, ...]]]
 
 
+pytestmark = pytest.mark.xdist_group("edits")  # One process compiles the programs.
+
+
 @pytest.fixture(scope="module", autouse=True)
 def found(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Found]:
     """All that is said of the programs of this folder."""

@@ -18,6 +18,8 @@ from .copies import MATERIALS, Copy, Judgement, Known, copy
 from .places import AREAS, ROOT, Mutant, mutants
 from .texts import text_changes
 
+pytestmark = pytest.mark.xdist_group("mutants")  # One process has the copy of the package.
+
 NOTICED = [
     ("compiler/passes/rules/bounds.py", ".lo >= 0, drops", ".lo <= 0, drops"),
     ("compiler/ir/storage.py", "LANE = 4", "LANE = 8"),

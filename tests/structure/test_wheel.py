@@ -21,6 +21,9 @@ GENERATED = ("__init__", "grammar", "library", "skeletons")
 PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 
+pytestmark = pytest.mark.xdist_group("wheel")  # One process builds the wheels, for all tests.
+
+
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """Built from a copy, so that nothing is left in the tree and nothing old gets in: one from the

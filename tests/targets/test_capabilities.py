@@ -111,6 +111,7 @@ def refusals() -> dict[tuple[str, str], list[str]]:
     return found
 
 
+@pytest.mark.xdist_group("refusals")  # One process has the texts checked, for all cells.
 @pytest.mark.parametrize(("row", "name"), cells("native", "lowered"))
 def test_compilers_take_the_texts(
     refusals: dict[tuple[str, str], list[str]], row: Capability, name: str
