@@ -18,11 +18,9 @@ from .kernel import WorkGroup
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
+from .scattering import Scattered, scattered
 from .shader import Store
 from .stages import (
-    CONDITION,
-    PLACE,
-    SCATTER,
     VERTICES,
     Domain,
     InterpolationMode,
@@ -110,6 +108,16 @@ class Interface:
     def fields(self) -> tuple[Field, ...]:
         """The outputs of the one stage, and inputs of the other."""
         return tuple(varying.field for varying in self.varyings)
+
+
+def leaving(interfaces: Iterable[Interface], row: StageRow) -> tuple[Varying, ...]:
+    """What crosses from a stage into the next, besides what it only hands on."""
+    return tuple(
+        varying
+        for face in interfaces
+        if face.origin == row.domain and face.through is None
+        for varying in face.varyings
+    )
 
 
 @frozen
@@ -365,16 +373,6 @@ def native_uses(nodes: Iterable[Node]) -> tuple[NativeUse, ...]:
 
 
 @frozen
-class Scattered:
-    """A value that a stage joins with an element of its own choice."""
-
-    store: Store
-    value: Node
-    place: Node
-    condition: Node
-
-
-@frozen
 class Stage:
     """One shader stage."""
 
@@ -437,14 +435,7 @@ class Stage:
     @property
     def scattered(self) -> tuple[Scattered, ...]:
         """What it joins with elements of its own choice."""
-        found: dict[Store, dict[str, Node]] = {}
-        for output in self.results:
-            if output.store is not None and output.store.operator is not None:
-                found.setdefault(output.store, {})[output.kind] = output.value
-        return tuple(
-            Scattered(store, values[SCATTER], values[PLACE], values[CONDITION])
-            for store, values in found.items()
-        )
+        return scattered(self.results)
 
     def value_of(self, kind: str) -> Node | None:
         """The value of the result of a kind of which there is one at most."""
@@ -512,13 +503,7 @@ class Program:
 
     def leaving(self, stage: Stage) -> tuple[Varying, ...]:
         """What crosses from a stage into the next, besides what it only hands on."""
-        domain = stage.row.domain
-        return tuple(
-            varying
-            for face in self.interfaces
-            if face.origin == domain and face.through is None
-            for varying in face.varyings
-        )
+        return leaving(self.interfaces, stage.row)
 
     def results_of(self, kind: str) -> tuple[Output, ...]:
         """The results of one kind, of all stages."""

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 
 from ..ir.node import AGE, Node
 from ..ir.operations import CROSS
-from ..ir.program import Interface, Varying
+from ..ir.program import Interface, Varying, leaving
 from ..ir.shader import Notes, Result
 from ..ir.stages import CAPTURE, StageRow
 from .pack_varyings import pack_varyings
@@ -29,12 +29,7 @@ class Interfaces:
 
     def leaving(self, row: StageRow) -> tuple[Varying, ...]:
         """What a stage has to deliver to the next one; what it only hands on is not among it."""
-        return tuple(
-            varying
-            for face in self.all
-            if face.origin == row.domain and face.through is None
-            for varying in face.varyings
-        )
+        return leaving(self.all, row)
 
     def enter(self, row: StageRow, before: StageRow, nodes: Sequence[Node]) -> None:
         """Pack what crosses from the stage ``before`` to this one, which computes ``nodes``.

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from ..ir.kernel import invocations
 from ..ir.leaves import Resource
 from ..ir.node import Node
+from ..ir.scattering import scattered
 from ..ir.shader import Shader, Store
-from ..ir.stages import COMPUTED, CONDITION, PLACE, SCATTER, STORE
+from ..ir.stages import COMPUTED, STORE
 from .bounds import Bounded, Errors, exact
 from .evaluate import Evaluator
 from .held_values import HeldValues, as_rounded, rounded_constants
@@ -93,17 +94,8 @@ def computed(
                 ends = (whole.value, whole.low, whole.high)
                 arrays = (np.asarray(end)[each] for end in ends)
                 found.append(Lane(result.store, number, whole.kind, *arrays))
-        for store, rows in _scattered(shader).items():
-            value, place, condition = (of_all(rows[k])[0] for k in (SCATTER, PLACE, CONDITION))
-            length = lengths[store.buffer.name]
-            found.append(Lane(store, 0, "i", *joined(store, length, value, place, condition)))
-    return found
-
-
-def _scattered(shader: Shader) -> Mapping[Store, Mapping[str, Node]]:
-    """For each buffer that is scattered to, what its results are by their kinds."""
-    found: dict[Store, dict[str, Node]] = {}
-    for result in shader.results:
-        if result.store is not None and result.store.operator is not None:
-            found.setdefault(result.store, {})[result.kind] = result.value
+        for row in scattered(shader.results):
+            parts = (of_all(part)[0] for part in (row.value, row.place, row.condition))
+            length = lengths[row.store.buffer.name]
+            found.append(Lane(row.store, 0, "i", *joined(row.store, length, *parts)))
     return found

@@ -10,7 +10,8 @@ from collections.abc import Iterator
 
 from ...compiler.ir.node import Node, reachable
 from ...compiler.ir.operations import INPUT
-from ...compiler.ir.program import Function, Output, Scattered, Stage
+from ...compiler.ir.program import Function, Output, Stage
+from ...compiler.ir.scattering import Scattered
 from ...compiler.ir.shader import Store
 from ...compiler.ir.stages import (
     CLIP_POSITION,
