@@ -688,8 +688,9 @@ NO_ALPHA = _error(
 NO_RESULT = _error(
     "B0510",
     "`{name}` computes nothing",
-    "A kernel has at least one result, whose elements it computes: "
-    "`result after : Particle[before.count] = moved(before[index])`.",
+    "A kernel has at least one result, whose elements it computes, or it scatters: "
+    "`result after : Particle[before.count] = moved(before[index])`, "
+    "`scatter bins : uint[256] add 1u at bin`.",
 )
 NO_EXTENT = _error(
     "B0511",
@@ -705,9 +706,9 @@ EXTENT_VARIES = _error(
 )
 EXTENTS_DIFFER = _error(
     "B0513",
-    "`{name}` has another {what} than the first result",
+    "`{name}` has another {what} than {first}",
     "Every invocation of a kernel computes one element, or one texel, of each result. Write a "
-    "second kernel.",
+    "second kernel for what is longer or larger.",
 )
 NOT_WRITABLE = _error(
     "B0514",
@@ -729,8 +730,8 @@ WORK_GROUP_SIDES = _error(
 WORK_GROUP_SIZE = _error(
     "B0517",
     "a work group has 1 to {most} invocations, and not {size}",
-    "Each side is at least 1. Profiles may take fewer: those for Vulkan 128, and those for WebGPU "
-    "256.",
+    "Each side is at least 1, and the product of all sides is the number of invocations. Some "
+    "profiles take fewer, and say so when they are compiled for.",
 )
 
 NOT_SCATTERED = _error(
@@ -848,6 +849,12 @@ NO_SUCH_ELEMENT = _error(
     "Elements are numbered from 0, and the number in brackets behind the type says how many there "
     "are.",
 )
+NEVER_POSITIVE = _error(
+    "B0543",
+    "the {what} of `{name}` is {found}",
+    "A kernel computes at least one element. What stands here has to be above 0, at least for some "
+    "values of the parameters.",
+)
 
 # Kernels over images
 
@@ -949,19 +956,15 @@ INNER_LEVEL_DIFFERS = _error(
 LEVEL_OUT_OF_RANGE = _error(
     "B0579",
     "this is {level}, and patches are divided by levels above 0 and up to {most}",
-    "The level of an edge is the number of steps into which it is divided. Beyond the largest one "
-    "it is that, and a patch with an edge of level 0 is not drawn.",
+    "A level is the number of steps into which an edge or the inside of a patch is divided. It may "
+    "leave this range for some values of what it reads: larger levels count as the largest one, "
+    "and a patch with an edge whose level is not above 0 is not drawn.",
 )
 NOT_OF_THIS_PATCH = _error(
     "B0580",
     "`{patch}` patches have no `{word}`",
     "`lines` says how many lines an isoline patch has, and `inside` how finely triangles and quads "
     "are divided away from their edges.",
-)
-LINES_CAPTURED = _error(
-    "B0581",
-    "`{name}` captures the vertices of lines",
-    "Vertices of triangles and points are captured. `points of 2` captures both ends of a line.",
 )
 NO_SEGMENTS = _error(
     "B0582",

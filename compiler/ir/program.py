@@ -267,18 +267,37 @@ class EmittedGroup:
     """The number of a strip, where there are several."""
     vertex: Formal
     """The number of a vertex in its strip."""
+    count: Node
+    """How many strips there are: a constant, or a value that is the same for all of them."""
     head: Region
-    """What it takes to know whether a strip is emitted."""
+    """What is computed for each strip: what it takes to know whether it is emitted."""
     emitted: Node
+    entered: Region
+    """What is computed for a strip that is emitted, before its vertices."""
     body: Region
-    """What a vertex takes."""
-    results: tuple[Output, ...]
-    """What is delivered at each vertex."""
+    """What is computed for each vertex."""
+    delivered: tuple[Node, ...]
+    """The value of each of the stage's results at a vertex."""
 
     @property
     def regions(self) -> tuple[Region, ...]:
         """The blocks in it."""
-        return self.head, self.body
+        return self.head, self.entered, self.body
+
+
+@frozen
+class EmittedPart:
+    """Groups one after the other that only the primitives have for which a condition holds."""
+
+    condition: Node
+    region: Region
+    """What the groups share."""
+    groups: tuple[EmittedGroup, ...]
+
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The blocks in it."""
+        return (self.region, *(region for group in self.groups for region in group.regions))
 
 
 @frozen
@@ -379,8 +398,8 @@ class Stage:
     """The builtins whose own operations it uses; what a profile lacks is looked up here."""
     handed_on: tuple[Field, ...] = ()
     """Those of its inputs that the next stage reads as well, so that it hands them on."""
-    emitted: tuple[EmittedGroup, ...] = ()
-    """Where it emits vertices, in which groups; then there is nothing else that it computes."""
+    emitted: tuple[EmittedPart, ...] = ()
+    """Where it emits vertices, in which groups. Its region is then what these share."""
     emitting: tuple[Node, ...] = ()
     """For each group of the expansion, whether a strip of it is emitted; one graph for all."""
 
@@ -402,8 +421,8 @@ class Stage:
     @property
     def regions(self) -> tuple[Region, ...]:
         """The bodies of its entry point and of its functions."""
-        of_groups = (region for group in self.emitted for region in group.regions)
-        return (self.region, *of_groups, *(function.region for function in self.functions))
+        emitted = (region for part in self.emitted for region in part.regions)
+        return (self.region, *emitted, *(function.region for function in self.functions))
 
     @property
     def roots(self) -> tuple[Node, ...]:

@@ -9,12 +9,14 @@ a loop of its own, so its number is known there, and the others become variables
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
+from itertools import takewhile
 
 from ...frozen import changed, frozen
 from ..ir import build
 from ..ir.expansion import EmittedStrips, Expansion
-from ..ir.node import Formal, Graph, Node
-from ..ir.operations import BUILTIN_OPS, INPUT
+from ..ir.node import Formal, Graph, Node, reachable
+from ..ir.operations import BUILTIN_OPS, INPUT, builtin_of
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes, Shader
@@ -52,8 +54,12 @@ class GroupValues:
     strips: EmittedStrips
     strip: Formal
     vertex: Formal
+    condition: Node
+    """Whether any strip is emitted."""
+    count: Node
+    """How many there are at most."""
     emitted: Node
-    """Whether a strip is emitted."""
+    """Whether a strip is emitted, if there are any."""
     delivered: tuple[Node, ...]
     """At each vertex."""
 
@@ -78,8 +84,47 @@ def groups_of(
         }
         value, *delivered = _known(simplifier, known, [told, *roots])
         if value.op != "constant" or value.data:
-            found.append(GroupValues(strips, strip, vertex, value, tuple(delivered)))
+            conditions = _conditions(graph, strips, strip, value)
+            found.append(GroupValues(strips, strip, vertex, *conditions, tuple(delivered)))
     return tuple(found) or (_nothing(graph, expansion, roots),)
+
+
+def _conditions(
+    graph: Graph, strips: EmittedStrips, strip: Formal, emitted: Node
+) -> tuple[Node, Node, Node]:
+    """Whether any strip is emitted, how many there are, and whether one of them is, which all
+    together say what ``emitted`` says.
+
+    A condition may rely on those before it, so it comes before one only if it cannot: if it does
+    not read what that is about.
+    """
+    count, told = build.constant(graph, INT, strips.strips), _joined(emitted)
+    if builtin_of(told[0]) == "lt":
+        number, end = told[0].operands
+        if number.data == strip and strip not in end.variables:
+            count, told = end, told[1:]
+    common = list(takewhile(lambda each: _is_about_all(each, strip, count), told))
+    return _all_of(graph, common), count, _all_of(graph, told[len(common) :])
+
+
+def _is_about_all(condition: Node, strip: Formal, count: Node) -> bool:
+    """Whether a condition is the same for all strips, and hangs on their number neither."""
+    if strip in condition.variables:
+        return False
+    return count.op == "constant" or count not in reachable([condition])
+
+
+def _joined(condition: Node) -> list[Node]:
+    """The conditions that all have to hold, from left to right."""
+    if builtin_of(condition) != "and":
+        return [condition]
+    return [part for operand in condition.operands for part in _joined(operand)]
+
+
+def _all_of(graph: Graph, conditions: Sequence[Node]) -> Node:
+    if not conditions:
+        return build.constant(graph, BOOL, True)
+    return reduce(lambda a, b: graph.node("native", BOOL, (a, b), "and"), conditions)
 
 
 def _nothing(graph: Graph, expansion: Expansion, roots: Sequence[Node]) -> GroupValues:
@@ -97,7 +142,8 @@ def _nothing(graph: Graph, expansion: Expansion, roots: Sequence[Node]) -> Group
     if expansion.emits == "point":
         alone = EmittedStrips("points", 0, 1)
     names = Formal(alone.strip_name), Formal(alone.vertex_name)
-    return GroupValues(alone, *names, emitted, tuple(zeros))
+    one = build.constant(graph, INT, 1)
+    return GroupValues(alone, *names, emitted, one, emitted, tuple(zeros))
 
 
 def _known(

@@ -11,6 +11,7 @@ host leaves the others out.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import chain
 
 from ...frozen import changed
 from ..diagnostics.source import Span
@@ -131,10 +132,17 @@ class _Reading:
 
 
 def _first_span(shader: Shader) -> Span:
-    """Where the first value is written that is captured and stands somewhere."""
+    """Where the first value is written that is captured and stands somewhere.
+
+    Values that the pipeline supplies stand nowhere: if nothing else is captured, it is where
+    anything of the material stands.
+    """
     spans = shader.notes.spans
-    places = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))
-    return next((span for span in places if span is not None), next(iter(spans.values())))
+    captured = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))
+    of_inputs = (info.span for info in shader.attributes)
+    of_parameters = (info.span for info in shader.parameters)
+    places = chain(captured, spans.values(), of_inputs, of_parameters)
+    return next(span for span in places if span is not None)
 
 
 def _written(shader: Shader, span: Span) -> BufferInfo:

@@ -23,6 +23,7 @@ from .hoist import Derived, hoist
 from .inline import inline
 from .lift_lambdas import lift_lambdas
 from .lower_reads import lower_reads
+from .move_to_corners import move_to_corners
 from .move_to_vertices import move_to_vertices
 from .open_binders import open_binders
 from .path_conditions import PathConditions
@@ -120,6 +121,7 @@ def stage(shader: Shader, options: Options) -> Staged:
         declared = (info.parameter.name for info in shader.parameters)
         roots, derived = hoist(graph, roots, notes, ranges, declared)
         verified("hoist", "guarded", roots)
+    roots = verified("move_to_corners", "guarded", move_to_corners(graph, roots, notes))
     roots = verified("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
     roots = verified("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     roots = verified("rename_variables", "stored", rename_variables(graph, roots, notes.follow))

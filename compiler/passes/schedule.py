@@ -3,21 +3,35 @@
 ``split_stages`` makes a ``Scheduler`` for each stage and function. Every node is computed once, in
 the innermost region that encloses all of its uses; a value that does not depend on a loop's
 variables is computed before the loop. A value that is shared, or that the user named, becomes a
-``Let``. All other values are printed in place.
+``Let``. All other values are printed in place. Where a stage emits vertices, the loops over strips
+and over their vertices are such regions, too.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from itertools import groupby
 
 from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS, joins_group
-from ..ir.program import Branch, Connective, Iterate, Let, Loop, Region, State, Statement
+from ..ir.program import (
+    Branch,
+    Connective,
+    EmittedGroup,
+    EmittedPart,
+    Iterate,
+    Let,
+    Loop,
+    Region,
+    State,
+    Statement,
+)
 from ..ir.shader import Notes
 from ..ir.types import Texture
 from .choices import Choices, chooses, has_to_branch, may_skip, short_circuits
+from .emit_strips import GroupValues
 from .naming import Naming
 from .path_conditions import DEEPEST
 from .uniformity import compares
@@ -38,13 +52,13 @@ class _Block:
     """A region under construction."""
 
     parent: _Block | None
-    owner: Node | None = None
-    """The fold or select whose part this is."""
     loop: frozenset[Formal] = frozenset()
     """The variables, where this is the body of a loop."""
     depth: int = 0
     uniform: bool = True
     """Whether all pixels of a draw take the same branches to it."""
+    skipped: bool = False
+    """Whether it may be left out, so that nothing that is computed in it moves out of it."""
     statements: list[Statement] = fresh(factory=list)
 
     @property
@@ -53,17 +67,46 @@ class _Block:
         return Region(tuple(self.statements))
 
 
+@record
+class _Strips:
+    """The blocks of a group of strips, from outside to inside."""
+
+    values: GroupValues
+    part: _Block
+    strip: _Block
+    entered: _Block
+    vertex: _Block
+
+    @property
+    def group(self) -> EmittedGroup:
+        """What they become, once all of their statements are known."""
+        values = self.values
+        return EmittedGroup(
+            values.strips, values.strip, values.vertex, values.count, self.strip.region,
+            values.emitted, self.entered.region, self.vertex.region, values.delivered,
+        )  # fmt: skip
+
+
 class Scheduler:
     """Schedules one body: a stage's entry point or a function."""
 
     def __init__(
-        self, roots: Sequence[Node], notes: Notes, naming: Naming, together: frozenset[int]
+        self,
+        roots: Sequence[Node],
+        notes: Notes,
+        naming: Naming,
+        together: frozenset[int],
+        groups: Sequence[GroupValues] = (),
     ) -> None:
-        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``)."""
-        self._roots = list(roots)
+        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``).
+        ``groups`` are those of the strips that a body emits."""
         self._notes = notes
         self._naming = naming
         self._top = _Block(None)
+        self._roots = [(root, self._top) for root in roots]
+        self._strips: list[_Strips] = []
+        for group in groups:
+            self._add(group)
         self._home: dict[int, _Block] = {}
         self._uses: dict[int, int] = {}
         self._loops: dict[int, tuple[_Block, _Block]] = {}
@@ -85,10 +128,26 @@ class Scheduler:
         self._choosing: set[int] = set()
         """Expressions with such an operation printed in them."""
         self._together = together
-        nodes = in_order_of_use(self._roots)
+        nodes = in_order_of_use([root for root, _ in self._roots])
         self._naming.learn(reversed(nodes))
         self._order = [node for node in nodes if node.op not in LEAVES]
         self._choices = Choices(self._order, together)
+
+    def _add(self, group: GroupValues) -> None:
+        """Make the blocks of a group. Groups with the same condition share one."""
+        before = self._strips[-1] if self._strips else None
+        if before is not None and before.values.condition is group.condition:
+            part = before.part
+        else:
+            part = _conditional(self._top, group.condition)
+            self._roots.append((group.condition, self._top))
+        several = group.strips.strips > 1
+        strip = _Block(part, frozenset([group.strip] if several else []), part.depth + 1)
+        entered = _conditional(strip, group.emitted)
+        vertex = _Block(entered, frozenset([group.vertex]), entered.depth + 1)
+        self._strips.append(_Strips(group, part, strip, entered, vertex))
+        self._roots += [(group.count, part), (group.emitted, strip)]
+        self._roots += [(value, vertex) for value in group.delivered]
 
     def schedule(self) -> Region:
         """The statements that compute the roots."""
@@ -101,12 +160,24 @@ class Scheduler:
                 self._home[node.id].statements.append(statement)
         return self._top.region
 
+    @property
+    def emitted(self) -> tuple[EmittedPart, ...]:
+        """The groups of strips, once ``schedule`` has said what is computed for them."""
+        parts = (list(part) for _, part in groupby(self._strips, lambda each: id(each.part)))
+        return tuple(
+            EmittedPart(
+                part[0].values.condition, part[0].part.region, tuple(each.group for each in part)
+            )
+            for part in parts
+        )
+
     # --- placing ---------------------------------------------------------------------------------
 
     def _place(self) -> None:
         """Users first, give every node the region that encloses its uses."""
-        homes: dict[int, list[_Block]] = {root.id: [self._top] for root in self._roots}
-        for root in self._roots:
+        homes: dict[int, list[_Block]] = {}
+        for root, block in self._roots:
+            homes.setdefault(root.id, []).append(block)
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
         optional: set[int] = set()
         for node in reversed(self._order):
@@ -139,17 +210,19 @@ class Scheduler:
         """The blocks of a loop, or of a choice that becomes a branch."""
         if node.op in LOOPS:
             variables = frozenset(formals_of(node))
-            head = _Block(home, node, variables, home.depth + 1, home.uniform)
+            head = _Block(home, variables, home.depth + 1, home.uniform)
             tail = head
             if node.op == "iterate":
-                tail = _Block(head, None, depth=head.depth + 1, uniform=home.uniform)
+                tail = _Block(head, depth=head.depth + 1, uniform=home.uniform)
             self._loops[node.id] = head, tail
         elif chooses(node) and self._branches(node, home):
             uniform = home.uniform and self._choices.is_uniform(node)
             if home.depth >= DEEPEST and node.data != BRANCH:
                 self._flat.add(node.id)
+            skipped = node.data == BRANCH
             self._sides[node.id] = tuple(
-                _Block(home, node, depth=home.depth + 1, uniform=uniform) for _ in node.operands[1:]
+                _Block(home, depth=home.depth + 1, uniform=uniform, skipped=skipped)
+                for _ in node.operands[1:]
             )
 
     def _branches(self, choice: Node, home: _Block) -> bool:
@@ -182,7 +255,7 @@ class Scheduler:
         while block.parent is not None:
             if not block.loop.isdisjoint(node.variables):
                 break
-            if block.owner is not None and block.owner.data == BRANCH and not together:
+            if block.skipped and not together:
                 break
             if block.loop or (together and not block.uniform):
                 best = block.parent
@@ -191,7 +264,7 @@ class Scheduler:
 
     def _region_results(self) -> set[int]:
         """Values that a statement of their own region takes, where a name would only repeat it."""
-        found = {root.id for root in self._roots}
+        found = {root.id for root, _ in self._roots}
         for node in self._order:
             if node.op in LOOPS:
                 found.update(node.operands[i].id for i in bodies_of(node))
@@ -318,6 +391,11 @@ def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[t
         needed.subtract(nexts[k].variables)
         order.append((k, not free))
     return order
+
+
+def _conditional(parent: _Block, condition: Node) -> _Block:
+    """A block that is done only where a condition holds."""
+    return _Block(parent, depth=parent.depth + 1, skipped=condition.op != "constant")
 
 
 def _enclosing(blocks: list[_Block]) -> _Block:

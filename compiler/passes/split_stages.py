@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
 
-from ...frozen import changed, frozen
+from ...frozen import frozen
 from ..ir import build
 from ..ir.kernel import WRITTEN_GROUP
 from ..ir.leaves import Buffer
@@ -18,7 +18,6 @@ from ..ir.node import Graph, Node, formals_of
 from ..ir.operations import INPUT
 from ..ir.program import (
     Block,
-    EmittedGroup,
     Field,
     Function,
     Image,
@@ -128,7 +127,11 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
     """The values that a stage has to compute."""
     if not groups:
         return [output.value for output in outputs]
-    return [node for group in groups for node in (group.emitted, *group.delivered)]
+    return [
+        node
+        for group in groups
+        for node in (group.condition, group.count, group.emitted, *group.delivered)
+    ]
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
@@ -223,13 +226,14 @@ def _stage(
     resources = {node.data for node in nodes if node.op == "resource"}
     buffers = {node.data for node in nodes if node.op == "buffer"}
     buffers |= {output.store.buffer for output in outputs if output.store}
+    scheduler = Scheduler(roots, shader.notes, naming, together, groups)
     return Stage(
         row=row,
         inputs=_attributes(shader, nodes) if is_first else _fields(entering),
         blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
         resources=tuple(i.resource for i in shader.resources if i.resource in resources),
         functions=functions,
-        region=Scheduler(roots, shader.notes, naming, together).schedule(),
+        region=scheduler.schedule(),
         results=outputs,
         buffers=tuple(
             info.buffer for info in (*shader.buffers, *shader.written) if info.buffer in buffers
@@ -241,29 +245,12 @@ def _stage(
         natives=native_uses(nodes),
         handed_on=_fields(handing),
         emitting=work.emitting,
-        emitted=tuple(_emitted(group, shader.notes, outputs) for group in groups),
+        emitted=scheduler.emitted,
     )
 
 
 def _fields(interfaces: Iterable[Interface]) -> tuple[Field, ...]:
     return tuple(field for face in interfaces for field in face.fields)
-
-
-def _emitted(values: GroupValues, notes: Notes, outputs: tuple[Output, ...]) -> EmittedGroup:
-    """A group of strips, with what is computed for each strip and for each vertex of it."""
-    nothing: frozenset[int] = frozenset()
-    return EmittedGroup(
-        strips=values.strips,
-        strip=values.strip,
-        vertex=values.vertex,
-        head=Scheduler([values.emitted], notes, Naming(notes), nothing).schedule(),
-        emitted=values.emitted,
-        body=Scheduler(values.delivered, notes, Naming(notes), nothing).schedule(),
-        results=tuple(
-            changed(output, value=value)
-            for output, value in zip(outputs, values.delivered, strict=True)
-        ),
-    )
 
 
 def _function(call: Node, notes: Notes, naming: Naming, together: frozenset[int]) -> Function:

@@ -56,20 +56,17 @@ def opened(
     xp: Namespace,
     spend: Spend,
     stored: Callable[[Lanes], Lanes],
-) -> Opened | None:
-    """Begin to evaluate a node in ``frame``, from the values of its operands outside its bodies.
+) -> Opened:
+    """Begin to evaluate a node that has bodies in ``frame``, from the values of its other operands.
 
-    ``None`` if it has no bodies. ``stored`` is called for the states of an iteration.
+    ``stored`` is called for the states of an iteration.
     """
-    match node.op:
-        case "apply":
-            return _Application(node, operands, frame)
-        case "fold":
-            return _Fold(node, operands, frame, xp, spend)
-        case "iterate":
-            return _Iteration(node, operands, frame, xp, spend, stored)
-        case _:
-            return None
+    if node.op == "apply":
+        return _Application(node, operands, frame)
+    if node.op == "fold":
+        return _Fold(node, operands, frame, xp, spend)
+    assert node.op == "iterate"
+    return _Iteration(node, operands, frame, xp, spend, stored)
 
 
 class _Application(Opened):

@@ -1,7 +1,7 @@
 """Computes what a pass captures: every value of every vertex at once, with bounds.
 
 It evaluates the same graphs by the same definitions as the pictures, at the mesh's vertices and, if
-primitives are expanded, at the vertices that are emitted: these are listed as triangles, or as
+primitives are expanded, at the vertices that are emitted: these are listed as triangles, lines or
 points, and each is told by the numbers of its group, of its strip and of its own in that.
 """
 
@@ -214,7 +214,9 @@ def _numbered(expansion: Expansion, primitives: int) -> dict[str, Ints]:
 
 
 def _listed(group: EmittedStrips) -> Sequence[int]:
-    """The vertices of a strip as a list of triangles, in Vulkan's order; or of points."""
+    """The vertices of a strip as a list of triangles, in Vulkan's order; of lines; or of points."""
+    if group.shape == "line":
+        return [end for start in range(group.vertices - 1) for end in (start, start + 1)]
     if group.shape != "strip":
         return range(group.vertices)
     triangles = range(group.triangles)

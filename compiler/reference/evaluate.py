@@ -39,6 +39,9 @@ continues with the value that it returns."""
 _ASKED = OUTSIDE | {"cross"}
 """What ``LeafValues`` may have a value for."""
 
+_GIVEN = _ASKED | {"bound", "formal"}
+"""What may have a value without an operation."""
+
 
 class TooLongError(Exception):
     """An evaluation takes more steps than its caller is willing to wait for."""
@@ -130,8 +133,12 @@ class Evaluator:
 
     def _home(self, node: Node, frame: Frame) -> Frame:
         """The outermost frame in which ``node`` has the same value as in ``frame``."""
+        if node.free:
+            return frame
         wanted = node.variables
-        while frame.parent is not None and not node.free and wanted.isdisjoint(frame.formals):
+        if not wanted:
+            return self._outermost
+        while frame.parent is not None and wanted.isdisjoint(frame.formals):
             frame = frame.parent
         return frame
 
@@ -146,39 +153,47 @@ class Evaluator:
             node = pending[-1]
             home = self._home(node, frame)
             known = home.values.get(node.id)
-            if known is None:
+            if known is None and node.op in _GIVEN:
                 known = self._given(node, home)
             if known is None:
                 is_choice = self._is_lazy and node.op == "select"
                 before = self._condition_or_side(node, frame) if is_choice else _needed_first(node)
-                missing = [
-                    operand
-                    for operand in before
-                    if operand.id not in self._home(operand, frame).values
-                ]
-                if missing:
-                    pending.extend(missing)
+                operands = self._operands(before, frame, pending)
+                if operands is None:
                     continue
-                self._spend()
-                operands = [self._known(operand, home) for operand in before]
-                entered = opened(node, operands, home, self._xp, self._spend, self._stored)
-                if entered is not None:
-                    return entered
+                if self._left is not None:
+                    self._spend()
+                if bodies_of(node):
+                    return opened(node, operands, home, self._xp, self._spend, self._stored)
                 known = operands[0] if is_choice else apply(node, operands, self._xp)
                 if self._observer is not None:
                     known = self._observer(node, operands, known)
-                if home is self._outermost:
+                if self._uses and home is self._outermost:
                     self._used(before)
             home.values[node.id] = known
             pending.pop()
         return None
+
+    def _operands(
+        self, wanted: Sequence[Node], frame: Frame, pending: list[Node]
+    ) -> list[Lanes] | None:
+        """The values of operands; ``None`` if some are not known yet: ``pending`` gets these."""
+        values, missing = [], False
+        for operand in wanted:
+            value = self._home(operand, frame).values.get(operand.id)
+            if value is None:
+                pending.append(operand)
+                missing = True
+            else:
+                values.append(value)
+        return None if missing else values
 
     def _used(self, operands: Sequence[Node]) -> None:
         """Forget what a node has used that is evaluated only once, unless others need it, too.
 
         Users under binders, which may need a value in every turn, are never done.
         """
-        for operand in operands if self._uses else ():
+        for operand in operands:
             self._uses[operand.id] -= 1
             if not self._uses[operand.id]:
                 del self._outermost.values[operand.id]

@@ -73,6 +73,12 @@ class Fact:
         """An upper bound of every lane's magnitude."""
         return max(abs(self.lo), abs(self.hi))
 
+    def in_words(self) -> str:
+        """The bounds as messages say them: a number, or between which ones."""
+        form = "g" if self.kind == "float" else ".0f"
+        lo, hi = (f"{end + 0.0:{form}}" for end in (self.lo, self.hi))  # no zero has a sign
+        return lo if lo == hi else f"between {lo} and {hi}"
+
     def within(self, lo: float, hi: float) -> bool:
         """Whether every lane lies in [lo, hi]."""
         return lo <= self.lo and self.hi <= hi

@@ -199,15 +199,17 @@ def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
 
     Where the bounds are infinite, nothing is known, and everything agrees, NaN included.
     """
+    found = np.zeros(got.shape)
+    apart = (got != values) & ~(np.isneginf(low) & np.isposinf(high))
+    got, values, low, high = got[apart], values[apart], low[apart], high[apart]
     with np.errstate(all="ignore"):
         room = np.where(got > values, high - values, values - low)
         share = np.abs(got - values) / room
     share = np.where(np.isnan(share), np.inf, share)
     inside = (got >= low) & (got <= high)
     # Rounding of the quotient must not decide.
-    share = np.where(inside, np.minimum(share, 1.0), np.maximum(share, 1.0 + 2.0**-20))
-    unknown = np.isneginf(low) & np.isposinf(high)
-    return np.where(unknown | (got == values), 0.0, share)
+    found[apart] = np.where(inside, np.minimum(share, 1.0), np.maximum(share, 1.0 + 2.0**-20))
+    return found
 
 
 def _larger_of(values: Floats, seen: Bools) -> Floats:

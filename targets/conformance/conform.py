@@ -12,10 +12,9 @@ from functools import partial
 from threading import Event
 
 from ...frozen import EMPTY
-from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError
-from ..runner.kernels import UndrawableError, is_drawn, pictures_of
+from ..runner.kernels import UndrawableError, is_drawn
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -119,18 +118,10 @@ def _row(
         device = runner.device(route)
         codes = compile_one(route, plan.subject.files, toolchain)
         results: list[CaseResult] = []
-        if not isinstance(plan, Plan):
-            results += plan.results(route, device, codes, runner)
-            return made(status=_status(results), device=device, results=tuple(results))
-        for series, draws in plan.work:
+        for result in plan.results(route, device, codes, runner):
+            results.append(result)
             if interrupted.is_set():
                 break
-            shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
-            pictures = pictures_of(route, runner, plan.subject.reflection, shader, draws)
-            for result in plan.compared(series, route, device, pictures):
-                results.append(result)
-                if interrupted.is_set():
-                    break
     except (CodeError, DriverError, UndrawableError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))

@@ -15,13 +15,15 @@ from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules, compares_neighbours, formats
 from ...frozen import changed
 from ...stdlib.builtins.accuracy import Platform
-from ..runner.binding import FORMATS
+from ..runner.binding import FORMATS, pipeline
+from ..runner.codes import Codes
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
-from ..runner.kernels import drawable
+from ..runner.kernels import drawable, pictures_of
 from ..runner.reference import Draw, Program, remembered
 from ..runner.reference import expected as drawn_here
 from ..runner.routes import Route
+from ..runner.runner import Runner
 from ..runner.scene_state import SceneState
 from ..runner.store import Store
 from ..runner.subject import Subject
@@ -72,7 +74,7 @@ class Plan:
         self.label = label
         self.subject = subject
         self.meant = meant or subject
-        self.work = [
+        self._work = [
             (series, tuple(case.state.draw() for case in drawn.cases))
             for series, drawn in zip(
                 series_of(self.meant.reflection, seed, size),
@@ -86,7 +88,20 @@ class Plan:
         self._store = store
         self._draw = draw
 
-    def compared(
+    def results(
+        self, route: Route, device: Device, codes: Codes, runner: Runner
+    ) -> Iterator[CaseResult]:
+        """A result for each case by a route, which draws a series when its first one is asked for.
+
+        Raises ``DriverError``, and ``UndrawableError``.
+        """
+        reflection = self.subject.reflection
+        for series, draws in self._work:
+            bound = pipeline(reflection, route, codes, exact=series.exact)
+            pictures = pictures_of(route, runner, reflection, bound, draws)
+            yield from self._compared(series, route, device, pictures)
+
+    def _compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
     ) -> Iterator[CaseResult]:
         """A result for each case of a series, from the pictures that a route has drawn."""

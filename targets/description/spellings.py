@@ -96,7 +96,7 @@ class PipelineInput:
     """A value that the pipeline supplies."""
 
     type: Type
-    """As the language has it; converted where a program wants another kind."""
+    """As the language has it. Programs may want the first lanes of it, or another kind."""
     read: str
     """Template; ``{name}`` is the declared name."""
     semantic: str = ""

@@ -132,7 +132,7 @@ class Expressions:
         return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
 
     def _input(self, node: Node) -> Printed:
-        text, type_ = self._leaves.input(INPUT.data(node).name)
+        text, type_ = self._leaves.input(INPUT.data(node))
         return (text if type_ == node.type else f"{self._types.type(node.type)}({text})"), POSTFIX
 
     def _native(self, node: Node) -> Printed:
@@ -178,6 +178,10 @@ class Expressions:
         (source,) = swizzle.operands
         if source.op == "cross" and source not in self.bound:
             return self._leaves.interpolated(source, self._corner(source), lanes)
+        if source.op == "input" and source not in self.bound:
+            text, supplied = self._leaves.input(INPUT.data(source), lanes)
+            if supplied == type_:
+                return text, POSTFIX
         return self._leaves.swizzle(self.operand(source), lanes, type_)
 
     def _index(self, node: Node) -> Printed:

@@ -10,8 +10,8 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import ATTRIBUTE, BUFFER, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
-from ...compiler.ir.stages import PATCHES
-from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width
+from ...compiler.ir.stages import PATCHES, SystemInput
+from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width, with_width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .precedence import NAME, POSTFIX, Field, Printed
@@ -89,10 +89,19 @@ class LeafPrinter:
         """A vertex input."""
         return self._read(self._names.attributes[ATTRIBUTE.data(node).name])
 
-    def input(self, name: str) -> tuple[str, Type]:
-        """A value that the pipeline supplies, and its type in the language."""
-        supplied = self._inputs[name]
-        return supplied.read.format(name=name), supplied.type
+    def input(self, row: SystemInput, wanted: Sequence[int] | None = None) -> tuple[str, Type]:
+        """A value that the pipeline supplies, and its type in the language.
+
+        ``wanted`` are the lanes of the value that are used, if not all are.
+        """
+        supplied = self._inputs[row.name]
+        text, kind = supplied.read.format(name=row.name), scalar_kind(supplied.type)
+        lanes = tuple(range(width(row.type))) if wanted is None else wanted
+        if wanted is None and len(lanes) == width(supplied.type):
+            return text, supplied.type
+        assert kind is not None
+        type_ = with_width(kind, len(lanes))
+        return self.swizzle((text, NAME), lanes, type_)[0], type_
 
     def interpolated(
         self, node: Node, corner: str, wanted: tuple[int, ...] | None = None

@@ -88,10 +88,11 @@ class StagePrinter:
         functions = [self._function(function) for function in stage.functions]
         guard = "" if self._groups else self._guard(expressions, extent)
         group = self._context.program.work_group
-        lines = statements.lines(stage.region)
         if stage.emitted:
             strips = Strips(self._context, expressions, namer, self._marks)
-            lines = strips.lines_of(stage.emitted, self._delivered)
+            lines = strips.emitted(stage, self._delivered)
+        else:
+            lines = statements.lines(stage.region)
         for output in stage.results:
             if output.field is None and output.store is None and output.kind not in PLACED:
                 raise NotImplementedError(f"no skeleton writes a {output.kind}")
@@ -164,7 +165,7 @@ class StagePrinter:
         own = self._invocation
         if own is None:
             return []
-        read, type_ = self._leaves.input(own.name)
+        read, type_ = self._leaves.input(own)
         if read == own.name:
             namer.declare(read)
         self._index = namer.declare(own.name)

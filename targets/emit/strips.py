@@ -1,6 +1,6 @@
 """Prints what a geometry stage does: a loop for each group of strips, and one for their vertices.
 
-``stage.py`` calls ``Strips.lines_of`` where a stage emits vertices.
+``stage.py`` calls ``Strips.emitted`` where a stage emits vertices.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from ...compiler.ir.node import Formal, Node
-from ...compiler.ir.program import EmittedGroup, Output
+from ...compiler.ir.program import EmittedGroup, EmittedPart, Output, Stage
 from ...compiler.ir.types import INT
 from .literals import literal
 from .statements import Lines, Statements
@@ -20,67 +20,83 @@ Delivered = Callable[[Output, str], Iterator[str]]
 class Strips(Statements):
     """The statements of a body that emits vertices."""
 
-    def lines_of(self, groups: Sequence[EmittedGroup], delivered: Delivered) -> list[str]:
-        """All groups, one after the other."""
-        return self.laid_out(line for group in groups for line in self._group(group, delivered))
+    def emitted(self, stage: Stage, delivered: Delivered) -> list[str]:
+        """What all groups share, and then these, one after the other."""
+        return self.laid_out(self._all(stage, delivered))
 
-    def _group(self, group: EmittedGroup, delivered: Delivered) -> Lines:
-        if group.strips.strips > 1:
-            yield self._counting(group.strip, group.strips.strips, group.emitted)
-            yield self._strip(group, delivered)
-            yield self._forms.end
-            self._namer.leave()
-        else:
-            yield from self._strip(group, delivered)
+    def _all(self, stage: Stage, delivered: Delivered) -> Lines:
+        yield from self._region(stage.region)
+        for part in stage.emitted:
+            yield from self._where(part.condition, self._part(part, stage.results, delivered))
 
-    def _counting(self, number: Formal, count: int, about: Node) -> str:
-        """The line that opens a loop; what is declared after this call is inside of it."""
+    def _where(self, condition: Node, block: Lines) -> Lines:
+        """What is done only where a condition holds; without a test if it always does."""
+        if condition.op == "constant":
+            if condition.data:
+                yield from block
+            return
+        text = self._expressions.text(condition)
+        yield self._mark(self._forms.if_.format(condition=text), condition)
+        with self._inside():
+            yield block
+        yield self._forms.end
+
+    def _counted(self, number: Formal, count: str, about: Node, block: Lines) -> Lines:
+        """A loop. Its variable is known to what comes behind it, too, as some compilers remark."""
         index = self._namer.declare(number.name)
-        self._namer.enter()
         self._expressions.formals[number] = index
         text = self._forms.loop.format(
             index=index,
             index_typed=self._types.declare(index, INT),
             zero=literal(0, "int", self._literals),
-            count=literal(count, "int", self._literals),
+            count=count,
         )
-        return self._mark(text, about)
-
-    def _strip(self, group: EmittedGroup, delivered: Delivered) -> Lines:
+        yield self._mark(text, about)
         with self._inside():
-            yield from self._region(group.head)
-            emitted = group.emitted
-            if emitted.op == "constant":
-                if emitted.data:
-                    yield from self._vertices(group, delivered)
-                return
-            condition = self._expressions.text(emitted)
-            yield self._mark(self._forms.if_.format(condition=condition), emitted)
-            yield self._vertices(group, delivered)
-            yield self._forms.end
-
-    def _vertices(self, group: EmittedGroup, delivered: Delivered) -> Lines:
-        value = group.results[0].value
-        yield self._counting(group.vertex, group.strips.vertices, value)
-        yield self._vertex(group, delivered)
+            yield block
         yield self._forms.end
-        self._namer.leave()
-        if not _stands_alone(group):
-            yield self._mark(self._forms.end_strip, value)
 
-    def _vertex(self, group: EmittedGroup, delivered: Delivered) -> Lines:
-        with self._inside():
-            yield from self._region(group.body)
-            for output in group.results:
-                for line in delivered(output, self._expressions.text(output.value)):
-                    yield self._mark(line, output.value)
-            value = group.results[0].value
-            yield self._mark(self._forms.emit_vertex, value)
-            if _stands_alone(group) and group.strips.triangles:
-                last = self._expressions.formals[group.vertex]
-                yield self._mark(self._forms.if_.format(condition=f"{last} % 3 == 2"), value)
-                yield iter([self._mark(self._forms.end_strip, value)])
-                yield self._forms.end
+    def _part(self, part: EmittedPart, outputs: Sequence[Output], delivered: Delivered) -> Lines:
+        yield from self._region(part.region)
+        for group in part.groups:
+            strip = self._strip(group, self._vertex(group, outputs, delivered))
+            if group.strips.strips > 1:
+                yield from self._counted(group.strip, self._count_of(group), group.count, strip)
+            else:
+                yield from strip
+
+    def _count_of(self, group: EmittedGroup) -> str:
+        """How many strips there are; never more than the bound, whatever the host has set."""
+        bound = literal(group.strips.strips, "int", self._literals)
+        if group.count.op == "constant":
+            return bound
+        return self._forms.at_most.format(value=self._expressions.text(group.count), bound=bound)
+
+    def _strip(self, group: EmittedGroup, vertex: Lines) -> Lines:
+        yield from self._region(group.head)
+        yield from self._where(group.emitted, self._vertices(group, vertex))
+
+    def _vertices(self, group: EmittedGroup, vertex: Lines) -> Lines:
+        yield from self._region(group.entered)
+        count = literal(group.strips.vertices, "int", self._literals)
+        yield from self._counted(group.vertex, count, group.delivered[0], vertex)
+        if not _stands_alone(group):
+            yield self._mark(self._forms.end_strip, group.delivered[0])
+
+    def _vertex(
+        self, group: EmittedGroup, outputs: Sequence[Output], delivered: Delivered
+    ) -> Lines:
+        yield from self._region(group.body)
+        for output, value in zip(outputs, group.delivered, strict=True):
+            for line in delivered(output, self._expressions.text(value)):
+                yield self._mark(line, value)
+        value = group.delivered[0]
+        yield self._mark(self._forms.emit_vertex, value)
+        if _stands_alone(group) and group.strips.triangles:
+            last = self._expressions.formals[group.vertex]
+            yield self._mark(self._forms.if_.format(condition=f"{last} % 3 == 2"), value)
+            yield iter([self._mark(self._forms.end_strip, value)])
+            yield self._forms.end
 
 
 def _stands_alone(group: EmittedGroup) -> bool:

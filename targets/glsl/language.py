@@ -9,7 +9,7 @@ from pathlib import Path
 from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, RASTERISED
 from ...compiler.ir.tessellation import Patch, Spacing
-from ...compiler.ir.types import BOOL, INT, UINT, VEC2, VEC3, VEC4, Vector
+from ...compiler.ir.types import BOOL, INT, VEC3, VEC4, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -115,11 +115,11 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "gl_FrontFacing"),
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
-    "index": PipelineInput(UINT, "gl_GlobalInvocationID.x"),
-    "texel": PipelineInput(Vector("uint", 2), "gl_GlobalInvocationID.xy"),
+    "index": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
+    "texel": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
     "patch_weights": PipelineInput(VEC3, "gl_TessCoord"),
-    "patch_coordinate": PipelineInput(VEC2, "gl_TessCoord.xy"),
+    "patch_coordinate": PipelineInput(VEC3, "gl_TessCoord"),
     "patch_index": PipelineInput(INT, "gl_PrimitiveID"),
 }
 

@@ -34,14 +34,14 @@ class Vertices:
     members: Mapping[str, NDArray[Any]]
     """By the name of the capture, of shape (vertices, lanes)."""
     primitive: str
-    """What they are: ``triangle``, of three vertices each, or ``point``."""
+    """What they are: ``triangle``, of three vertices each, ``line``, of two, or ``point``."""
     count: int
 
     def mesh(self) -> Mesh:
         """A mesh of these vertices, whose channels are the captured values.
 
-        One of them has to be called ``position``. Points are a mesh without triangles. Raises
-        ``MeshError`` for values that a mesh cannot have.
+        One of them has to be called ``position``. Points and lines are a mesh without triangles.
+        Raises ``MeshError`` for values that a mesh cannot have.
         """
         if "position" not in self.members:
             raise MeshError("only vertices with a captured `position` make a mesh")

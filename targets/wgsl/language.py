@@ -120,8 +120,8 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "input.{name}", "@builtin(front_facing)"),
     "vertex_index": PipelineInput(UINT, "input.{name}", "@builtin(vertex_index)"),
     "instance_index": PipelineInput(UINT, "input.{name}", "@builtin(instance_index)"),
-    "index": PipelineInput(Vector("uint", 3), "input.{name}.x", "@builtin(global_invocation_id)"),
-    "texel": PipelineInput(Vector("uint", 3), "input.{name}.xy", "@builtin(global_invocation_id)"),
+    "index": PipelineInput(Vector("uint", 3), "input.{name}", "@builtin(global_invocation_id)"),
+    "texel": PipelineInput(Vector("uint", 3), "input.{name}", "@builtin(global_invocation_id)"),
 }
 
 

@@ -21,11 +21,29 @@ CHECKER, PROFILE = "glslang-vulkan", "glsl:vulkan"
 LIMIT = 1.05
 
 MEASURED = (
-    ("sprites", "geometry", "balls.geom.glsl"),
-    ("displacement", "control", "ripples.tesc.glsl"),
-    ("displacement", "evaluation", "ripples.tese.glsl"),
+    ("sprites", "", "geometry", "balls.geom.glsl"),
+    ("particles", "", "geometry", "sparks.geom.glsl"),
+    ("fur", "", "geometry", "shells.geom.glsl"),
+    ("outlines", "", "geometry", "ink.geom.glsl"),
+    ("fins", "Fins", "geometry", "hairs.geom.glsl"),
+    ("shadow_volume", "", "geometry", "volume.geom.glsl"),
+    ("cube_map", "Surroundings", "geometry", "faces.geom.glsl"),
+    ("normals", "Normals", "geometry", "needles.geom.glsl"),
+    ("thorns", "", "geometry", "thorns.geom.glsl"),
+    ("thorns", "", "control", "ripples.tesc.glsl"),
+    ("thorns", "", "evaluation", "cactus.tese.glsl"),
+    ("displacement", "", "control", "ripples.tesc.glsl"),
+    ("displacement", "", "evaluation", "ripples.tese.glsl"),
+    ("level_of_detail", "", "control", "dents.tesc.glsl"),
+    ("level_of_detail", "", "evaluation", "dents.tese.glsl"),
+    ("growing_steps", "", "control", "hills.tesc.glsl"),
+    ("growing_steps", "", "evaluation", "hills.tese.glsl"),
+    ("splines", "", "control", "spline.tesc.glsl"),
+    ("splines", "", "evaluation", "spline.tese.glsl"),
+    ("threads", "", "control", "strands.tesc.glsl"),
+    ("threads", "", "evaluation", "strands.tese.glsl"),
 )
-"""Examples, a stage of each, and its twin."""
+"""Examples, the pass that draws each if it is its own, a stage, and its twin."""
 
 
 def measure() -> Iterator[Section]:
@@ -34,9 +52,10 @@ def measure() -> Iterator[Section]:
     yield Section("stage_lengths", title, [_row(*each) for each in MEASURED])
 
 
-def _row(example: str, stage: str, twin: str) -> Row:
+def _row(example: str, pass_: str, stage: str, twin: str) -> Row:
     path = EXAMPLES / f"{example}.burnish"
-    (material, *_) = burnish.compile(path, PROFILE, native_stages=True).materials
+    compiled = burnish.compile(path, PROFILE, pass_=pass_ or None, native_stages=True)
+    material = compiled.materials[0]
     own, by_hand = (
         _count(stage, text)
         for text in (material.text(PROFILE, stage), (TWINS / twin).read_text(encoding="utf-8"))

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,8 @@ from burnish.targets.runner.scene_state import SceneState
 from burnish.targets.toolchain import Toolchain
 
 Floats = NDArray[np.float64]
+Key = TypeVar("Key", bound=Hashable)
+Found = TypeVar("Found")
 
 FOLDER = Path(__file__).parent
 REFERENCE = "reference"
@@ -93,3 +95,20 @@ def compiled(source: str | Path, **options: Any) -> CompiledMaterial:
     where = FOLDER / source if isinstance(source, str) and source.endswith(".burnish") else source
     (material,) = burnish.compile(where, PROFILES, **options).materials
     return material
+
+
+def keeping_the_last(find: Callable[[Key], Found]) -> Callable[[Key], Found]:
+    """``find``, which keeps what it has found last, for tests that all ask for the same.
+
+    It forgets that before it finds something else: the pictures of a material take a hundred
+    megabytes, and those of all would fill gigabytes.
+    """
+    kept: dict[Key, Found] = {}
+
+    def found(key: Key) -> Found:
+        if key not in kept:
+            kept.clear()
+            kept[key] = find(key)
+        return kept[key]
+
+    return found

@@ -45,10 +45,10 @@ KERNELS = (
     "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgpu",
 )  # fmt: skip
 """The routes that run kernels."""
-NAMES = ("Plain", "Tent", "Sparks")
+NAMES = ("Plain", "Tent", "Sparks", "Whiskers")
 WORK = [
     *(("Plain", route) for route in PLAIN),
-    *((name, route) for name in ("Tent", "Sparks") for route in EXPANDED),
+    *((name, route) for name in NAMES[1:] for route in EXPANDED),
 ]
 
 
@@ -98,6 +98,12 @@ EXACT = {
         strip of 3 as i { mark = 1 }
         list of 6 as i for s in 0..count where corner[s].uv.x > 0.4 like corner[i mod 3] {
             position = inherited.position + vec3(0.125, 0.25, 0.5) * float(s + i / 3)
+            mark     = 10 * s + i
+        }
+    }""",
+    "lines": """expand triangle {
+        line of 4 as i for s in 0..count where corner[s].uv.x > 0.4 like corner[i mod 3] {
+            position = inherited.position + vec3(0.125, 0.25, 0.5) * float(s + i)
             mark     = 10 * s + i
         }
     }""",
@@ -154,6 +160,21 @@ def test_points_come_in_the_order_of_the_mesh_and_only_where_they_are_emitted(
         assert found.members["number"].tolist() == [[10], [11], [40], [41], [70], [71]], route
 
 
+def test_of_lines_both_ends_of_each_segment_are_captured(studio: Studio) -> None:
+    text = """
+    material Dust { number : int = 0  expand point {
+        line of 3 as i for n in 0..2 where primitive_index == 4u { number = 10 * n + i }
+    }  color = vec3(1) }
+    pass Moved { capture number : int = number }
+    """
+    forms = [*((route, True) for route in EXPANDED), ("lavapipe:wgsl-naga", False)]
+    for route, is_native in forms:
+        found = captured(studio, text, route, native_stages=is_native)
+        assert found.primitive == "line"
+        numbers = found.members["number"].reshape(-1, 2).tolist()
+        assert numbers == [[0, 1], [1, 2], [10, 11], [11, 12]], route
+
+
 def test_triangles_are_captured_corner_by_corner(studio: Studio) -> None:
     """A vertex that triangles share is there for each of them; the first one stays the first."""
     text = """
@@ -167,6 +188,18 @@ def test_triangles_are_captured_corner_by_corner(studio: Studio) -> None:
         assert found.count == len(whole)
         assert found.members["number"][:, 0].tolist() == whole.tolist()
         assert (found.members["corner"] == plane(2).channels["uv"][whole]).all()
+
+
+@pytest.mark.parametrize("route", PLAIN)
+def test_nothing_is_captured_of_no_primitives(studio: Studio, route: str) -> None:
+    """Where there is nothing to draw, such as patches of level 0, a draw has no indices."""
+    text = "material Dust { color = vec3(1) } pass Moved { capture corner : vec2 = uv }"
+    profile = ROUTES[route].profile
+    (material,) = burnish.compile(text, profile, pass_="Moved", native_stages=True).materials
+    state = replace(state_of(material), triangles=np.zeros((0, 3), np.int64))
+    found = capture(material, state, ROUTES[route], studio.runner, studio.toolchain)
+    assert found.count == 0
+    assert found.members["corner"].shape == (0, 2)
 
 
 def test_what_is_captured_is_drawn_again(studio: Studio) -> None:
@@ -244,6 +277,11 @@ def _never_turned(_right: Any) -> Callable[..., Any]:
     return lambda group: [t + n for t in range(group.listed_each // 3) for n in range(3)]
 
 
+def _one_line(right: Any) -> Callable[..., Any]:
+    """The segments of a line do not begin where the one before ends."""
+    return lambda group: list(range(group.listed_each)) if group.shape == "line" else right(group)
+
+
 def _next_corner(right: Any) -> Callable[..., Any]:
     return lambda lanes, corner, corners: right(lanes, corner, np.roll(corners, 1, axis=1))
 
@@ -279,6 +317,9 @@ NOTICED: Mapping[str, tuple[str, str, str, Change]] = {
     ),
     "the reference does not turn": (
         "Tent", "lavapipe:glsl", "..compiler.reference.capture._listed", _never_turned,
+    ),
+    "the reference shares no ends of lines": (
+        "Whiskers", "lavapipe:glsl", "..compiler.reference.capture._listed", _one_line,
     ),
     "the reference reads the next corner": (
         "Tent", "lavapipe:glsl", "..compiler.reference.capture._at_corner", _next_corner,

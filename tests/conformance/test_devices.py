@@ -5,14 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import burnish
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
-from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.binding import pipeline
+from burnish.targets.runner.codes import compile_one
+from burnish.targets.runner.drivers.draw import DriverError, Job
+from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import DEVICE_ROUTES
 from burnish.targets.runner.runner import Runner
+from burnish.targets.runner.scene import Scene, with_inputs
+from burnish.targets.runner.scene_state import set_up
 from burnish.targets.toolchain import Toolchain
 
 from ..cli.kit import invoke
@@ -46,6 +53,25 @@ def test_wgpu_agrees(file: str, toolchain: Toolchain) -> None:
     for row in rows(["wgpu:wgsl"], [file], SOFTWARE, toolchain):
         assert row.status == "agrees", row.material
         assert row.device is not None and SOFTWARE in row.device.name
+
+
+def test_wgpu_draws_nothing_of_patches_of_level_0(toolchain: Toolchain) -> None:
+    text = """material Flat {
+        param rising : float in 0..1 = 0
+        tessellate triangle by rising as at { }
+        color = vec3(1)
+    }"""
+    (material,) = burnish.compile(text, "wgsl").materials
+    route = DEVICE_ROUTES["wgpu:wgsl"]
+    clear = (0.25, 0.5, 0.75, 1.0)
+    made = pipeline(material.reflection, route, compile_one(route, material.files, toolchain))
+    state = set_up(
+        material.instance(), with_inputs(material.reflection, plane(1)), Scene(), (2, 2), clear
+    )
+    with Runner([route], device=SOFTWARE) as runner:
+        (picture,) = runner.draw(route, Job(made, (state.draw(),)))
+    (target,) = arrays(picture)
+    assert np.abs(target - clear).max() < 0.01
 
 
 def test_vulkan_agrees_on_a_device_by_its_name(toolchain: Toolchain) -> None:

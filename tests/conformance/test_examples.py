@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +22,7 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
 from ..examples.kit import EXAMPLES, VARIANTS, Variant
-from .kit import PROFILES, Studio
+from .kit import PROFILES, Studio, keeping_the_last
 
 LEAST_COVERED = 0.1
 """Of the pixels of all cases together."""
@@ -69,12 +68,9 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
-    """What a run over a file finds, with all its rigs, passes and materials.
+    """What a run over a file finds, with all its rigs, passes and materials."""
 
-    Only the last file's pictures are kept: those of all files would fill gigabytes.
-    """
-
-    @lru_cache(maxsize=1)
+    @keeping_the_last
     def found(path: Path) -> dict[Key, Row]:
         compiled = [
             (variant, material)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
 
 import pytest
 
@@ -15,7 +14,7 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
 from . import test_work_groups
-from .kit import Studio
+from .kit import Studio, keeping_the_last
 from .subjects import DEFECTS, LACKING, MAY_PROVE_LITTLE, NAMES, called, compiled
 
 CASES = [
@@ -28,12 +27,9 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[str], dict[str, Row]]:
-    """What a run over one of ``NAMES`` finds, by route.
+    """What a run over one of ``NAMES`` finds, by route."""
 
-    Only the last material's pictures are kept: those of all would fill gigabytes.
-    """
-
-    @lru_cache(maxsize=1)
+    @keeping_the_last
     def found(name: str) -> dict[str, Row]:
         lacking = LACKING.get(name, ())
         routes = {key: route for key, route in ROUTES.items() if route.profile not in lacking}

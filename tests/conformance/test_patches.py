@@ -173,6 +173,22 @@ def test_the_forms_of_examples_differ_by_rounding_only(
     assert covered.sum() > 500
 
 
+LEVEL_0 = """param rising : float in 0..1 = 0
+    tessellate triangle by rising as at { mark = at.x }"""
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_patches_of_level_0_are_not_drawn(studio: Studio, route: str) -> None:
+    (lowered,) = burnish.compile(text(LEVEL_0), ROUTES[route].profile).materials
+    assert lowered.reflection["draw"]["tessellation"]["levels"] is not None, "the host divides"
+    state = state_of(lowered)
+    assert not len(state.triangles)
+    (found,) = studio.draw(route, lowered, state)
+    assert (found == np.array(CLEAR, np.float32)).all()
+    (expected,) = studio.draw(kit.REFERENCE, lowered, state)
+    assert (expected == found).all()
+
+
 # --- levels that differ --------------------------------------------------------------------------
 
 DIFFERING = """tessellate triangle spacing {}

@@ -46,7 +46,8 @@ from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 from burnish.stdlib.builtins.row import anything
 
 TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)
-INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), 2**31 - 1)
+LARGEST_INT = 2**31 - 1
+INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), LARGEST_INT)
 
 
 def range_rules() -> tuple[str, ...]:
@@ -165,7 +166,10 @@ class World:
             return self.fixed[leaf.name]
         if leaf.name.startswith("noise."):
             return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
-        return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
+        fact = leaf.fact
+        if leaf.name.endswith(".count") and fact.hi == LARGEST_INT:
+            fact = changed(fact, hi=float(ELEMENTS))  # of a buffer's lights: as many as it has
+        return self._drawn(leaf.name, leaf.type, fact, dict(leaf.member_facts))
 
     def _contents(self, leaf: Buffer) -> Contents:
         """A few elements, within what is declared of them."""

@@ -43,7 +43,7 @@ def test_an_element_is_read_by_its_number() -> None:
 
 
 def test_beyond_the_ends_the_nearest_element_is_meant() -> None:
-    text = "material M { buffer w : float[]  color = vec3(w[-5], w[2], w[99]) }"
+    text = "material M { buffer w : float[]  param m : int = -5  color = vec3(w[m], w[2], w[99]) }"
     assert color(text, {"w": floats(1, 2)}, w_count=2) == (1, 2, 2)
 
 

@@ -129,7 +129,12 @@ WRONG = [
     (
         "result r : float[4] = 1  result s : float[5] = 1",
         "B0513",
-        "`s` has another number of elements than the first result",
+        "`s` has another number of elements than `r`",
+    ),
+    (
+        "runs over 4  result r : float[5] = 1",
+        "B0513",
+        "`r` has another number of elements than `runs over` says",
     ),
     (
         "buffer b : S[]  result r : S[b.count] = b[index]",
@@ -178,7 +183,7 @@ WRONG = [
     (
         "result i : image2d<r8>[ivec2(4)] = 1  result j : image2d<r8>[ivec2(5)] = 1",
         "B0513",
-        "`j` has another size than the first result",
+        "`j` has another size than `i`",
     ),
     (
         "result i : image2d<rgba8>[ivec2(4)] = vec2(1)",

@@ -71,6 +71,15 @@ def test_texts_of_kernels(profile: str) -> None:
     assert_golden(material.text(profile, "compute"), GOLDEN / material.files[0].name)
 
 
+@pytest.mark.parametrize("captured", ["place : vec2 = uv", "number : uint = vertex_index"])
+def test_kernels_hand_on_what_stands_nowhere(captured: str) -> None:
+    """What is read of the mesh or counted is written in no equation that could be pointed at."""
+    text = f"material Plain {{ color = vec3(1) }} pass Step {{ capture {captured} }}"
+    (material,) = burnish.compile(text, "wgsl", pass_="Step").materials
+    (file,) = material.files
+    assert "captured[" in file.text
+
+
 def test_what_a_kernel_reads_and_writes_is_told() -> None:
     (material,) = burnish.compile(SPARKS, "wgsl:webgpu", pass_="Step").materials
     reflection = material.reflection

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import pytest
@@ -16,6 +15,7 @@ from burnish.compiler.diagnostics.render import render
 from burnish.targets.toolchain import Toolchain
 
 from ..examples.kit import jobs_of
+from ..golden import assert_golden
 
 GOLDEN = Path(__file__).parent / "golden" / "geometry"
 PROFILES = ("glsl:vulkan", "glsl:gl330", "glsl:gl450", "hlsl:sm6")
@@ -59,32 +59,72 @@ material Wide {
     color = vec3(uv, 0) * normal
 }
 """
+ALIKE = """
+material Alike {
+    param weights : float[20]
+    expand triangle {
+        strip of 3 as i
+            where (sum k in 0..20 : corner[0].uv.x * weights[k] * sin(corner[0].uv.y)) > 0.5 {}
+        strip of 3 as i
+            where (sum k in 0..20 : corner[1].uv.x * weights[k] * sin(corner[0].uv.y)) > 0.5 {}
+        strip of 3 as i { position = -inherited.position }
+        strip of 3 as i { position = -2 * inherited.position }
+    }
+    color = vec3(1)
+}
+"""
+"""Groups with conditions that take statements, and all with the same names."""
 
 
+SHARED = """
+/// Fins on some triangles, and some more on all.
+material Shared : Surface {
+    param fins : int in 0..4 = 2
+    expand triangle {
+        strip of 3 as i where dot(corner[0].normal, corner[1].normal) > 0 {}
+        strip of 3 as i for fin in 0..fins where dot(corner[0].normal, corner[1].normal) > 0 {
+            position = corner[i].position
+                + float(i + fin) * cross(corner[0].normal, corner[1].normal)
+        }
+        strip of 3 as i for fin in 0..2 where dot(corner[0].normal, corner[1].normal) > 0 {
+            position = corner[i].position
+                - float(i + fin) * cross(corner[0].normal, corner[1].normal)
+        }
+    }
+}
+"""
+"""Groups that share a condition, and vertices that share a value."""
+
+
+@pytest.mark.parametrize("text", [TENT, SHARED], ids=["tent", "shared"])
 @pytest.mark.parametrize("profile", PROFILES)
-def test_texts(profile: str) -> None:
-    (material,) = burnish.compile(TENT, profile, native_stages=True).materials
+def test_texts(profile: str, text: str) -> None:
+    (material,) = burnish.compile(text, profile, native_stages=True).materials
     assert [file.stage for file in material.files] == ["vertex", "geometry", "fragment"]
     for file in material.files:
-        path = GOLDEN / file.name
-        if os.environ.get("BURNISH_UPDATE_GOLDEN"):
-            path.parent.mkdir(exist_ok=True)
-            path.write_text(file.text, encoding="utf-8")
-        assert file.text == path.read_text(encoding="utf-8")
+        assert_golden(file.text, GOLDEN / file.name)
 
 
 @pytest.mark.parametrize("flip_y", [False, True])
+@pytest.mark.parametrize("text", [TENT, SHARED], ids=["tent", "shared"])
 @pytest.mark.parametrize("profile", PROFILES)
-def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
-    (material,) = burnish.compile(TENT, profile, native_stages=True, flip_y=flip_y).materials
+def test_compilers_accept_them(profile: str, text: str, flip_y: bool) -> None:
+    (material,) = burnish.compile(text, profile, native_stages=True, flip_y=flip_y).materials
+    assert refused(material) == []
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_groups_may_use_the_same_names(profile: str) -> None:
+    """They stand one after the other in one function, and compilers have nothing to remark."""
+    (material,) = burnish.compile(ALIKE, profile, native_stages=True).materials
     assert refused(material) == []
 
 
 def refused(material: CompiledMaterial) -> list[str]:
-    """What compilers say of the texts that they refuse."""
+    """What compilers say of the texts that they refuse, or about which they remark something."""
     with Toolchain() as toolchain:
         verdicts = toolchain.check([*jobs_of(material)])
-    return [verdict.log for verdict in verdicts if verdict.status != "accepted"]
+    return [one.log for one in verdicts if one.status != "accepted" or one.messages]
 
 
 @pytest.mark.parametrize("profile", PROFILES)

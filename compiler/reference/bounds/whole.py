@@ -8,8 +8,9 @@ an interval of two numbers, and any wider one says nothing.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -33,10 +34,14 @@ class Operation:
 
 
 def _at_corners(of: Callable[[Any, Any], Any], x: Ends, y: Ends) -> Ends:
-    found = [np.asarray(of(a, b)) for a in x for b in y]
-    return np.minimum.reduce(np.broadcast_arrays(*found)), np.maximum.reduce(
-        np.broadcast_arrays(*found)
-    )
+    found = [np.asarray(of(a, b)) for a in _distinct(x) for b in _distinct(y)]
+    return reduce(np.minimum, found), reduce(np.maximum, found)
+
+
+def _distinct(ends: Ends) -> Sequence[Array]:
+    """Both ends of an interval, or one of them, if they are the same everywhere."""
+    low, high = ends
+    return (low,) if low is high or np.array_equal(low, high) else ends
 
 
 def _monotone(of: Callable[[Any, Any], Any]) -> Operation:
@@ -49,10 +54,17 @@ def _jumping(of: Callable[[Any, Any], Any]) -> Operation:
 
     def ends(x: Ends, y: Ends) -> Ends:
         low, high = _at_corners(of, x, y)
-        wide = (x[1] - x[0] > 1) | (y[1] - y[0] > 1)
+        wide = _is_wide(x) | _is_wide(y)
+        if not wide.any():
+            return low, high
         return np.where(wide, LEAST, low), np.where(wide, LARGEST, high)
 
     return Operation(of, ends)
+
+
+def _is_wide(ends: Ends) -> Array:
+    """Where an interval has more than two numbers."""
+    return np.asarray(ends[1] - ends[0] > 1)
 
 
 def _modulo(
@@ -71,6 +83,8 @@ def _modulo(
         period = np.where(y[0] == y[1], size(y[0]), 0)
         divisor = np.maximum(period, 1)
         together = (period > 0) & (x[0] // divisor == x[1] // divisor)
+        if together.all():
+            return of(x[0], y[0]), of(x[1], y[0])
         low, high = jumping.ends(x, y)
         low = np.where(together, of(x[0], y[0]), np.where(period > 0, 0, low))
         high = np.where(together, of(x[1], y[0]), np.where(period > 0, divisor - 1, high))
@@ -88,6 +102,9 @@ def _by_bits(of: Callable[[Any, Any], Any]) -> Operation:
 
     def ends(x: Ends, y: Ends) -> Ends:
         low, high = jumping.ends(x, y)
+        wide = _is_wide(x) | _is_wide(y)
+        if not wide.any():
+            return low, high
         other = y[0]
         below = _filled(x[0] ^ x[1])
         shared = of(x[0] & ~below, other) & ~below
@@ -95,7 +112,6 @@ def _by_bits(of: Callable[[Any, Any], Any]) -> Operation:
         certain = (y[0] == y[1]) & ((x[0] >= 0) == (x[1] >= 0))
         least = np.where(certain, shared, LEAST)
         most = np.where(certain, shared | (possible & below), LARGEST)
-        wide = (x[1] - x[0] > 1) | (y[1] - y[0] > 1)
         return np.where(wide, least, low), np.where(wide, most, high)
 
     return Operation(of, ends)

@@ -8,7 +8,6 @@ from ...ir.stages import SystemInput
 from ...ir.types import INT
 from ..declarations.buffers import leaf_of
 from ..state.context import Context
-from ..state.scope import Value
 
 
 def count(ctx: Context, buffer: Node) -> Node:
@@ -21,7 +20,7 @@ def count(ctx: Context, buffer: Node) -> Node:
     return ctx.tree.node("parameter", INT, (), leaf.count)
 
 
-def element(ctx: Context, buffer: Node, position: Node) -> Value:
+def element(ctx: Context, buffer: Node, position: Node) -> Node:
     """``b[i]``: the nearest element, where ``i`` is before the first or behind the last.
 
     A buffer without elements reads as if it had one of zeros, which the runtime binds then.

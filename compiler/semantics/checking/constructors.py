@@ -8,7 +8,17 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import MAPS, Meaning
 from ...ir.node import Node
-from ...ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width, with_width
+from ...ir.types import (
+    Matrix,
+    Scalar,
+    ScalarKind,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+    with_width,
+)
 from ...syntax import ast
 from ...syntax.quoting import spanned
 from ...syntax.rewriting import rewritten, together
@@ -69,7 +79,9 @@ def _hint(
     ):
         return cut
     match type_:
-        case Vector(kind="float") if converted := _as_floats(arguments, written):
+        case Vector(kind=kind, size=size) if _lanes(arguments) in (1, size) and (
+            converted := _in_one_kind(kind, arguments, written)
+        ):
             return together("lanes have one kind: write {}", converted)
         case Vector(kind="float", size=size) if isinstance(sole, Vector) and sole.size < size:
             filled = ", 0" * (size - sole.size)
@@ -84,13 +96,25 @@ def _hint(
             return f"`{name}` takes one number"
 
 
-def _as_floats(arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]) -> list[FixIt]:
-    """The integers among the lanes of a vector as floats; literals are by themselves."""
+def _lanes(arguments: tuple[Node, ...]) -> int:
+    """How many lanes they have in all; structures and textures have none."""
+    return sum(width(one.type) for one in arguments if scalar_kind(one.type) is not None)
+
+
+def _in_one_kind(
+    kind: ScalarKind, arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]
+) -> list[FixIt]:
+    """Those lanes of a vector that are of another kind, as that kind."""
     return [
-        rewritten(expression.span, f"{with_width('float', width(node.type))}({{text}})", "`{}`")
+        rewritten(expression.span, f"{with_width(kind, width(node.type))}({{text}})", "`{}`")
         for node, expression in zip(arguments, written, strict=True)
-        if scalar_kind(node.type) in ("int", "uint") and not is_constant(node)
+        if scalar_kind(node.type) not in (None, kind) and not _is_whole_literal(node)
     ]
+
+
+def _is_whole_literal(node: Node) -> bool:
+    """Whether it is a number of any kind by itself."""
+    return scalar_kind(node.type) in ("int", "uint") and is_constant(node)
 
 
 def _scalar(ctx: Context, type_: Scalar, argument: Node) -> Node | Failure | None:

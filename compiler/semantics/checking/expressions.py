@@ -26,7 +26,7 @@ from ...ir.types import (
 )
 from ...srgb import linear
 from ...syntax import ast
-from ...syntax.quoting import shortened
+from ...syntax.quoting import shortened, spanned
 from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
@@ -119,15 +119,18 @@ def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
     position = fit(ctx, index, INT, "int", e.index.span)
     if isinstance(position, Failure):
         return FAILURE
+    known = ctx.constants.known_integer(position)
     match operand.type:
         case RuntimeArray():
-            return buffers.element(ctx, operand, position)
+            element = buffers.element(ctx, operand, position)
+            if known is not None and known < 0:
+                _not_there(ctx, e, (operand, position), element, known, _from_end(e, -known))
+            return element
         case Array(count=count) | Vector(size=count) | Matrix(size=count):
             pass
         case _:
             ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)
             return FAILURE
-    known = ctx.constants.known_integer(position)
     if known is not None and 0 <= known < count:
         part = build.part(ctx.tree, operand, known)
         ctx.deferred.unread(part, operands)
@@ -138,11 +141,28 @@ def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
     if known is not None:
         highest = str(count - 1)
         hint = fix_it(f"counted from 0, the last one is `[{highest}]`", (e.index.span, highest))
-        found = ctx.report.finding(
-            rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
-        )
-        ctx.deferred.add(part, found, position)
+        _not_there(ctx, e, (operand, position), part, known, hint)
     return part
+
+
+def _from_end(e: ast.Index, number: int) -> Hint:
+    """How an element of a buffer is written that is counted from the end, as in some languages."""
+    shown, written = (
+        f"{buffer}.count - {number}" for buffer in (spanned(e.operand.span), e.operand.span.text)
+    )
+    said = f"elements are counted from 0; from the end, this one is `[{shown}]`"
+    return fix_it(said, (e.index.span, written))
+
+
+def _not_there(
+    ctx: Context, e: ast.Index, operands: tuple[Node, Node], part: Node, known: int, hint: Hint
+) -> None:
+    """Note that ``part`` is read with an index that is known to be out of bounds."""
+    operand, position = operands
+    found = ctx.report.finding(
+        rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
+    )
+    ctx.deferred.add(part, found, position)
 
 
 # --- operators -----------------------------------------------------------------------------------

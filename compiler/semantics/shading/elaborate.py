@@ -168,8 +168,6 @@ def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result
             continue
         if expansion.emits == "point" and not captured:
             ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=name)
-        if expansion.emits == "line" and captured:
-            ctx.report.add(rules.LINES_CAPTURED, expansion.span, name=name)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:

@@ -5,12 +5,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.host import KNOWN_IN_TREES
 from ...ir.kernel import WRITTEN_GROUP
 from ...ir.leaves import Buffer
-from ...ir.node import Node, reachable
+from ...ir.node import Node, bare, reachable
 from ...ir.operations import joins_group
 from ...ir.shader import BufferInfo, ParameterInfo
 from ...ir.types import INT, RuntimeArray, Type
@@ -61,7 +63,20 @@ def known_extent(
     if not all(_is_known_to_host(part) for part in reachable((node,))):
         ctx.report.add(rules.EXTENT_VARIES, written.span, name=name, what=what)
         return None
+    for side in _sides(node):
+        if (found := ctx.ranges.of(side)).hi < 1:
+            ctx.report.add(
+                rules.NEVER_POSITIVE, written.span, name=name, what=what, found=found.in_words()
+            )
+            return None
     return node
+
+
+def _sides(extent: Node) -> Sequence[Node]:
+    """The width and the height of an image, if they are written one by one; the extent itself if
+    not."""
+    known = bare(extent)
+    return known.operands if known.op == "vector" else (extent,)
 
 
 def _is_known_to_host(node: Node) -> bool:

@@ -45,6 +45,8 @@ class _Extent:
 
     node: Node
     name: str
+    said_by: str
+    """What messages call that member."""
     span: Span
     what: str
 
@@ -143,7 +145,7 @@ def _extents(ctx: Context, record: Record, instance: Instance) -> list[_Extent]:
     for own, owner, level in record.every(ast.Extent):
         node = known_extent(ctx, record.name, own.count, _scope(owner, instance, level))
         if node is not None:
-            found.append(_Extent(node, record.name, own.count.span, ELEMENTS))
+            found.append(_Extent(node, record.name, "`runs over` says", own.count.span, ELEMENTS))
     for member, owner, level in record.every(ast.Result):
         if is_per_group(ctx, member):
             continue
@@ -151,7 +153,7 @@ def _extents(ctx: Context, record: Record, instance: Instance) -> list[_Extent]:
         scope = _scope(owner, instance, level)
         node = declared_extent(ctx, name, member.type, scope, extent_type(member), what)
         if node is not None:
-            found.append(_Extent(node, name, member.type.span, what))
+            found.append(_Extent(node, name, f"`{name}`", member.type.span, what))
     return found
 
 
@@ -168,7 +170,10 @@ def _lowered(
     pairs = zip(extents, same, strict=True)
     differ = [extent for extent, node in pairs if node is not same[0]]
     for extent in differ:
-        ctx.report.add(rules.EXTENTS_DIFFER, extent.span, name=extent.name, what=extent.what)
+        ctx.report.add(
+            rules.EXTENTS_DIFFER, extent.span, name=extent.name, what=extent.what,
+            first=extents[0].said_by,
+        )  # fmt: skip
     found = tuple(changed(r, value=value) for r, value in zip(results, values, strict=True))
     return None if differ else (found, graph, notes)
 

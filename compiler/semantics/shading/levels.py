@@ -149,8 +149,8 @@ class Levels:
         fact = self._ctx.ranges.of(level)
         if fact.hi > 0 and fact.lo <= MOST_LEVEL:
             return True
-        shown = f"{fact.lo:g}" if fact.lo == fact.hi else f"between {fact.lo:g} and {fact.hi:g}"
-        self._ctx.report.add(rules.LEVEL_OUT_OF_RANGE, span, level=shown, most=MOST_LEVEL)
+        found = fact.in_words()
+        self._ctx.report.add(rules.LEVEL_OUT_OF_RANGE, span, level=found, most=MOST_LEVEL)
         return False
 
     def _greatest(self, levels: Sequence[Node]) -> Node:

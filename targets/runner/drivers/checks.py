@@ -184,9 +184,9 @@ def level_size(image: Image, level: int) -> tuple[int, int, int]:
 
 
 def _check_indices(pipeline: Pipeline, draw: Draw) -> None:
-    if not draw.indices or len(draw.indices) % (4 * pipeline.corners):
+    if len(draw.indices) % (4 * pipeline.corners):
         whole = f"whole primitives of {pipeline.corners} vertices"
         raise DriverError(f"{len(draw.indices)} bytes of indices are not {whole}")
-    largest = max(memoryview(draw.indices).cast("I"))
+    largest = max(memoryview(draw.indices).cast("I"), default=-1)
     if largest >= draw.vertex_count:
         raise DriverError(f"index {largest} is beyond the {draw.vertex_count} vertices")

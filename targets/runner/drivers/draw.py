@@ -196,7 +196,7 @@ class StreamOutput:
     outputs: tuple[CapturedOutput, ...]
     stride: int
     """The bytes from one vertex to the next."""
-    primitive: Literal["point", "triangle"]
+    primitive: Literal["point", "line", "triangle"]
     """What the captured vertices are, in turn."""
     in_text: bool
     """Whether the text says where its outputs go."""
@@ -269,7 +269,10 @@ class Draw:
     vertices: tuple[bytes, ...]
     """For each of ``Pipeline.inputs``, the values of all vertices or of all instances."""
     indices: bytes
-    """A uint32 for each corner of each primitive; the first one's vertex is the provoking one."""
+    """A uint32 for each corner of each primitive; the first one's vertex is the provoking one.
+
+    Empty where there is nothing to draw, such as patches of level 0: the targets are only
+    cleared."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     clear: tuple[tuple[float, float, float, float], ...]

@@ -35,6 +35,8 @@ def _captured(
     """What one draw captures into a buffer for so many vertices at most."""
     stream = pipeline.stream_output
     assert stream is not None
+    if not draw.indices:  # a buffer of no bytes cannot be made
+        return Captured(0, b"")
     context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
     buffer = context.buffer(reserve=max(most, 1) * stream.stride)
     counting = context.query(primitives=True)

@@ -94,8 +94,9 @@ def _picture(
         _set_state(context, functions, pipeline)
         screen.clear(draw.clear)
         screen.set_blending()
-        with vertices(context, functions, program, pipeline, draw) as array:
-            array.render(MODES[pipeline.primitive], instances=draw.instance_count)
+        if draw.indices:  # a buffer of no bytes cannot be made
+            with vertices(context, functions, program, pipeline, draw) as array:
+                array.render(MODES[pipeline.primitive], instances=draw.instance_count)
         picture = Picture(draw.width, draw.height * (layers or 1), screen.read(pipeline))
     finally:
         screen.release()

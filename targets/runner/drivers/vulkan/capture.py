@@ -38,7 +38,7 @@ def capture_job(gpu: Gpu, job: CaptureJob) -> list[Captured]:
         found = []
         for draw, most in zip(job.draws, job.most, strict=True):
             target = _Target.of(owned, gpu, max(most, 1) * stream.stride)
-            painter.render(draw, target.recording)
+            painter.render(draw, target.recording, target.read_back)
             found.append(target.captured(stream.stride))
         return found
 
@@ -89,6 +89,20 @@ class _Target:
         begin(commands, 0, 0, None, None)
         yield
         end(commands, 0, 1, [self.counter.handle], [0])
+
+    def read_back(self, commands: Any) -> None:
+        """Let the host read the vertices and their number when the commands have been run."""
+        barrier = vk.VkMemoryBarrier(
+            srcAccessMask=vk.VK_ACCESS_TRANSFORM_FEEDBACK_WRITE_BIT_EXT
+            | vk.VK_ACCESS_TRANSFORM_FEEDBACK_COUNTER_WRITE_BIT_EXT,
+            dstAccessMask=vk.VK_ACCESS_HOST_READ_BIT,
+        )
+        vk.vkCmdPipelineBarrier(
+            commands,
+            vk.VK_PIPELINE_STAGE_TRANSFORM_FEEDBACK_BIT_EXT,
+            vk.VK_PIPELINE_STAGE_HOST_BIT,
+            0, 1, [barrier], 0, None, 0, None,
+        )  # fmt: skip
 
     def captured(self, stride: int) -> Captured:
         """What was captured, after the commands were run."""

@@ -58,10 +58,16 @@ class Painter:
 
     def draw(self, draw: Draw) -> Picture:
         """One picture."""
-        return self.render(draw, _nothing).picture()
+        canvas = self._canvas(draw.width, draw.height)
+        self.render(draw, _nothing, canvas.read_back)
+        return canvas.picture()
 
-    def render(self, draw: Draw, around: Around) -> Canvas:
-        """The canvas of one draw; ``around`` records what comes before and behind the draw call."""
+    def render(self, draw: Draw, around: Around, read_back: Callable[[Any], None]) -> None:
+        """Run one draw.
+
+        ``around`` records what comes before and behind the draw call, and ``read_back``, when the
+        render pass is over, what lets the host read what was written.
+        """
         gpu = self._gpu
         self._bindings.bind_blocks(draw.blocks)
         self._bindings.bind_buffers(gpu, [self._buffer(STORAGE, data) for data in draw.buffers])
@@ -69,8 +75,7 @@ class Painter:
         canvas = self._canvas(draw.width, draw.height)
         with recording(gpu) as commands:
             self._render(commands, canvas, draw, around)
-            canvas.read_back(commands)
-        return canvas
+            read_back(commands)
 
     def _render(self, commands: Any, canvas: Canvas, draw: Draw, around: Around) -> None:
         area = vk.VkRect2D(extent=vk.VkExtent2D(draw.width, draw.height))
@@ -93,14 +98,18 @@ class Painter:
             vk.vkCmdBindDescriptorSets(
                 commands, GRAPHICS, self._layout, 0, len(sets), sets, 0, None
             )
+        with around(commands):
+            if draw.indices:  # a buffer of no bytes cannot be made
+                self._draw_primitives(commands, draw)
+
+    def _draw_primitives(self, commands: Any, draw: Draw) -> None:
         if vertices := [self._buffer(MESH, data).handle for data in draw.vertices]:
             offsets = [0] * len(vertices)
             vk.vkCmdBindVertexBuffers(commands, 0, len(vertices), vertices, offsets)
         indices = self._buffer(MESH, draw.indices).handle
         vk.vkCmdBindIndexBuffer(commands, indices, 0, vk.VK_INDEX_TYPE_UINT32)
         count = len(draw.indices) // INDEX_SIZE
-        with around(commands):
-            vk.vkCmdDrawIndexed(commands, count, draw.instance_count, 0, 0, 0)
+        vk.vkCmdDrawIndexed(commands, count, draw.instance_count, 0, 0, 0)
 
     def _canvas(self, *size: int) -> Canvas:
         width, height = size

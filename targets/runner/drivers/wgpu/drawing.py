@@ -47,7 +47,8 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
     storage = make_storage(gpu, pipeline.buffers, draw.buffers)
     for number, group in enumerate(bind_groups(gpu, made.layouts, made.groups, draw, storage)):
         drawn.set_bind_group(number, group)
-    _mesh(gpu, drawn, made.buffers, draw)
+    if draw.indices:  # a buffer of no bytes cannot be made
+        _mesh(gpu, drawn, made.buffers, draw)
     drawn.end()
     gpu.device.queue.submit([encoder.finish()])
     lanes = (

@@ -22,9 +22,10 @@ void main(
 ) {
     GeometryOutput output;
     if (input[0].position_older.w < 1.0) {
+        float older = 0.5 * input[0].position_older.w;
         for (int i = 0; i < 2; i++) {
             output.position = input[0].position_older.xyz + wind * float(i);
-            output.age = 0.5 * input[0].position_older.w;
+            output.age = older;
             output.mark = primitive_index;
             stream.Append(output);
         }

@@ -17,9 +17,10 @@ flat out uint v_mark;
 
 void main() {
     if (v_position_older[0].w < 1.0) {
+        float older = 0.5 * v_position_older[0].w;
         for (int i = 0; i < 2; i++) {
             v_position = v_position_older[0].xyz + wind * float(i);
-            v_age = 0.5 * v_position_older[0].w;
+            v_age = older;
             v_mark = uint(gl_PrimitiveIDIn);
             EmitVertex();
         }

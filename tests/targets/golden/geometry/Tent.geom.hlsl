@@ -38,24 +38,22 @@ void main(
         stream.Append(output);
     }
     stream.RestartStrip();
-    for (int wall = 0; wall < 3; wall++) {
-        if (wall < walls) {
-            for (int i = 0; i < 4; i++) {
-                int uv_remainder = (wall + i % 2) % 3;
-                float3 position = input[uv_remainder].position + float(i / 2) * input[uv_remainder].normal;
-                output.clip_position = mul(view_projection, float4(position, 1.0));
-                output.uv = input[uv_remainder].uv_2;
-                output.part = 1;
-                stream.Append(output);
-            }
-            stream.RestartStrip();
+    for (int wall = 0; wall < min(walls, 3); wall++) {
+        for (int i_ = 0; i_ < 4; i_++) {
+            int uv_remainder = (wall + i_ % 2) % 3;
+            float3 position = input[uv_remainder].position + float(i_ / 2) * input[uv_remainder].normal;
+            output.clip_position = mul(view_projection, float4(position, 1.0));
+            output.uv = input[uv_remainder].uv_2;
+            output.part = 1;
+            stream.Append(output);
         }
+        stream.RestartStrip();
     }
     if (primitive_index % 3u == 0u) {
-        for (int i = 0; i < 3; i++) {
-            float3 position = input[0].position + wind * float3(float(i % 2), float(i), 0.0);
+        for (int i_ = 0; i_ < 3; i_++) {
+            float3 position = input[0].position + wind * float3(float(i_ % 2), float(i_), 0.0);
             output.clip_position = mul(view_projection, float4(position, 1.0));
-            output.uv = input[i].uv_2;
+            output.uv = input[i_].uv_2;
             output.part = 2;
             stream.Append(output);
         }

@@ -32,24 +32,22 @@ void main() {
         EmitVertex();
     }
     EndPrimitive();
-    for (int wall = 0; wall < 3; wall++) {
-        if (wall < walls) {
-            for (int i = 0; i < 4; i++) {
-                int uv_remainder = (wall + i % 2) % 3;
-                vec3 position = v_position[uv_remainder] + float(i / 2) * v_normal[uv_remainder];
-                gl_Position = view_projection * vec4(position, 1.0);
-                v_uv = v_uv_2[uv_remainder];
-                v_part = 1;
-                EmitVertex();
-            }
-            EndPrimitive();
+    for (int wall = 0; wall < min(walls, 3); wall++) {
+        for (int i_ = 0; i_ < 4; i_++) {
+            int uv_remainder = (wall + i_ % 2) % 3;
+            vec3 position = v_position[uv_remainder] + float(i_ / 2) * v_normal[uv_remainder];
+            gl_Position = view_projection * vec4(position, 1.0);
+            v_uv = v_uv_2[uv_remainder];
+            v_part = 1;
+            EmitVertex();
         }
+        EndPrimitive();
     }
     if (uint(gl_PrimitiveIDIn) % 3u == 0u) {
-        for (int i = 0; i < 3; i++) {
-            vec3 position = v_position[0] + wind * vec3(float(i % 2), float(i), 0.0);
+        for (int i_ = 0; i_ < 3; i_++) {
+            vec3 position = v_position[0] + wind * vec3(float(i_ % 2), float(i_), 0.0);
             gl_Position = view_projection * vec4(position, 1.0);
-            v_uv = v_uv_2[i];
+            v_uv = v_uv_2[i_];
             v_part = 2;
             EmitVertex();
         }

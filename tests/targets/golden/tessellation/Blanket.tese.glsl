@@ -31,21 +31,20 @@ layout(location = 0) out vec2 v_uv;
 void main() {
     // Before `object_to_world`
     vec3 object_position = mix(
-        mix(p_object_position[0], p_object_position[1], gl_TessCoord.xy.x),
-        mix(p_object_position[3], p_object_position[2], gl_TessCoord.xy.x), gl_TessCoord.xy.y
+        mix(p_object_position[0], p_object_position[1], gl_TessCoord.x),
+        mix(p_object_position[3], p_object_position[2], gl_TessCoord.x), gl_TessCoord.y
     );
     vec3 inherited_position = (object_to_world * vec4(object_position, 1.0)).xyz;
     vec3 object_normal = mix(
-        mix(p_vertex_normal[0], p_vertex_normal[1], gl_TessCoord.xy.x),
-        mix(p_vertex_normal[3], p_vertex_normal[2], gl_TessCoord.xy.x), gl_TessCoord.xy.y
+        mix(p_vertex_normal[0], p_vertex_normal[1], gl_TessCoord.x),
+        mix(p_vertex_normal[3], p_vertex_normal[2], gl_TessCoord.x), gl_TessCoord.y
     );
     vec3 normal_upright = (normal_matrix * object_normal).xyz;
     // Zero stays zero.
     vec3 normal = normal_upright * inversesqrt(max(dot(normal_upright, normal_upright), 1.1754944e-38));
-    vec3 position = inherited_position + bump * gl_TessCoord.xy.x * (1.0 - gl_TessCoord.xy.x) * normal;
+    vec3 position = inherited_position + bump * gl_TessCoord.x * (1.0 - gl_TessCoord.x) * normal;
     v_uv = mix(
-        mix(p_uv_2[0], p_uv_2[1], gl_TessCoord.xy.x), mix(p_uv_2[3], p_uv_2[2], gl_TessCoord.xy.x),
-        gl_TessCoord.xy.y
+        mix(p_uv_2[0], p_uv_2[1], gl_TessCoord.x), mix(p_uv_2[3], p_uv_2[2], gl_TessCoord.x), gl_TessCoord.y
     );
     gl_Position = view_projection * vec4(position, 1.0);
 }
