@@ -21,8 +21,7 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
 from .compiler.ir.stages import COMPUTED
-from .compiler.passes.emit_strips import count_strips
-from .compiler.passes.lower_stages import lower_stages
+from .compiler.passes.lower_stages import keep_stages, lower_stages
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
@@ -108,7 +107,7 @@ def compile(
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        shader = count_strips(elaborated) if native_stages else lower_stages(elaborated)
+        shader = keep_stages(elaborated) if native_stages else lower_stages(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:
@@ -238,7 +237,7 @@ def _lacking(
                 rules.UNSUPPORTED,
                 expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
                 target=name, feature=lack.feature,
-                hint=lack.instead or way_out(lack.feature, profile),
+                hint=lack.instead or way_out(lack.feature, profile, lack.needed_for),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics

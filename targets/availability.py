@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 
 from . import registry
 from .description.capabilities import CAPABILITIES, lacking, without_native_stages
-from .description.capability import Standing, standing
+from .description.capability import Capability, Standing, standing
 from .description.profile import Profile
 
 
@@ -19,12 +19,15 @@ def standings(profile: Profile) -> Mapping[str, Standing]:
     return {row.name: standing(row, profile) for row in CAPABILITIES}
 
 
-def way_out(feature: str, profile: Profile) -> str:
-    """What a user can do where a profile lacks a feature that a program uses; may be empty."""
-    capability = lacking(feature)
+def way_out(feature: str, profile: Profile, needed_for: Capability | None = None) -> str:
+    """What a user can do where a profile lacks a feature that a program uses; may be empty.
+
+    ``needed_for`` is the capability that the program needs, if the feature alone does not say.
+    """
+    capability = needed_for or lacking(feature)
     if capability is None:
         return ""
-    if here := without_native_stages(feature, profile):
+    if here := without_native_stages(capability, profile):
         return here
     elsewhere = _compile_for(lambda other: standing(capability, other).kind != "absent")
     return ", or ".join(filter(None, (capability.instead, elsewhere)))

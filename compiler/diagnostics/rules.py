@@ -909,11 +909,6 @@ NO_POINTS = _error(
 
 # Tessellations
 
-TESSELLATED_AND_CAPTURED = _error(
-    "B0570",
-    "`{name}` captures the vertices of `{material}`, which divides its patches",
-    "Vertices are captured as the mesh or an expansion makes them.",
-)
 TWO_TESSELLATIONS = _error(
     "B0571",
     "`{name}` divides its patches twice",

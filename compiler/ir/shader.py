@@ -287,7 +287,8 @@ class Shader:
     """Where the vertices of a patch lie, for pipelines that do not divide patches; ``None`` where a
     host makes the pattern for all of them."""
     listed: int = 0
-    """How many vertices each patch is drawn with where the vertices themselves find out."""
+    """How many vertices each patch turns into at most, where the vertices themselves find out or
+    are captured."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
 

@@ -193,7 +193,7 @@ that of a vertex in a draw of instances."""
 EVALUATION = StageRow(
     "evaluation", TESSELLATED, "tese", "ds_main",
     inputs=(PATCH_WEIGHTS, PATCH_COORDINATE),
-    delivers=(CLIP_POSITION,),
+    delivers=(CLIP_POSITION, CAPTURE),
 )  # fmt: skip
 
 PRIMITIVE_INDEX = SystemInput("primitive_index", UINT, EMITTED)

@@ -1,6 +1,6 @@
 """Expansions for pipelines with a geometry stage: what this emits, group by group.
 
-``api.py`` calls ``count_strips`` before all passes where the stage itself is wanted, and
+``lower_stages.py`` calls ``count_strips`` before all passes where the stage itself is wanted, and
 ``split_stages`` calls ``groups_of`` at the end. In between, all groups are one graph, in which a
 vertex has the number of its group, of its strip, and its own in the strip. In a text each group is
 a loop of its own, so its number is known there, and the others become variables of loops.

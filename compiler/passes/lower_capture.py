@@ -1,10 +1,11 @@
 """Captures without a stream output: a kernel writes the vertices, one by each invocation.
 
-``lower_stages`` calls ``lower_capture`` before all passes, when expansions have been lowered. What
-the mesh has is read from one storage buffer. Each of its elements is a vertex that is drawn or,
-where primitives are expanded, a primitive with what is read of its corners. The numbers of a vertex
+``lower_stages`` calls ``lower_capture`` before all passes, when expansions and tessellations have
+been lowered. What the mesh has is read from one storage buffer. Each of its elements is a vertex
+that is drawn; or a primitive that is expanded or a patch that is divided, with what is read of its
+corners. The numbers of a vertex
 are written as they lie in the buffer of a stream output, each as the 32 bits that it has. A vertex
-that no strip emits is written, too: one more number says of each vertex whether it is there, and a
+that is not emitted is written, too: one more number says of each vertex whether it is there, and a
 host leaves the others out.
 """
 
@@ -35,7 +36,7 @@ INDEX = changed(next(row for row in COMPUTE.inputs if row.type == INT), most=int
 def lower_capture(shader: Shader) -> Shader:
     """The shader with a kernel instead of the vertex stage; itself if it captures nothing.
 
-    Expansions have been lowered before.
+    Expansions and tessellations have been lowered before.
     """
     if shader.capture is None:
         return shader
@@ -71,18 +72,18 @@ class _Reading:
     def __init__(self, shader: Shader) -> None:
         self._graph: Graph = shader.graph
         self._notes = shader.notes
-        self._is_expanded = shader.expansion is not None
-        self._listed = 1 if shader.expansion is None else shader.expansion.listed
+        self._of_primitives = shader.expansion is not None or shader.tessellation is not None
+        self._listed = listed_each(shader)
         """How many vertices come of each element of the buffer."""
         self.span = _first_span(shader)
         """Where the first value is that is captured."""
         infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
         self._members = {info.attribute: member_name(info.attribute) for info in infos}
-        self.mesh = mesh_buffer(shader, infos, is_primitive=self._is_expanded)
+        self.mesh = mesh_buffer(shader, infos, is_primitive=self._of_primitives)
         """The buffer."""
         index = shader.graph.node("input", INT, (), INDEX)
         self._vertex = self._element = index
-        if self._is_expanded:
+        if self._of_primitives:
             listed = build.constant(self._graph, INT, self._listed)
             self._element = self._call(INT, "div", index, listed)
             self._vertex = self._call(INT, "mod", index, listed)
@@ -103,7 +104,7 @@ class _Reading:
         """What stands for a vertex input, or for a number that the pipeline supplies."""
         leaf = node.data
         if isinstance(leaf, SystemInput):
-            if self._is_expanded:
+            if self._of_primitives:
                 number = self._vertex if leaf.name == VERTEX_INDEX.name else self._element
                 return self._call(UINT, "to_uint", number)
             leaf = as_attribute(leaf)
@@ -119,16 +120,23 @@ class _Reading:
         """The inputs that are read, in the order of their declaration."""
         read = {node.data for node in reachable(shader.roots) if node.op in ("attribute", "input")}
         yield from (info for info in shader.attributes if info.attribute in read)
-        if not self._is_expanded:
+        if not self._of_primitives:
             yield from (self._counted(row) for row in VERTEX.inputs if row in read)
 
     def _counted(self, row: SystemInput) -> AttributeInfo:
         """A number that the host counts."""
-        mesh = MeshInput(row.name, 0 if self._is_expanded else None, is_number=True)
+        mesh = MeshInput(row.name, 0 if self._of_primitives else None, is_number=True)
         return AttributeInfo(as_attribute(row), str(row.type), "", self.span, mesh=mesh)
 
     def _call(self, type_: Type, name: str, *operands: Node) -> Node:
         return self._graph.node("call", type_, operands, name)
+
+
+def listed_each(shader: Shader) -> int:
+    """How many vertices come of each element of the buffer at most."""
+    if shader.listed:
+        return shader.listed
+    return 1 if shader.expansion is None else shader.expansion.listed
 
 
 def _first_span(shader: Shader) -> Span:

@@ -1,16 +1,24 @@
 """Does with the stages of all targets what else takes stages that not every target has.
 
-``api.py`` calls ``lower_stages`` before all passes, unless the stages themselves are wanted.
+``api.py`` calls ``lower_stages`` before all passes or, if the stages themselves are wanted,
+``keep_stages``.
 """
 
 from __future__ import annotations
 
 from ..ir.shader import Shader
+from .emit_strips import count_strips
 from .lower_capture import lower_capture
 from .lower_expansion import lower_expansion
 from .lower_tessellation import lower_tessellation
+from .patch_vertices import count_captured
 
 
 def lower_stages(shader: Shader) -> Shader:
     """The shader without the stages that not every target has, where that can be."""
-    return lower_tessellation(lower_capture(lower_expansion(shader)))
+    return lower_capture(lower_tessellation(lower_expansion(shader)))
+
+
+def keep_stages(shader: Shader) -> Shader:
+    """The shader with its stages, and with what is known of the numbers of their vertices."""
+    return count_captured(count_strips(shader))

@@ -9,7 +9,8 @@ patch:
   where they lie is a vertex input.
 - If not, an instance has as many vertices as its patch can have at most, and each of them finds out
   by its number where it lies, if it is there at all: the library's tessellator says so. A triangle
-  or line that the patch does not have has all its vertices in one place, beyond the picture.
+  or line that the patch does not have has all its vertices in one place, beyond the picture. If
+  vertices are captured, this is always done, and those that are not there are left out.
 
 Their order is that of the tessellator: patch after patch.
 """
@@ -18,8 +19,8 @@ from __future__ import annotations
 
 from ...frozen import changed
 from ..ir.node import reachable
-from ..ir.shader import Shader
-from ..ir.stages import CLIP_POSITION, CONTROL, EVALUATION, RASTERISED, VERTEX
+from ..ir.shader import Result, Shader
+from ..ir.stages import CAPTURED, CLIP_POSITION, CONTROL, EMITTING, EVALUATION, RASTERISED, VERTEX
 from .corner_inputs import listed_vertex, placed
 from .patch_vertices import PatchVertices, levels_of, most_cells
 
@@ -49,6 +50,8 @@ def lower_tessellation(shader: Shader) -> Shader:
             if result.kind == CLIP_POSITION and drawn is not None:
                 value = placed(shader, drawn, value)
         results.append(changed(result, stage=row, value=value))
+    if drawn is not None and shader.capture is not None:
+        results.append(Result(EMITTING, VERTEX, drawn))
     # What tells the vertices apart stands nowhere, but where the tessellation does.
     for node in reachable([result.value for result in results]):
         if node.id >= before:
@@ -57,7 +60,7 @@ def lower_tessellation(shader: Shader) -> Shader:
         shader,
         results=tuple(results),
         attributes=vertices.attributes,
-        chain=RASTERISED,
+        chain=RASTERISED if shader.capture is None else CAPTURED,
         levels=levels if by_host else (),
         listed=count,
     )

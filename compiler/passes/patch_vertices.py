@@ -1,7 +1,8 @@
 """Vertices of divided patches, as those of a draw that has an instance for each patch.
 
 ``lower_tessellation`` uses it for vertices that are drawn, and ``expanded_corners.py`` for those at
-the corners of what is expanded. Where a vertex lies in its patch is a vertex input if a host
+the corners of what is expanded; ``lower_stages.py`` calls ``count_captured`` where the stages
+themselves are wanted. Where a vertex lies in its patch is a vertex input if a host
 divides all patches alike. Otherwise it is computed from the number of the vertex.
 """
 
@@ -9,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...frozen import changed
 from ..ir import build
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node
@@ -47,6 +49,16 @@ def most_cells(patches: Tessellation, levels: Sequence[Result]) -> int:
         for kind in (EDGE_LEVEL, INNER_LEVEL)
     )
     return len(divided(patches.patch, edges, inside, patches.spacing).cells)
+
+
+def count_captured(shader: Shader) -> Shader:
+    """The shader with the number of vertices that stages make of each patch at most, if it captures
+    them: a host has to make room for so many."""
+    patches, expansion = shader.tessellation, shader.expansion
+    if patches is None or shader.capture is None:
+        return shader
+    each = patches.kind.cell if expansion is None else expansion.listed
+    return changed(shader, listed=each * most_cells(patches, levels_of(shader)))
 
 
 class PatchVertices:

@@ -9,13 +9,13 @@ from ..ir.shader import Shader
 
 def capture_row(shader: Shader) -> dict[str, Any]:
     """What a host has to know of the buffer into which a pass captures."""
-    capture, expansion = shader.capture, shader.expansion
+    capture = shader.capture
     assert capture is not None
     written = next(iter(shader.written), None)
     is_told = written is not None and written.each > capture.numbers
     return {
-        "primitive": "triangle" if expansion is None else expansion.emits,
-        "vertices": 3 if expansion is None else expansion.listed,
+        "primitive": _primitive(shader),
+        "vertices": _vertices_each(shader),
         "stride": capture.stride,
         "buffer": None if written is None else written.buffer.name,
         "there": capture.stride if is_told else None,
@@ -30,3 +30,17 @@ def capture_row(shader: Shader) -> dict[str, Any]:
             for member in capture.members
         ],
     }
+
+
+def _primitive(shader: Shader) -> str:
+    """What the captured vertices are."""
+    if shader.expansion is not None:
+        return shader.expansion.emits
+    return "triangle" if shader.tessellation is None else shader.tessellation.kind.drawn
+
+
+def _vertices_each(shader: Shader) -> int:
+    """How many vertices come of each primitive or patch that is drawn, at most."""
+    if shader.listed:
+        return shader.listed
+    return 3 if shader.expansion is None else shader.expansion.listed

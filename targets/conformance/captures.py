@@ -7,19 +7,20 @@ behind the last such vertex are compared, and their number has to be possible.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.shader import Shader
-from ...compiler.ir.stages import COMPUTED
+from ...compiler.ir.stages import CAPTURED, CAPTURED_EXPANDED, COMPUTED
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.capture import Listed, captured, captured_by_kernel
 from ...compiler.reference.picture import Expected, RasterRules, formats
 from ..runner.binding import pipeline
-from ..runner.capturing import Vertices, captured_by
+from ..runner.capturing import Vertices, captured_by, give_elements
 from ..runner.codes import Codes
 from ..runner.drivers.draw import Device
 from ..runner.reference import geometry_for, texels_of, values_for
@@ -36,18 +37,28 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 
+LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
+"""The stages of which the reference can list what they capture."""
+
+
 class CapturePlan:
     """The cases of one material under a pass that captures, which all routes share."""
 
-    def __init__(self, label: str, subject: Subject, seed: int, size: Size) -> None:
+    def __init__(
+        self, label: str, subject: Subject, seed: int, size: Size, meant: Subject | None = None
+    ) -> None:
+        """``meant`` is the form of the material that the reference captures instead of stages that
+        divide patches. Raises ``ValueError`` if it is needed and missing.
+        """
+        form = subject if subject.shader.chain in LISTED else meant
+        if form is None:
+            raise ValueError(f"{subject.name} has other stages than the reference can capture.")
         self.label = label
         self.subject = subject
-        self._cases = [
-            case
-            for series in series_of(subject.reflection, seed, size)
-            if series.exact
-            for case in series.cases
-        ]
+        self._form = form
+        self._cases, self._meant = (
+            _cases(each.reflection, seed, size, form.reflection) for each in (subject, form)
+        )
 
     def results(
         self, route: Route, device: Device, codes: Codes, runner: Runner
@@ -55,9 +66,9 @@ class CapturePlan:
         """A result for each case by a route. Raises ``DriverError``."""
         states = [case.state for case in self._cases]
         bound = pipeline(self.subject.reflection, route, codes)
-        program = self.subject.emitted(route.profile)
+        program = self._form.emitted(route.profile)
         found = captured_by(route, bound, states, runner)
-        for case, got in zip(self._cases, found, strict=True):
+        for case, got in zip(self._meant, found, strict=True):
             yield self._judged(case, got, program, route, device)
 
     def _judged(
@@ -66,7 +77,7 @@ class CapturePlan:
         found = []
         for bounds in bounds_of(case.state, route, device):
             allowed = _listed(program, case.state, bounds.rules, bounds.errors)
-            meant = _listed(self.subject.shader, case.state, bounds.rules, bounds.errors)
+            meant = _listed(self._form.shader, case.state, bounds.rules, bounds.errors)
             compared = _Compared.of(allowed, got)
             targets = [_row(lanes, "value", compared.kept) for lanes in meant.values]
             steps = [formats.step(FLOATS, values) for values in targets]
@@ -117,9 +128,20 @@ class _Compared:
         return Expected(values, everywhere, ~everywhere, lows, highs, layers)
 
 
+def _cases(
+    reflection: Mapping[str, Any], seed: int, size: Size, like: Mapping[str, Any]
+) -> list[Case]:
+    """The cases of one form of the material, with the meshes of the form that is ``like``."""
+    every = series_of(reflection, seed, size, like)
+    return [case for series in every if series.exact for case in series.cases]
+
+
 def _listed(shader: Shader, state: SceneState, rules: RasterRules, errors: Errors) -> Listed:
+    is_kernel = shader.chain == COMPUTED
+    if is_kernel:
+        give_elements(state)
     values, texels = values_for(shader, state.instance), texels_of(state.instance)
-    if shader.chain == COMPUTED:
+    if is_kernel:
         count = state.instance.extent()
         return captured_by_kernel(shader, values, texels, count, errors, rules)
     geometry = geometry_for(shader, state.geometry())

@@ -93,7 +93,7 @@ def _plan(
         if not is_drawn(subject):
             if subject.shader.capture is None:
                 return KernelPlan(label, subject, seed)
-            return CapturePlan(label, subject, seed, size)
+            return CapturePlan(label, subject, seed, size, meant)
         return Plan(label, subject, seed, store, size, draw, meant)
     except ValueError as error:
         return label, str(error)

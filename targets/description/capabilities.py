@@ -48,7 +48,29 @@ ELEMENTS_ELSEWHERE = (
 AS_PATTERNS = "each patch is drawn as an instance of a pattern"
 AS_INSTANCES = "each primitive is drawn as an instance"
 
-BY_KERNEL = "a kernel captures the vertices"
+BY_KERNEL = Way((a_stage(COMPUTE),), "a kernel captures the vertices")
+
+CAPTURES = Capability(
+    "captures",
+    "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = …`.",
+    (Way((STREAM_OUTPUT,)), BY_KERNEL),
+    on_request=True,
+)
+EMITTED_CAPTURES = Capability(
+    "captures of expansions",
+    "What the primitives of a mesh become is captured: `capture` of a material with `expand`.",
+    (Way((STREAM_OUTPUT, a_stage(GEOMETRY))), BY_KERNEL),
+    "capture the vertices of the mesh as they are, and expand its primitives where they are drawn",
+    on_request=True,
+)
+DIVIDED_CAPTURES = Capability(
+    "captures of tessellations",
+    "What the patches of a mesh are divided into is captured: `capture` of a material with "
+    "`tessellate`.",
+    (Way((STREAM_OUTPUT, a_stage(CONTROL), a_stage(EVALUATION))), BY_KERNEL),
+    "capture the control points as they are, and divide the patches where they are drawn",
+    on_request=True,
+)
 
 CAPABILITIES: tuple[Capability, ...] = (
     Capability(
@@ -67,36 +89,38 @@ CAPABILITIES: tuple[Capability, ...] = (
         "expansions",
         "A primitive of the mesh becomes triangles or lines: `expand triangle { … }`.",
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+        on_request=True,
     ),
     Capability(
         "tessellation",
         "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`, "
         "`tessellate isoline by 8 lines 4 { … }`.",
         (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((), AS_PATTERNS)),
+        on_request=True,
     ),
     Capability(
         "expansions with adjacency",
         "A primitive of the mesh becomes others that depend on its neighbours: "
         "`expand triangle_adjacency { … }`.",
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+        on_request=True,
     ),
     Capability(
         "layers",
         "A pass draws to several layers of its render targets: `layers of 6`. Where this is "
         "lowered, each layer is a draw of its own.",
         (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+        on_request=True,
     ),
-    Capability(
-        "captures",
-        "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = "
-        "…`.",
-        (Way((STREAM_OUTPUT,)), Way((a_stage(COMPUTE),), BY_KERNEL)),
-    ),
+    CAPTURES,
+    EMITTED_CAPTURES,
+    DIVIDED_CAPTURES,
     Capability(
         "numbers of captured vertices",
         "What is captured depends on `vertex_index`.",
-        (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)), Way((a_stage(COMPUTE),), BY_KERNEL)),
+        (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)), BY_KERNEL),
         "give the number as a vertex input: `attribute number : uint`",
+        on_request=True,
     ),
     Capability(
         "kernels over buffers",
@@ -198,8 +222,7 @@ def feature_of_builtin(name: str) -> str:
     return next((need.feature for need in needs if name in need.builtins), f"`{name}`")
 
 
-def without_native_stages(feature: str, profile: Profile) -> str:
+def without_native_stages(capability: Capability | None, profile: Profile) -> str:
     """The advice not to ask for a profile's own stages; empty if nothing else could be done."""
-    capability = lacking(feature)
     instead = capability and lowering(capability, profile)
     return f"without `--native-stages`, {instead.how}" if instead else ""

@@ -69,6 +69,8 @@ class Capability:
     compiler takes the first of the others whose needs are met."""
     instead: str = ""
     """What a user can write where there is no way: an imperative, behind "help:"."""
+    on_request: bool = False
+    """Whether a profile's own means are used only with ``--native-stages``."""
 
 
 Kind = Literal["native", "lowered", "absent"]
@@ -98,6 +100,12 @@ def standing(capability: Capability, profile: Profile) -> Standing:
 def lowering(capability: Capability, profile: Profile) -> Way | None:
     """What the compiler does in a profile if it does not use the profile's own means."""
     return next((way for way in capability.ways[1:] if not _missing(way, profile)), None)
+
+
+def is_only_on_request(capability: Capability, profile: Profile) -> bool:
+    """Whether a profile has a capability, but refuses it without ``--native-stages``."""
+    is_native = not _missing(capability.ways[0], profile)
+    return is_native and capability.on_request and lowering(capability, profile) is None
 
 
 def _missing(way: Way, profile: Profile) -> tuple[str, ...]:

@@ -17,14 +17,17 @@ from ...compiler.ir.types import Struct, Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.capabilities import (
+    CAPTURES,
+    DIVIDED_CAPTURES,
+    EMITTED_CAPTURES,
     NUMBERED_CAPTURES,
     SEPARATE_SAMPLERS,
-    STREAM_OUTPUT,
     buffers_of,
     feature_of_builtin,
+    lacking,
     without_native_stages,
 )
-from ..description.capability import feature_of_stage
+from ..description.capability import Capability, feature_of_stage, standing
 from ..description.profile import LIMITED, Limits, Profile, buffer_limit
 from .samplers import sampler_use
 
@@ -62,6 +65,8 @@ class Lack:
     """Whether it is what the material turns its primitives or patches into that needs it."""
     instead: str = ""
     """What a user can do, if it is no matter of other profiles alone."""
+    needed_for: Capability | None = None
+    """The capability for which it is needed, if the feature alone does not say."""
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
@@ -144,7 +149,8 @@ def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
             ("emitted_components", components, profile.limits.emitted_components),
         ):
             if count > limit:
-                instead = without_native_stages(feature_of_stage(stage.row), profile)
+                capability = _capturing(program) or lacking(feature_of_stage(stage.row))
+                instead = without_native_stages(capability, profile)
                 yield Excess(name, count, limit, of_expansion=True, instead=instead)
 
 
@@ -184,25 +190,20 @@ WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captu
 
 def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     """What a program uses and the profile has not got."""
+    capturing = _capturing(program)
     missing = [stage for stage in program.stages if stage.row not in profile.stages]
-    if missing:
+    if capturing is not None:
+        yield from _cannot_capture(program, profile, capturing)
+    elif missing:
         # What misses the first one of several that belong together misses all of them.
         stage = missing[0]
         of_primitives = bool(stage.emitted) or stage.row == CONTROL
-        captures = program.capture is not None and STREAM_OUTPUT.is_met(profile)
-        instead = WITH_STREAM_OUTPUT if captures and not stage.emitted else ""
-        yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives, instead)
+        yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
     for stage in program.stages:
         need = buffers_of(stage.row)
         buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
         if buffers and stage.row in profile.stages and not need.is_met(profile):
             yield Lack(need.feature, _first_use(stage))
-    captured = program.results_of(CAPTURE)
-    if captured and not STREAM_OUTPUT.is_met(profile):
-        yield Lack(STREAM_OUTPUT.feature, captured[0].value.id)
-    elif captured and not NUMBERED_CAPTURES.is_met(profile):
-        reading = _reading_numbers(program)
-        yield from (Lack(NUMBERED_CAPTURES.feature, root.id) for root in reading[:1])
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield Lack(feature_of_builtin(native.builtin), native.node)
@@ -212,6 +213,33 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         compared = _is_depth(read) and read.resource in program.sampled
         if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
+
+
+def _capturing(program: Program) -> Capability | None:
+    """What a program needs that captures; ``None`` if it draws."""
+    if program.capture is None:
+        return None
+    if program.tessellation is not None:
+        return DIVIDED_CAPTURES
+    return CAPTURES if program.expansion is None else EMITTED_CAPTURES
+
+
+def _cannot_capture(program: Program, profile: Profile, capturing: Capability) -> Iterator[Lack]:
+    """What the profile has not got of a stream output or, where this is lowered, of kernels."""
+    cell, captured = standing(capturing, profile), program.results_of(CAPTURE)
+    if not captured:
+        (kernel,) = program.stages
+        if kernel.row not in profile.stages:
+            instead = WITH_STREAM_OUTPUT if cell.kind == "native" else ""
+            root = kernel.roots[0].id
+            yield Lack(feature_of_stage(kernel.row), root, instead=instead, needed_for=capturing)
+    elif cell.kind != "native":
+        made = program.expansion or program.tessellation
+        feature = cell.missing[0]
+        yield Lack(feature, captured[0].value.id, made is not None, needed_for=capturing)
+    elif not NUMBERED_CAPTURES.is_met(profile):
+        reading = _reading_numbers(program)
+        yield from (Lack(NUMBERED_CAPTURES.feature, root.id) for root in reading[:1])
 
 
 def _reading_numbers(program: Program) -> list[Node]:

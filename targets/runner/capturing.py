@@ -84,18 +84,24 @@ def captured_by(
         answers = runner.capture(route, CaptureJob(bound, draws, tuple(map(most, states))))
         return [vertices(reflection, answer) for answer in answers]
     for state in states:
-        rows = mesh_rows(reflection)
-        give_mesh(state.instance, {row["name"]: _of_elements(row, state) for row in rows})
+        give_elements(state)
     dispatches = [dispatch_of(state.instance) for state in states]
     written = runner.compute(route, job_of(reflection, bound, dispatches))
     found = map(_compacted, states, written)
     return [vertices(reflection, captured) for captured in found]
 
 
+def give_elements(state: SceneState) -> None:
+    """Give the kernel that captures of a mesh what it reads of it."""
+    rows = mesh_rows(state.instance.reflection)
+    give_mesh(state.instance, {row["name"]: _of_elements(row, state) for row in rows})
+
+
 def _of_elements(row: Mapping[str, Any], state: SceneState) -> NDArray[Any]:
-    """The values of a vertex input for each element: a vertex, or a primitive that is expanded."""
+    """The values of a vertex input for each element: a vertex, or a primitive or a patch that turns
+    into others."""
     reflection, copies = state.instance.reflection, state.instance_count
-    if reflection["draw"]["expanded_by"] is not None:
+    if reflection["draw"]["expanded_by"] or reflection["draw"]["tessellation"]:
         return state.attributes[row["name"]]
     drawn = state.triangles.reshape(-1)
     if row["mesh"] is not None and row["mesh"]["is_number"]:

@@ -17,13 +17,16 @@ from .table import Row, Section
 
 TWINS = Path(__file__).with_name("twins")
 EXAMPLES = Path(__file__).parents[2] / "examples"
-CHECKER, PROFILE = "glslang-vulkan", "glsl:vulkan"
+COMPILERS = {"glsl": ("glslang-vulkan", "glsl:vulkan"), "hlsl": ("dxc-spirv", "hlsl:sm6")}
+"""By language, what makes SPIR-V of a text, and the profile whose texts it takes."""
 LIMIT = 1.05
 
 MEASURED = (
     ("sprites", "", "geometry", "balls.geom.glsl"),
+    ("sprites", "", "geometry", "balls.geom.hlsl"),
     ("particles", "", "geometry", "sparks.geom.glsl"),
     ("fur", "", "geometry", "shells.geom.glsl"),
+    ("fur", "", "geometry", "shells.geom.hlsl"),
     ("outlines", "", "geometry", "ink.geom.glsl"),
     ("fins", "Fins", "geometry", "hairs.geom.glsl"),
     ("shadow_volume", "", "geometry", "volume.geom.glsl"),
@@ -33,7 +36,9 @@ MEASURED = (
     ("thorns", "", "control", "ripples.tesc.glsl"),
     ("thorns", "", "evaluation", "cactus.tese.glsl"),
     ("displacement", "", "control", "ripples.tesc.glsl"),
+    ("displacement", "", "control", "ripples.tesc.hlsl"),
     ("displacement", "", "evaluation", "ripples.tese.glsl"),
+    ("displacement", "", "evaluation", "ripples.tese.hlsl"),
     ("level_of_detail", "", "control", "dents.tesc.glsl"),
     ("level_of_detail", "", "evaluation", "dents.tese.glsl"),
     ("growing_steps", "", "control", "hills.tesc.glsl"),
@@ -48,22 +53,26 @@ MEASURED = (
 
 def measure() -> Iterator[Section]:
     """Instructions of the examples' stages and of their twins."""
-    title = f"Instructions in stages, {CHECKER} and spirv-opt -O, at most {LIMIT} of the twin's"
+    title = f"Instructions in stages, as spirv-opt -O leaves them, at most {LIMIT} of the twin's"
     yield Section("stage_lengths", title, [_row(*each) for each in MEASURED])
 
 
 def _row(example: str, pass_: str, stage: str, twin: str) -> Row:
-    path = EXAMPLES / f"{example}.burnish"
-    compiled = burnish.compile(path, PROFILE, pass_=pass_ or None, native_stages=True)
+    language = twin.rpartition(".")[2]
+    checker, profile = COMPILERS[language]
+    compiled = burnish.compile(
+        EXAMPLES / f"{example}.burnish", profile, pass_=pass_ or None, native_stages=True
+    )
     material = compiled.materials[0]
     own, by_hand = (
-        _count(stage, text)
-        for text in (material.text(PROFILE, stage), (TWINS / twin).read_text(encoding="utf-8"))
+        _count(checker, stage, text)
+        for text in (material.text(profile, stage), (TWINS / twin).read_text(encoding="utf-8"))
     )
     ratio = own / by_hand
     return {
         "example": example,
         "stage": stage,
+        "language": language,
         "burnish": own,
         "twin": by_hand,
         "ratio": ratio,
@@ -71,9 +80,9 @@ def _row(example: str, pass_: str, stage: str, twin: str) -> Row:
     }
 
 
-def _count(stage: str, text: str) -> int:
+def _count(checker: str, stage: str, text: str) -> int:
     """The instructions of a stage's functions."""
-    job = Job(CHECKER, STAGES[stage].suffix, text)
+    job = Job(checker, STAGES[stage].suffix, text)
     with Toolchain() as toolchain:
         (verdict,) = toolchain.check([job], keep_spirv=True)
     if verdict.spirv is None:

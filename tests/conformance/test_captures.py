@@ -18,7 +18,8 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
-from burnish.compiler.ir.types import UINT
+from burnish.compiler.ir import build
+from burnish.compiler.ir.types import BOOL, UINT
 from burnish.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
@@ -45,10 +46,16 @@ KERNELS = (
     "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgpu",
 )  # fmt: skip
 """The routes that run kernels."""
+DIVIDED = (*PLAIN[:3], PLAIN[4])
+"""Those that divide patches by stages."""
 NAMES = ("Plain", "Tent", "Sparks", "Whiskers")
+PATCHES = ("Blanket", "Strings", "Crumbs")
+"""Materials that divide patches."""
 WORK = [
     *(("Plain", route) for route in PLAIN),
     *((name, route) for name in NAMES[1:] for route in EXPANDED),
+    *(("Blanket", route) for route in DIVIDED),
+    *((name, "lavapipe:glsl") for name in PATCHES[1:]),
 ]
 
 
@@ -63,15 +70,24 @@ def test_stream_outputs_agree(studio: Studio, name: str, route: str) -> None:
     agrees(studio, compiled(native=True)[name], route)
 
 
-@pytest.mark.parametrize("route", KERNELS)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    ("name", "route"),
+    [
+        *((name, route) for name in NAMES for route in KERNELS),
+        *((name, "lavapipe:wgsl-naga") for name in PATCHES),
+        ("Strings", "llvmpipe:es310"),
+        ("Crumbs", "chromium:webgpu"),
+    ],
+)
 def test_kernels_agree(studio: Studio, name: str, route: str) -> None:
     agrees(studio, compiled(native=False)[name], route)
 
 
 def agrees(studio: Studio, material: CompiledMaterial, route: str) -> None:
+    """What is divided by stages is compared with what the reference computes of the kernel."""
     work = [(material.name, material)]
-    (row,) = conform(work, [ROUTES[route]], studio.runner, studio.toolchain)
+    meant = {material.name: compiled(native=False)[material.name]}
+    (row,) = conform(work, [ROUTES[route]], studio.runner, studio.toolchain, meant=meant)
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
     assert row.proven > 1000
 
@@ -105,6 +121,20 @@ EXACT = {
         line of 4 as i for s in 0..count where corner[s].uv.x > 0.4 like corner[i mod 3] {
             position = inherited.position + vec3(0.125, 0.25, 0.5) * float(s + i)
             mark     = 10 * s + i
+        }
+    }""",
+    "patches": """tessellate triangle by 4 as at {
+        position = inherited.position + 0.25 * vec3(at.x, at.y, 0)
+        mark     = int(64 * at.x + 8 * at.y)
+    }""",
+    "lines of patches": """tessellate isoline by 2 * (1 + end[0].uv.x + end[1].uv.x) lines 4 as at {
+        position = inherited.position + vec3(0, 0, at.y)
+        mark     = int(64 * at.x + 8 * at.y)
+    }""",
+    "parts of patches": """tessellate quad by 2 as at { mark = int(64 * at.x + 8 * at.y) }
+    expand triangle {
+        line of 3 as i for s in 0..count where corner[s].uv.x > 0.4 like corner[i] {
+            position = inherited.position + vec3(0, 0, 0.5)
         }
     }""",
     "points": """expand line {
@@ -293,6 +323,11 @@ def _converted(_right: Any) -> Callable[..., Any]:
     )
 
 
+def _always_there(_right: Any) -> Callable[..., Any]:
+    """A patch has as many vertices as a patch can have at most."""
+    return lambda self, _number: build.constant(self._shader.graph, BOOL, True)
+
+
 def _no_end(_right: Any) -> Callable[..., Any]:
     """The triangles of a list are one strip."""
     return lambda _group: False
@@ -370,6 +405,10 @@ APART: Mapping[str, tuple[str, str, Change]] = {
     "a mesh that begins elsewhere": ("as they are", "runner.capturing._of_elements", _of_next),
     "every strip is the first": (
         "points", "..compiler.passes.lower_expansion.EmittedNumbers._strip", _first_of_all,
+    ),
+    "vertices that patches do not have": (
+        "lines of patches", "..compiler.passes.patch_vertices.PatchVertices.is_there",
+        _always_there,
     ),
     "conditions are forgotten": (
         "groups", "..compiler.passes.lower_expansion._Lowering.drawn", _never_empty,

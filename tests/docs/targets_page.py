@@ -6,7 +6,12 @@ from collections.abc import Iterator, Mapping
 
 from burnish.targets import registry
 from burnish.targets.description.capabilities import CAPABILITIES
-from burnish.targets.description.capability import Capability, Standing, standing
+from burnish.targets.description.capability import (
+    Capability,
+    Standing,
+    is_only_on_request,
+    standing,
+)
 from burnish.targets.description.profile import LIMITED, Profile
 
 from .tables import DOCS, codes, spliced, table
@@ -56,7 +61,10 @@ def _elsewhere_of(row: Capability, profiles: Mapping[str, Profile]) -> Iterator[
         missing = " and no ".join(cell.missing)
         where = f"{codes(names)}, where there is no {missing}"
         yield f"- *{cell.kind.capitalize()}* in {where}{ending}.\n"
-    if found:
+    asked = [name for name, profile in profiles.items() if is_only_on_request(row, profile)]
+    if asked:
+        yield f"- Only with `--native-stages` in {codes(asked)}, where nothing else does it.\n"
+    if found or asked:
         yield "\n"
 
 

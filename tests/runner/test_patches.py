@@ -7,6 +7,7 @@ import pytest
 
 import burnish
 from burnish.targets.runner.expanding import as_drawn
+from burnish.targets.runner.instances.instance import MissingValuesError
 from burnish.targets.runner.meshes import Mesh, MeshError, mesh
 from burnish.targets.runner.patches import patches, pattern
 
@@ -134,6 +135,25 @@ def test_a_pattern_lies_in_its_patch() -> None:
     weights, _ = pattern("triangle", "fractional_odd", (3, 3, 3), (3,))
     assert weights.shape[1] == 3 and (weights.sum(axis=1) == 1).all()
     assert triangles.max() < len(places)
+
+
+def test_levels_need_only_the_values_that_they_read() -> None:
+    text = """import std.lights.{Point}
+    import std.terms.{lambert}
+    material M {
+        param detail : float in 1..64
+        tessellate triangle by 2 * detail {}
+        color = lambert(vec3(1))
+    }
+    rig R { lamp : Point }"""
+    (material,) = burnish.compile(text, "wgsl")
+    instance = material.instance()
+    with pytest.raises(MissingValuesError) as error:
+        instance.patch_levels()
+    assert error.value.names == ("detail",)
+    instance.set("detail", 1.5)
+    assert instance.patch_levels() == ((3.0,) * 3, (3.0,))
+    assert instance.missing == ("lamp.place",)
 
 
 def test_every_patch_is_an_instance_of_the_pattern() -> None:

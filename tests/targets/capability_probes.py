@@ -70,6 +70,15 @@ EXPANSION = """material M {{
     color = vec3(uv, 0)
 }}"""
 
+TESSELLATION = """material M {
+    tessellate triangle by 3 as at {
+        position = inherited.position + at.x * at.y * inherited.normal
+    }
+    color = vec3(uv, 0)
+}"""
+
+CAPTURE = " pass Moved { capture place : vec3 = position }"
+
 CAPTURES = """
 material M {{ color = vec3(uv, 0) }}
 pass Moved {{ capture place : vec3 = position + {} * normal  capture tint : rgb = color }}
@@ -87,12 +96,7 @@ PROBES: Mapping[str, Probe] = {
         is_native=has_geometry_stage,
     ),
     "tessellation": Probe(
-        """material M {
-        tessellate triangle by 3 as at {
-            position = inherited.position + at.x * at.y * inherited.normal
-        }
-        color = vec3(uv, 0)
-    }""",
+        TESSELLATION,
         native={"native_stages": True},
         is_native=has_tessellation_stages,
     ),
@@ -114,6 +118,18 @@ PROBES: Mapping[str, Probe] = {
     ),
     "captures": Probe(
         CAPTURES.format("0.5"),
+        options={"pass_": "Moved"},
+        native={"native_stages": True},
+        is_native=has_no_kernel,
+    ),
+    "captures of expansions": Probe(
+        EXPANSION.format("triangle", step=1) + CAPTURE,
+        options={"pass_": "Moved"},
+        native={"native_stages": True},
+        is_native=has_no_kernel,
+    ),
+    "captures of tessellations": Probe(
+        TESSELLATION + CAPTURE,
         options={"pass_": "Moved"},
         native={"native_stages": True},
         is_native=has_no_kernel,

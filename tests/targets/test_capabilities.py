@@ -14,7 +14,12 @@ from burnish.targets.description.capabilities import (
     feature_of_builtin,
     lacking,
 )
-from burnish.targets.description.capability import Capability, feature_of_stage, standing
+from burnish.targets.description.capability import (
+    Capability,
+    feature_of_stage,
+    is_only_on_request,
+    standing,
+)
 from burnish.targets.description.profile import LIMITED, Limits, Profile
 from burnish.targets.toolchain import Toolchain
 
@@ -111,6 +116,27 @@ def test_compilers_take_the_texts(
     refusals: dict[tuple[str, str], list[str]], row: Capability, name: str
 ) -> None:
     assert refusals[row.name, name] == []
+
+
+ON_REQUEST = [
+    pytest.param(row, name, id=f"{row.name}-{name}")
+    for row, name in CELLS
+    if is_only_on_request(row, profile_of(name))
+]
+
+
+@pytest.mark.parametrize(("row", "name"), ON_REQUEST)
+def test_what_is_there_on_request_is_refused_without_it(row: Capability, name: str) -> None:
+    (found,) = refused(PROBES[row.name], name)
+    assert found.hint.startswith("compile with `--native-stages`")
+
+
+def test_only_captures_have_to_be_requested() -> None:
+    """All else is lowered where a profile's own stages are not asked for."""
+    assert {param.id for param in ON_REQUEST} == {
+        "captures-glsl:gl330", "captures-glsl:es300", "captures of expansions-glsl:gl330",
+        "numbers of captured vertices-glsl:gl330",
+    }  # fmt: skip
 
 
 def test_all_stages_of_profiles_and_all_missing_builtins_are_in_the_table() -> None:

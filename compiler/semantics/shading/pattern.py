@@ -33,14 +33,12 @@ _SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 
 def pattern_of(
     ctx: Context, patch: Patch, spacing: Spacing, levels: Sequence[Result], span: Span
-) -> PatchPattern | None:
+) -> PatchPattern:
     """The place of a vertex by its number, where these are the levels of its patch.
 
-    There is none where a host makes the pattern once for all patches: to check the functions takes
-    several times as long as a plain material.
+    To check the functions takes several times as long as a plain material, so nobody asks where a
+    host makes the pattern once for all patches.
     """
-    if _are_known_to_host(ctx, levels):
-        return None
     tree = ctx.tree
     by_kind = (
         tuple(build.cross(tree, level.value, OF_PATCH) for level in levels if level.kind == kind)
@@ -57,7 +55,7 @@ def pattern_of(
     return PatchPattern(build.swizzle(tree, place, lanes), build.member(tree, found, "there"))
 
 
-def _are_known_to_host(ctx: Context, levels: Sequence[Result]) -> bool:
+def known_to_host(ctx: Context, levels: Sequence[Result]) -> bool:
     """Whether levels are the same for all patches of a draw, and a host can compute them."""
     values = [level.value for level in levels]
     return all(ctx.crossings.domain(value) is None for value in values) and all(

@@ -33,7 +33,7 @@ from ..state.scope import Corners, Instance, MadeGroup, MadeSlots, Scope, Value
 from .captures import captures
 from .levels import Levels
 from .made import apart, by_vertices, slots_set
-from .pattern import pattern_of
+from .pattern import known_to_host, pattern_of
 
 SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 
@@ -47,17 +47,10 @@ def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> In
     if not written:
         return surface
     (member, owner, level), *others = written
-    name = surface.record.name
-    label = Label(member.patch.span, "divided here")
     if others:
-        span = others[0][0].patch.span
+        label = Label(member.patch.span, "divided here")
+        span, name = others[0][0].patch.span, surface.record.name
         ctx.report.add(rules.TWO_TESSELLATIONS, span, name=name, labels=[label])
-    if passing is not None and captures(passing.record):
-        ctx.report.add(
-            rules.TESSELLATED_AND_CAPTURED, passing.record.symbol.declaration.name.span,
-            name=passing.record.name, material=name, labels=[label],
-        )  # fmt: skip
-        return surface
     patch = _patch(ctx, member)
     if patch is None:
         return surface
@@ -131,11 +124,16 @@ class _Tessellating:
         results = levels.results(ends or self._default_ends(), slots.corners)
         if points is not None and ends is not None and spacing is not None:
             slots.results = results
-            if results:
+            if results and (self._is_captured or not known_to_host(ctx, results)):
                 span = member.patch.span
                 slots.pattern = pattern_of(ctx, self._patch, spacing, results, span)
             slots.tessellation = Tessellation(self._patch, points, ends, spacing, member.patch.span)
         return made
+
+    @property
+    def _is_captured(self) -> bool:
+        """Whether vertices are captured: a kernel does this, which no host gives a pattern."""
+        return self._passing is not None and captures(self._passing.record)
 
     def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
         known = {"material": instance, **names}

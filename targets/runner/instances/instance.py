@@ -7,11 +7,12 @@ the compiler. Nothing here imports NumPy.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sized
+from collections.abc import Collection, Iterable, Mapping, Sized
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
 from ....arguments import expect
+from ....frozen import EMPTY
 from . import derived
 from .blocks import write
 from .buffers import packed
@@ -173,7 +174,7 @@ class Instance:
     @property
     def missing(self) -> tuple[str, ...]:
         """The names of values that the blocks need and that nobody has set."""
-        return tuple(self._missing())
+        return tuple(self._missing(self._values))
 
     def values(self) -> dict[str, Any]:
         """The values of all parameters in the reference evaluator's form, as the GPU will see them.
@@ -182,11 +183,7 @@ class Instance:
         array's elements or of a structure's members. Floats are rounded to float32. A parameter
         that no shader reads and that has no value is zero. Raises ``MissingValuesError``.
         """
-        missing = self._missing()
-        if missing:
-            raise MissingValuesError(self._reflection["material"], missing)
-        shapes = self._names.shapes
-        return {name: filled(shapes[name], value) for name, value in self._values.items()}
+        return self._values_of(self._values)
 
     def blocks(self) -> dict[str, bytes]:
         """The bytes of every block by name, including blocks of derived values.
@@ -207,24 +204,22 @@ class Instance:
     def extent(self) -> int:
         """How many elements the results of a kernel have. Raises ``MissingValuesError``."""
         steps = self._reflection["extent"]
-        (count,) = derived.compute(steps, derived.Inputs(self._names.shapes, self.values()))
+        (count,) = derived.compute(steps, self._read_by(steps))
         return max(int(count), 0)
 
     def result_counts(self) -> dict[str, int]:
         """How many elements each buffer has that a kernel writes. Raises
         ``MissingValuesError``."""
-        inputs = derived.Inputs(self._names.shapes, self.values())
         found = {}
         for row in self._reflection["results"]:
-            (count,) = derived.compute(row["count"], inputs)
+            (count,) = derived.compute(row["count"], self._read_by(row["count"]))
             found[row["name"]] = max(int(count), 0)
         return found
 
     def image_size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""
         steps = self._reflection["extent"]
-        inputs = derived.Inputs(self._names.shapes, self.values(), self.textures())
-        width, height = derived.compute(steps, inputs)
+        width, height = derived.compute(steps, self._read_by(steps, self.textures()))
         return max(int(width), 0), max(int(height), 0)
 
     def patch_levels(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -233,9 +228,8 @@ class Instance:
         Only where the host makes the pattern. Raises ``MissingValuesError``.
         """
         rows = self._reflection["draw"]["tessellation"]["levels"]
-        inputs = derived.Inputs(self._names.shapes, self.values())
         edges, inside = (
-            tuple(rounded(derived.compute(steps, inputs))[0] for steps in rows[name])
+            tuple(rounded(derived.compute(steps, self._read_by(steps)))[0] for steps in rows[name])
             for name in ("edges", "inside")
         )
         return edges, inside
@@ -320,9 +314,26 @@ class Instance:
             changes |= self._changes(f"{name}.{member}", inner)
         return changes
 
-    def _missing(self) -> dict[str, Numbers | Elements]:
+    def _read_by(
+        self, steps: Iterable[Mapping[str, Any]], textures: Mapping[str, Texture] = EMPTY
+    ) -> derived.Inputs:
+        """What steps of a host's read, which need no other values. Raises
+        ``MissingValuesError``."""
+        read = [step["parameter"] for step in steps if step["op"] == "parameter"]
+        return derived.Inputs(self._names.shapes, self._values_of(read), textures)
+
+    def _values_of(self, names: Collection[str]) -> dict[str, Any]:
+        """The values of some parameters. Raises ``MissingValuesError``."""
+        missing = self._missing(names)
+        if missing:
+            raise MissingValuesError(self._reflection["material"], missing)
+        shapes = self._names.shapes
+        return {name: filled(shapes[name], self._values[name]) for name in names}
+
+    def _missing(self, names: Collection[str]) -> dict[str, Numbers | Elements]:
+        """The parts of these parameters that the blocks need and that have no value."""
         found: dict[str, Numbers | Elements] = {}
-        for name in self._names.needed:
+        for name in filter(names.__contains__, self._names.needed):
             shape, value = self._names.shapes[name], self._values[name]
             if isinstance(shape, Elements) and shape.counter:
                 value = value[: self._values[shape.counter][0]]

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +15,7 @@ from .shapes import Elements, Members, Shape, part, shape_of
 from .values import ParameterError, UnknownParameterError
 
 _NAME = re.compile(r"\w+(\.\w+|\[\d+\])*")
+Steps = Sequence[Mapping[str, Any]]
 _STEP = re.compile(r"\w+|\[\d+\]")
 
 
@@ -45,11 +46,11 @@ class Names:
             for row in reflection["lights"]
             if row["capacity"] is None
         }
-        self._derived = {row["name"]: _inputs(row) for row in reflection["derived"]}
-        read = {name for inputs in self._derived.values() for name in inputs}
+        self._derived = {row["name"]: _inputs(row["steps"]) for row in reflection["derived"]}
+        read = {name for steps in _computed(reflection) for name in _inputs(steps)}
         rows = reflection["parameters"]
         self.needed = tuple(r["name"] for r in rows if r["block"] is not None or r["name"] in read)
-        """The parameters that a shader reads, or of which it reads derived values."""
+        """The parameters that a shader reads, or of which the host computes something."""
         lights = [row["name"] for row in reflection["lights"]]
         of_rig = (*lights, *(row["name"] for row in rows if row["group"] == "rig"))
         self.rig: Mapping[str, str] = {
@@ -105,9 +106,20 @@ class Names:
         return f"there is no parameter `{name}`: {hint}"
 
 
-def _inputs(row: Mapping[str, Any]) -> tuple[str, ...]:
-    """The parameters that a derived value is computed from."""
-    read = (step["parameter"] for step in row["steps"] if step["op"] == "parameter")
+def _computed(reflection: Mapping[str, Any]) -> Iterator[Steps]:
+    """The steps of all that the host computes: derived values, the extent of a kernel and the
+    lengths of its results, and how finely patches are divided."""
+    yield from (row["steps"] for row in reflection["derived"])
+    yield reflection["extent"] or ()
+    yield from (row["count"] for row in reflection["results"])
+    tessellation = (reflection["draw"] or {}).get("tessellation") or {}
+    for levels in (tessellation.get("levels") or {}).values():
+        yield from levels
+
+
+def _inputs(steps: Steps) -> tuple[str, ...]:
+    """The parameters that something is computed from."""
+    read = (step["parameter"] for step in steps if step["op"] == "parameter")
     return tuple(dict.fromkeys(read))
 
 

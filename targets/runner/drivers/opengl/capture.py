@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import moderngl
 
-from ..draw import CORNERS, Captured, CaptureJob, Draw, DriverError, Pipeline
+from ..draw import CORNERS, Captured, CaptureJob, Draw, DriverError, Pipeline, StreamOutput
 from .context import Functions
 from .program import link
 from .vertices import MODES, vertices
+
+GL_TRANSFORM_FEEDBACK_BUFFER = 0x8C8E
+GL_RASTERIZER_DISCARD = 0x8C89
+GL_UNSIGNED_INT = 0x1405
+
+INDEX_SIZE = 4
 
 
 def capture_job(context: moderngl.Context, functions: Functions, job: CaptureJob) -> list[Captured]:
@@ -40,11 +49,36 @@ def _captured(
     context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
     buffer = context.buffer(reserve=max(most, 1) * stream.stride)
     counting = context.query(primitives=True)
+    if pipeline.patch_points:
+        context.patch_vertices = pipeline.patch_points
     with vertices(context, functions, program, pipeline, draw) as array, counting:
-        array.transform(buffer, MODES[pipeline.primitive], instances=draw.instance_count)
+        functions.glUseProgram(program.glo)
+        functions.glBindVertexArray(array.glo)
+        with _recording(functions, stream, buffer):
+            functions.glDrawElementsInstanced(
+                MODES[pipeline.primitive],
+                len(draw.indices) // INDEX_SIZE,
+                GL_UNSIGNED_INT,
+                None,
+                draw.instance_count,
+            )
     count = int(counting.primitives) * CORNERS[stream.primitive]
     if (error := context.error) != "GL_NO_ERROR":
         raise DriverError(f"OpenGL reports {error}")
     if count > most:
         raise DriverError(f"{count} vertices were captured, and there was room for {most}")
     return Captured(count, buffer.read(count * stream.stride) if count else b"")
+
+
+@contextmanager
+def _recording(
+    functions: Functions, stream: StreamOutput, buffer: moderngl.Buffer
+) -> Iterator[None]:
+    """Capture what is drawn inside by the program that is used. moderngl captures no patches."""
+    functions.glEnable(GL_RASTERIZER_DISCARD)
+    functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.glo)
+    functions.glBeginTransformFeedback(MODES[stream.primitive])
+    yield
+    functions.glEndTransformFeedback()
+    functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0)
+    functions.glDisable(GL_RASTERIZER_DISCARD)
