@@ -7,6 +7,8 @@ when our process has ended, in whatever way.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
+from importlib.abc import Traversable
 from importlib.resources import files
 from typing import Any
 from urllib.parse import urlsplit
@@ -38,10 +40,13 @@ FLAGS = (
 
 
 class Chromium:
-    """A browser whose page has loaded one of this package's modules."""
+    """A browser whose page has loaded a module."""
 
-    def __init__(self, module: str) -> None:
-        """Start the browser. Raises ``DriverError``."""
+    def __init__(self, module: str, folder: Traversable | None = None) -> None:
+        """Start the browser. ``folder`` has the module; by default it is one of this package's.
+
+        Raises ``DriverError``.
+        """
         paths = tool_named("chromium").find()
         if paths is None:
             install = tool_named("chromium").install
@@ -52,7 +57,7 @@ class Chromium:
                 executable_path=paths[0], headless=True, args=FLAGS, timeout=START_LIMIT
             )
             self._page = self._browser.new_page()
-            self._page.route("**/*", _serve)
+            self._page.route("**/*", partial(_serve, folder or files(__package__)))
             self._page.goto(PAGE, timeout=START_LIMIT)
             self._module = self._page.evaluate_handle("module => import(module)", f"./{module}")
         except Error as error:
@@ -76,13 +81,13 @@ class Chromium:
         self._playwright.stop()
 
 
-def _serve(route: Route) -> None:
-    """Answer the page's requests with an empty page, or with a module of this package."""
+def _serve(folder: Traversable, route: Route) -> None:
+    """Answer the page's requests with an empty page, or with a module of the folder."""
     name = urlsplit(route.request.url).path.removeprefix("/")
     if not name:
         route.fulfill(body="<!doctype html>", content_type="text/html")
     elif name.endswith(".mjs"):
-        module = files(__package__).joinpath(name)
+        module = folder.joinpath(name)
         route.fulfill(body=module.read_text(), content_type="text/javascript")
     else:
         route.fulfill(status=404)
