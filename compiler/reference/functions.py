@@ -188,6 +188,8 @@ def evaluate(
         return _on_matrices(name, operands, xp)
     function = _lanewise(name, xp, kind)
     width = max(map(len, operands))
+    if width == 1:
+        return (function(*[lane for (lane,) in operands]),)
     wide = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
     return tuple(function(*lanes) for lanes in zip(*wide, strict=True))
 

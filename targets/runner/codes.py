@@ -98,12 +98,15 @@ def compile_all(requests: Sequence[Request], toolchain: Toolchain) -> list[Codes
         if request.route.compiler
         for stage, file in _texts(request).items()
     ]
-    made = _make(list(dict.fromkeys(jobs)), toolchain)
+    made = modules(list(dict.fromkeys(jobs)), toolchain)
     return [_codes(request, made) for request in requests]
 
 
-def _make(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verdict]:
-    """A module for each job, or the verdict of the compiler that refused it."""
+def modules(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verdict]:
+    """A module for each job of a checker that makes SPIR-V, or its verdict if it has refused it.
+
+    Tests that have texts checked call it as well: what a route has compiled is not compiled again.
+    """
     store = Store(STORE)
     versions = {name: toolchain.versions(name) for name in {job.checker for job in jobs}}
     names = {job: _digest(job, versions[job.checker]) for job in jobs}

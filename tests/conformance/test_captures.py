@@ -92,6 +92,15 @@ def agrees(studio: Studio, material: CompiledMaterial, route: str) -> None:
     assert row.proven > 1000
 
 
+def test_what_stages_divide_is_compared_with_another_form_only(studio: Studio) -> None:
+    material = compiled(native=True)["Blanket"]
+    route = ROUTES["lavapipe:glsl"]
+    (row,) = conform([("Blanket", material)], [route], studio.runner, studio.toolchain)
+    assert (row.status, row.problem) == (
+        "failed", "Blanket has other stages than the reference can capture.",
+    )  # fmt: skip
+
+
 def state_of(material: CompiledMaterial) -> SceneState:
     mesh = with_inputs(material.reflection, plane(2))
     return set_up(material.instance(), mesh, Scene(), (4, 4))

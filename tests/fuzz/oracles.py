@@ -41,7 +41,13 @@ from ..targets.standings import PROFILES
 from .equivalence import differences
 from .tree import Node as Tree
 
-ALLOWED = {each.code for each in (rules.ZERO_DIVISOR, rules.OUT_OF_BOUNDS, rules.NUMBER_TOO_LARGE)}
+ALLOWED = {
+    each.code
+    for each in (
+        rules.ZERO_DIVISOR, rules.OUT_OF_BOUNDS, rules.NUMBER_TOO_LARGE, rules.NO_STRIPS,
+        rules.NEVER_POSITIVE,
+    )
+}  # fmt: skip
 """The mistakes in some programs: their constants are random, and their values can be computed."""
 
 

@@ -6,6 +6,7 @@ import os
 import signal
 import sys
 from collections.abc import Iterator, Set
+from dataclasses import replace
 from pathlib import Path
 from subprocess import PIPE
 
@@ -112,7 +113,10 @@ HANG_WGSL = shaders.PAINT_WGSL.replace(
 
 
 def test_ends_in_the_midst_of_a_job() -> None:
-    """The worker is killed when its time is up. The hanging browser then has half a minute."""
+    """The worker is killed when its time is up. The hanging browser then has half a minute.
+
+    One pixel hangs: more of them would keep all processors busy meanwhile.
+    """
     api = "webgpu"
     before = descendants(os.getpid()).keys()
     own = Asker(api)
@@ -120,7 +124,8 @@ def test_ends_in_the_midst_of_a_job() -> None:
     commands = descendants(os.getpid())
     family = commands.keys() - before
     folder = profile({pid: commands[pid] for pid in family})
-    hanging = Job(pipeline(api, wgsl=HANG_WGSL), (full(RED),))
+    pixel = replace(full(RED), width=1, height=1)
+    hanging = Job(pipeline(api, wgsl=HANG_WGSL), (pixel,))
     assert own.answer({"job": to_json(hanging)}, 3.0).ending == "timeout"
     await_end(family, folder)
     own.close()

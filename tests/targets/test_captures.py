@@ -8,6 +8,7 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
+from burnish.compiler.diagnostics.render import render
 from burnish.targets.toolchain import Toolchain
 
 from ..examples.kit import jobs_of
@@ -171,3 +172,50 @@ def test_more_captures_than_outputs_are_told() -> None:
     text = f"material M {{ color = vec3(1) }} pass Step {{ {members} }}"
     with pytest.raises(burnish.CompileError, match="17 varyings of M, but glsl:vulkan has only 16"):
         compiled(text, "glsl:vulkan")
+
+
+DIVIDED = """
+material M { tessellate triangle by clamp(5 * end[0].uv.x, 1, 3) { } color = vec3(1) }
+pass Step { capture place : vec3 = position }
+"""
+
+
+@pytest.mark.parametrize("native_stages", [True, False])
+def test_of_a_patch_come_as_many_vertices_as_its_levels_allow(*, native_stages: bool) -> None:
+    """A triangle that is divided by 3 everywhere is a ring of 12 triangles around one."""
+    (material,) = burnish.compile(
+        DIVIDED, "glsl:vulkan", pass_="Step", native_stages=native_stages
+    ).materials
+    reflection = material.reflection
+    assert reflection["capture"]["primitive"] == "triangle"
+    assert reflection["capture"]["vertices"] == 3 * 13
+    assert reflection["draw"]["tessellation"]["divided_by"] == (
+        "evaluation" if native_stages else "instances"
+    )
+    assert reflection["capture"]["there"] == (None if native_stages else 12)
+
+
+@pytest.mark.parametrize("native_stages", [True, False])
+def test_what_neither_a_stage_nor_a_kernel_captures_is_refused(*, native_stages: bool) -> None:
+    """Nobody is sent from one form to the other where neither of them works."""
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(DIVIDED, "glsl:gl330", pass_="Step", native_stages=native_stages)
+    (found,) = caught.value.diagnostics
+    stage = "control" if native_stages else "compute"
+    assert render(found).splitlines()[0] == f"error[B0701]: glsl:gl330 has no {stage} stage"
+    assert found.hint == (
+        "capture the control points as they are, and divide the patches where they are drawn, or "
+        "compile for glsl:vulkan, glsl:gl450, glsl:es310, hlsl:sm6 or wgsl:webgpu"
+    )
+
+
+def test_expansions_are_captured_where_there_is_a_stage_for_them() -> None:
+    for native_stages in (True, False):
+        with pytest.raises(burnish.CompileError) as caught:
+            burnish.compile(SPARKS, "glsl:es300", pass_="Step", native_stages=native_stages)
+        (found,) = caught.value.diagnostics
+        assert str(found.hint).startswith("capture the vertices of the mesh as they are, and ")
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(SPARKS, "glsl:gl330", pass_="Step")
+    (found,) = caught.value.diagnostics
+    assert str(found.hint).startswith("compile with `--native-stages`")

@@ -56,6 +56,17 @@ def test_compilers_accept_all_stages_in_one_text() -> None:
     assert refused(made) == []
 
 
+@pytest.mark.parametrize("profile", PROFILES)
+def test_patches_may_take_nothing_of_the_mesh(profile: str) -> None:
+    """In HLSL the control points are a parameter all the same, of a structure without members."""
+    text = """material M {
+        tessellate quad by 5 as at { position = point(vec3(at, 0)) }
+        color = vec3(1)
+    }"""
+    (made,) = burnish.compile(text, profile, native_stages=True).materials
+    assert refused(made) == []
+
+
 BLANKET = """
 /// A blanket that is finer where it is wider.
 material Blanket {
