@@ -8,6 +8,7 @@ import pytest
 
 from burnish.targets.runner.drivers.draw import (
     BlockSlot,
+    BufferSlot,
     DriverError,
     Job,
     RenderTarget,
@@ -137,6 +138,33 @@ def test_bytes_that_do_not_fit(api: str) -> None:
     wrong(api, Job(chosen, (replace(draw, clear=()),)), "clear colours")
     block = kit.with_blocks(mesh(CORNERS, (-5, 3, 7), "<i4"), NUMBERS_DATA + bytes(16))
     wrong(api, Job(numbers(api), (block,)), "80", "64")
+
+
+def test_more_instances_than_there_are_values(api: str) -> None:
+    chosen, draw = pipeline(api), full(RED)
+    where, paint = chosen.inputs
+    each = replace(chosen, inputs=(where, replace(paint, step="instance")))
+    two = (draw.vertices[0], draw.vertices[1][:32])
+    wrong(
+        api,
+        Job(each, (replace(draw, vertices=two, instance_count=3),)),
+        "draw 0: vertex attribute 'paint' is given 32 bytes, and takes 48",
+    )
+
+
+def test_storage_buffers_that_are_no_whole_elements(api: str) -> None:
+    chosen = replace(pipeline(api), buffers=(BufferSlot(place("items", 0, 0), 16),))
+    for data in (b"", bytes(15), bytes(24)):
+        wrong(
+            api,
+            Job(chosen, (replace(full(RED), buffers=(data,)),)),
+            f"draw 0: storage buffer 'items' is given {len(data)} bytes, and its elements have 16",
+        )
+    wrong(
+        api,
+        Job(chosen, (full(RED),)),
+        "draw 0: 0 storage buffers are given, and the pipeline has 1",
+    )
 
 
 def test_texels_that_do_not_fit(api: str) -> None:
