@@ -38,7 +38,9 @@ def reflected(declared: list[Parameter]) -> dict[str, Any]:
         "material": "Random",
         "blocks": [{"name": block.name, "size": block.size} for block in blocks],
         "parameters": [parameter_row(info, names, Places(blocks)) for info in infos],
-        **{key: [] for key in ("buffers", "derived", "lights", "textures")},
+        **{key: [] for key in ("buffers", "derived", "lights", "results", "textures")},
+        "draw": None,
+        "extent": None,
     }
 
 

@@ -28,7 +28,10 @@ if TYPE_CHECKING:
 
 FORMAT = 1
 """The version of the reflection that this code reads."""
-_PARTS = ("material", "blocks", "parameters", "derived", "lights", "buffers", "textures")
+_PARTS = (
+    "material", "draw", "extent", "blocks", "parameters", "derived", "lights", "buffers",
+    "results", "textures",
+)  # fmt: skip
 """The keys that the reflection must have."""
 
 
