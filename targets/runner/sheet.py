@@ -34,28 +34,37 @@ class Panel:
 
 
 def sheet(panels: Sequence[Panel], columns: int, size: tuple[int, int]) -> Image.Image:
-    """A sheet of panels in rows of ``columns``; each picture has this size, and a caption below
-    it."""
-    width, height = size
-    cell = max(width, NARROWEST)
+    """A sheet of panels in rows of ``columns``; each picture has a caption below it.
+
+    A place without a picture has this size. A picture may be larger: its layers lie one below
+    another, and a kernel says how large its image is.
+    """
+    cell = max(NARROWEST, *(_extent(panel, size)[0] for panel in panels))
     font = ImageFont.load_default(max(13, min(cell // 32, 48)))
     line = round(1.3 * _height(font))
     captions = [_caption(panel, font, cell) for panel in panels]
     rows = [range(at, min(at + columns, len(panels))) for at in range(0, len(panels), columns)]
-    heights = [height + line * max(len(captions[i]) for i in row) + line // 2 for row in rows]
+    pictures = [max(_extent(panels[i], size)[1] for i in row) for row in rows]
+    texts = [line * max(len(captions[i]) for i in row) + line // 2 for row in rows]
     page = Image.new("RGB", (
-        GAP + min(columns, len(panels)) * (cell + GAP), GAP + sum(heights) + GAP * len(rows)
+        GAP + min(columns, len(panels)) * (cell + GAP),
+        GAP + sum(pictures) + sum(texts) + GAP * len(rows),
     ), PAPER)  # fmt: skip
     pen = ImageDraw.Draw(page)
     top = GAP
-    for row, row_height in zip(rows, heights, strict=True):
+    for row, height, below in zip(rows, pictures, texts, strict=True):
         for column, i in enumerate(row):
             left = GAP + column * (cell + GAP)
             _put_picture(page, pen, panels[i], (left, top), size, font)
             for number, (text, ink) in enumerate(captions[i]):
                 pen.text((left, top + height + line // 3 + number * line), text, ink, font)
-        top += row_height + GAP
+        top += height + below + GAP
     return page
+
+
+def _extent(panel: Panel, size: tuple[int, int]) -> tuple[int, int]:
+    """How wide and how high a panel's picture is, or its empty place."""
+    return size if panel.image is None else panel.image.size
 
 
 def _put_picture(

@@ -42,6 +42,20 @@ def test_pictures_stand_in_rows() -> None:
     assert page.shape[1] == GAP + 2 * (size[0] + GAP)
 
 
+def test_pictures_of_other_sizes_have_room() -> None:
+    """A picture with layers is higher than was asked for, and a kernel says itself how large its
+    image is."""
+    size = (140, 90)
+    page = made([panel(RED, (140, 270)), panel(GREEN, (200, 50)), panel(BLUE, size)], 2, size)
+    assert places(page, RED) == (GAP, GAP, 140, 270)
+    assert places(page, GREEN) == (GAP + 200 + GAP, GAP, 200, 50)
+    left, top, *_ = places(page, BLUE)
+    assert (left, places(page, BLUE)[2:]) == (GAP, size)
+    caption = page[GAP + 270 : top, : GAP + 200]
+    assert (caption != PAPER).any(), "there is a caption between them"
+    assert (page[:, -GAP:] == PAPER).all()
+
+
 def test_small_pictures_leave_their_captions_room() -> None:
     page = made([panel(RED, (4, 4)), panel(GREEN, (4, 4))], 2, (4, 4))
     assert places(page, GREEN) == (GAP + NARROWEST + GAP, GAP, 4, 4)
