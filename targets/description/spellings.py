@@ -86,9 +86,10 @@ class Literals:
     false: str = "false"
     float_suffix: str = ""
     uint_suffix: str = "u"
-    chosen: Mapping[ScalarKind, str] = EMPTY
-    """By kind, how the sides of a choice between two literals are written, in a language whose
-    literals have no type of their own: the choice would get one that is too wide."""
+    typed: Mapping[ScalarKind, str] = EMPTY
+    """By kind, how the sides of a choice between two literals are written, and a literal that is
+    shifted, in a language whose literals have no type of their own: they would get one that is too
+    wide."""
 
 
 @frozen

@@ -31,6 +31,8 @@ DEEPEST = 200
 """How deeply expressions may nest in a text, as printers call each other for operands. The
 scheduler binds operands to names long before. naga refuses what nests much deeper."""
 
+_SHIFTS = ("shift_left", "shift_right")
+
 
 class Expressions:
     """Prints the nodes of one function body."""
@@ -140,7 +142,10 @@ class Expressions:
             made, vector = node.operands
             if made.op == "matrix" and made not in self.bound and isinstance(node.type, Vector):
                 return self._product_of_columns(made, vector)
-        return self._natives.print(node, self.operands(node.operands))
+        operands = self.operands(node.operands)
+        if node.data in _SHIFTS and self._is_literal(node.operands[0]):
+            operands[0] = self._typed(operands[0], node.type)
+        return self._natives.print(node, operands)
 
     def _product_of_columns(self, made: Node, vector: Node) -> Printed:
         type_, columns = self._types.type(made.type), self._arguments(made.operands)
@@ -207,8 +212,8 @@ class Expressions:
         assert isinstance(node.operands[0].type, Scalar), "conditions are scalars"
         assert isinstance(node.type, Scalar | Vector), "matrices are chosen by a branch"
         condition, then, otherwise = self.operands(node.operands)
-        if all(side.op == "constant" and side not in self.bound for side in node.operands[1:]):
-            then, otherwise = (self._chosen(side, node.type) for side in (then, otherwise))
+        if all(map(self._is_literal, node.operands[1:])):
+            then, otherwise = (self._typed(side, node.type) for side in (then, otherwise))
         form = self._forms.select
         if not form:
             return choice(condition, then, otherwise)
@@ -216,9 +221,12 @@ class Expressions:
         text = form.format(otherwise=sides[0], then=sides[1], condition=sides[2])
         return text, POSTFIX
 
-    def _chosen(self, literal_: Printed, type_: Type) -> Printed:
-        """A literal as a side of a choice whose other side is a literal, too."""
-        form = self._literals.chosen.get(type_.kind) if isinstance(type_, Scalar) else None
+    def _is_literal(self, node: Node) -> bool:
+        return node.op == "constant" and node not in self.bound
+
+    def _typed(self, literal_: Printed, type_: Type) -> Printed:
+        """A literal where no other operand says how wide it is."""
+        form = self._literals.typed.get(type_.kind) if isinstance(type_, Scalar) else None
         return (form.format(literal_[0]), POSTFIX) if form else literal_
 
     def _call(self, node: Node) -> Printed:

@@ -37,8 +37,9 @@ TYPES = TypeNames(
     stored_matrix="column_major {type}",
 )
 
-# DXC takes a choice between two plain literals for a double, or an integer of 64 bits.
-LITERALS = Literals(chosen={"float": "{0}f", "int": "int({0})"})
+# DXC takes a choice between two plain literals for a double, or an integer of 64 bits, and remarks
+# that it does not know how wide a shifted one is.
+LITERALS = Literals(typed={"float": "{0}f", "int": "int({0})"})
 
 # A constructor takes rows and an index yields a row; Burnish's matrices are made of columns.
 FORMS = Forms(
