@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.targets.toolchain import Toolchain
 
+from ..examples.kit import jobs_of
 from ..golden import assert_golden
 
 HERE = Path(__file__).parent
@@ -47,6 +49,15 @@ def test_the_text_of_a_kernel_over_images_is_as_it_was(profile: str) -> None:
     assert stages == ({"vertex", "fragment"} if profile == "glsl:es300" else {"compute"})
     for file in kernel.files:
         assert_golden(file.text, HERE / "golden" / file.name.replace("Vignette", "vignette"))
+
+
+def test_compilers_have_nothing_to_remark_about_images() -> None:
+    """Each of those for HLSL reads an attribute with the format, which the others do not know."""
+    (kernel,) = burnish.compile(IMAGES, "hlsl:sm6")
+    with Toolchain() as toolchain:
+        verdicts = toolchain.check([*jobs_of(kernel)])
+    assert {one.status for one in verdicts} == {"accepted"}
+    assert [message.text for one in verdicts for message in one.messages] == []
 
 
 def test_work_groups_may_share_too_much_for_a_profile() -> None:
