@@ -99,8 +99,9 @@ NATIVES: Spellings = {
     "reverse_bits": "{type}(reversebits({0}))",
     "first_leading_bit": "{type}(firstbithigh({0}))",
     "first_trailing_bit": "{type}(firstbitlow({0}))",
-    "to_float": "{type}({0})",
-    # DXC takes `uint2(int2(v))` for `uint2(v)`, also where `v` is negative.
+    # DXC makes SPIR-V of `float2(int2(v))` that is `v`, and takes `uint2(int2(v))` for `uint2(v)`,
+    # also where `v` is negative.
+    "to_float": Spelling(usual="{type}({0})", vectors="(({type}){0:p})"),
     "to_int": Spelling(usual="{type}({0})", integers="asint({0})"),
     "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})"),
     "sample": Read("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),

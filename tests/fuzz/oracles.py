@@ -45,7 +45,7 @@ ALLOWED = {
     each.code
     for each in (
         rules.ZERO_DIVISOR, rules.OUT_OF_BOUNDS, rules.NUMBER_TOO_LARGE, rules.NO_STRIPS,
-        rules.NEVER_POSITIVE,
+        rules.NEVER_POSITIVE, rules.NO_SUCH_ELEMENT,
     )
 }  # fmt: skip
 """The mistakes in some programs: their constants are random, and their values can be computed."""
