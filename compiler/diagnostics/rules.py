@@ -893,7 +893,7 @@ POINTS_NOT_CAPTURED = _error(
     "B0563",
     "points are captured, and `{name}` draws",
     "A pass with members such as `capture place : vec3 = position` captures points. What is drawn "
-    "are triangles: `strip of 4 as i { … }` makes a square of a point.",
+    "are triangles or lines: `strip of 4 as i { … }` makes a square of a point.",
 )
 DIFFERENT_PRIMITIVES = _error(
     "B0564",

@@ -103,9 +103,12 @@ def is_declared(scope: Scope, name: str) -> bool:
     return own or bool(scope.module.find(name))
 
 
-def unknown(ctx: Context, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
-    """Report a name that nothing declares, with the nearest one that something does."""
-    hint = advice.nearest_or_all(name, span, known)
+def unknown(
+    ctx: Context, kind: str, name: str, span: Span, known: Iterable[str], declared_as: str = ""
+) -> None:
+    """Report a name that nothing declares, with the nearest one that something does, or else with
+    how such a thing is declared."""
+    hint = advice.nearest_or_all(name, span, known) or advice.undeclared(declared_as, name)
     ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
 

@@ -234,6 +234,7 @@ _DECLARED_AS: Mapping[str, str] = MappingProxyType(
         "name": "nothing declares it: `{0} = …` does, or `param {0} : type` if the host sets it",
         "function": "nothing declares it: a function is `fn {0}(…) = …`, "
         "a texture `map {0} : texture2d`",
+        "slot": "slots that are set here are declared outside of these braces: `{0} : type`",
     }
 )
 

@@ -29,7 +29,7 @@ def slots_set(ctx: Context, below: Instance, equations: Sequence[ast.Slot]) -> I
             ctx.report.add(rules.DUPLICATE_NAME, span, name=name, labels=[label])
         elif not below.has(name) and not surface.has(name):
             known = {**surface.record.definitions, **below.record.definitions}
-            unknown(ctx, f"slot of `{below.record.name}`", name, span, known)
+            unknown(ctx, f"slot of `{below.record.name}`", name, span, known, "slot")
         else:
             yield name
         seen.setdefault(name, span)

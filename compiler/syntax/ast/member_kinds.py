@@ -226,7 +226,7 @@ KINDS: tuple[MemberKind, ...] = (
         contribution="result",
         form="an expansion is `expand triangle { strip of 3 as i for s in 0..4 where condition "
         "like corner[i] { slot = expression } }`, where everything between the number of vertices "
-        "and the brace is optional",
+        "and the brace is optional, but stands in this order",
         doc="what each primitive of the mesh turns into",
     ),
     MemberKind(
@@ -238,8 +238,8 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="gathered",
         contribution="result",
         form="a tessellation is `tessellate quad of 16 ends [0, 3, 15, 12] spacing "
-        "fractional_odd by level inside level as at { slot = expression }`, where only the kind of "
-        "patch, a level and the braces are needed",
+        "fractional_odd by level inside level as at { slot = expression }`, in this order, where "
+        "only the kind of patch, a level and the braces are needed",
         doc="what each patch of the mesh is divided into",
     ),
     MemberKind(
