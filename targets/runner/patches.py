@@ -1,13 +1,12 @@
 """The patches of a mesh, and the pattern into which each of them is divided.
 
 ``expanding.py`` draws with them. A mesh may say which control points its patches have. Otherwise
-its triangles and edges are patches, and its grids have quads of any square number of points,
-triangles of 6, 10, 15, … points and lines of any number of points.
+its triangles and edges are patches, and its grids have patches of any number of points.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isqrt
 from typing import Any
 
@@ -54,19 +53,20 @@ def pattern(
     return places, np.array(found.cells, np.int64).reshape(-1, row.cell)
 
 
+_Place = tuple[int, int]
+"""The row and the column of a vertex of a grid."""
+
 _OfGrid = Callable[[Indices, int, Sequence[int]], Indices]
 """Makes the patches of a grid that have so many points, of which some are their ends."""
 
 
 def _of_grids(kind: Patch, points: int) -> _OfGrid | None:
-    """What makes patches of grids; ``None`` if their vertices are no such patches."""
-    if kind == "quad" and isqrt(points) ** 2 == points:
-        return _windows
+    """What makes patches of grids; ``None`` if triangles and edges are such patches anyway."""
+    if kind == "quad":
+        return _windows if isqrt(points) ** 2 == points else _between_corners
     if points == PATCH_KINDS[kind].ends:
         return None
-    if kind == "triangle" and _steps(points) * (_steps(points) + 3) == 2 * (points - 1):
-        return _halves
-    return _runs if kind == "isoline" else None
+    return _halves if kind == "triangle" else _runs
 
 
 def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
@@ -80,28 +80,47 @@ def _windows(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
     return whole[:, [0, 1, 3, 2]] if points == len(ends) else whole
 
 
+def _between_corners(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
+    """Squares of a grid whose corners are the ends, and as many of the vertices between these, row
+    by row, as there are other points."""
+    side = isqrt(points) + 1
+    places = [(row, column) for row in range(side) for column in range(side)]
+    corners = [(0, 0), (0, side - 1), (side - 1, side - 1), (side - 1, 0)]
+    rows, columns = np.array(_placed(points, ends, corners, places)).T
+    squares = [each[rows, columns] for each in _squares(lattice, side, side - 1)]
+    return np.array(squares, np.int64).reshape(-1, points)
+
+
 def _halves(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
     """The two halves of each square of a grid, as triangles whose neighbours share their edges.
 
     If the ends are those of a triangle that is written row by row, each row shorter by one, the
     points lie so. Otherwise the points that are no ends follow each other along the edges, from the
-    first end on, and behind them come those inside.
+    first end on, and behind them come those inside. What has no point then is left out.
     """
     steps = _steps(points)
     rows = [(row, column) for row in range(steps + 1) for column in range(steps + 1 - row)]
     corners = [(0, 0), (0, steps), (steps, 0)]
     places = rows
-    if {rows.index(corner) for corner in corners} != set(ends):
+    if len(rows) != points or {rows.index(corner) for corner in corners} != set(ends):
         edges = [(0, k) for k in range(1, steps)]
         edges += [(k, steps - k) for k in range(1, steps)]
         edges += [(steps - k, 0) for k in range(1, steps)]
-        others = iter([*edges, *(place for place in rows if place not in {*corners, *edges})])
-        at_end = dict(zip(ends, corners, strict=True))
-        places = [at_end.get(number) or next(others) for number in range(points)]
+        inside = [place for place in rows if place not in edges]
+        places = _placed(points, ends, corners, [*edges, *inside])
     row, column = np.array(places).T
     squares = list(_squares(lattice, steps + 1, steps))
     halves = [half[row, column] for each in squares for half in (each, each[::-1, ::-1])]
     return np.array(halves, np.int64).reshape(-1, points)
+
+
+def _placed(
+    points: int, ends: Sequence[int], corners: Sequence[_Place], others: Iterable[_Place]
+) -> list[_Place]:
+    """Where each point lies: the ends at the corners, and the others one after the other."""
+    left = (place for place in others if place not in corners)
+    at_end = dict(zip(ends, corners, strict=True))
+    return [at_end.get(number) or next(left) for number in range(points)]
 
 
 def _runs(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
@@ -114,8 +133,8 @@ def _runs(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
 
 
 def _steps(points: int) -> int:
-    """Into how many steps the edges of a triangle are divided that is made of so many points."""
-    return (isqrt(8 * points + 1) - 3) // 2
+    """Into how many steps the edges of a triangle are divided that has room for so many points."""
+    return (isqrt(8 * points - 7) - 1) // 2
 
 
 def _squares(lattice: Indices, side: int, step: int) -> Iterator[Indices]:

@@ -83,6 +83,30 @@ def test_a_grid_has_triangles_of_ten_points(ends: tuple[int, ...]) -> None:
     assert set(map(int, first)) & set(map(int, second)) == {int(first[1]), int(first[2])}
 
 
+@pytest.mark.parametrize(("points", "ends"), [(4, (1, 2, 0)), (7, (0, 1, 2)), (32, (0, 10, 31))])
+def test_a_grid_has_triangles_of_any_number_of_points(points: int, ends: tuple[int, ...]) -> None:
+    whole = mesh("sphere")
+    found = patches(whole, "triangle", points, ends)
+    assert all(len(set(map(int, patch))) == points for patch in found)
+    first, second = found[0, list(ends)], found[1, list(ends)]
+    assert set(map(int, first)) & set(map(int, second)) == {int(first[1]), int(first[2])}
+
+
+@pytest.mark.parametrize(
+    ("points", "ends"), [(5, (0, 1, 2, 3)), (12, (0, 3, 6, 9)), (32, (9, 0, 31, 8))]
+)
+def test_a_grid_has_quads_of_any_number_of_points(points: int, ends: tuple[int, ...]) -> None:
+    whole = mesh("plane")
+    position = whole.channels["position"]
+    found = patches(whole, "quad", points, ends)
+    assert all(len(set(map(int, patch))) == points for patch in found)
+    corners = position[found[:, list(ends)]]
+    one, other = corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0]
+    assert (one[:, 1:] == 0).all() and (other[:, [0, 2]] == 0).all(), "along u and along v"
+    assert (one[:, 0] == other[:, 1]).all() and (one[:, 0] > 0).all()
+    assert (corners[:, 2] == corners[:, 0] + one + other).all(), "and round them"
+
+
 def test_a_grid_has_lines_of_several_points() -> None:
     whole = mesh("plane")
     row = patches(whole, "isoline", 3, (0, 2))[:4]
@@ -108,7 +132,6 @@ def test_a_mesh_says_its_own_control_points() -> None:
 
 
 WRONG = {
-    "no triangle": (mesh("plane"), "triangle", 7, "of 7 control points, and the mesh has none"),
     "control points": (flat((0, 1, 2)), "quad", 16, "of 16 control points, and the mesh has non"),
     "an odd one": (flat((0, 1, 2)), "quad", 4, "no pairs, so they make no quads"),
     "apart": (flat((0, 1, 2), (3, 4, 5)), "quad", 4, r"\[0, 1, 2\] and \[3, 4, 5\] share no edge"),
