@@ -26,6 +26,8 @@ class Spelling:
     """Vectors, whatever their lanes."""
     matrix: str = ""
     """Some operand is a matrix."""
+    after: Mapping[str, str] = EMPTY
+    """A vector, by the builtin that has made it."""
 
 
 @frozen

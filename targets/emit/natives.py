@@ -115,13 +115,20 @@ class Natives:
         reads = bool(types) and isinstance(types[0], Texture)
         if reads:
             operands = [self._leaves.texture(node.operands[0], builtin), *operands[1:]]
-        spelled = spelling_of(builtin, types, self._table)
+        spelled = self._after(builtin, node) or spelling_of(builtin, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
         write = writer(spelled, len(operands))
         if not reads and isinstance(self._table.get(builtin, ""), str):
             self._writers[builtin] = write
         return write(operands)
+
+    def _after(self, builtin: str, node: Node) -> str:
+        """The spelling for a vector that a certain other native has made; empty for others."""
+        row, made = self._table.get(builtin), node.operands[0]
+        if isinstance(row, Spelling) and made.op == "native" and isinstance(made.type, Vector):
+            return row.after.get(NATIVE.data(made), "")
+        return ""
 
     def combined(self, name: str, type_: Type, operands: Sequence[Printed]) -> Printed:
         """Builtin ``name`` of operands that are all of one plain type, which is the result's."""

@@ -84,6 +84,10 @@ IMAGES: Mapping[str, str] = {
     "rgba8": "RWTexture2D<unorm float4>",
 }
 
+_CAST = "(({type}){0:p})"
+"""How a vector is converted that has just been converted: DXC drops both of `float2(int2(v))` where
+it makes SPIR-V."""
+
 NATIVES: Spellings = {
     "mul": Spelling(matrix="mul"),
     "sign": "{type}(sign({0}))",
@@ -99,11 +103,10 @@ NATIVES: Spellings = {
     "reverse_bits": "{type}(reversebits({0}))",
     "first_leading_bit": "{type}(firstbithigh({0}))",
     "first_trailing_bit": "{type}(firstbitlow({0}))",
-    # DXC makes SPIR-V of `float2(int2(v))` that is `v`, and takes `uint2(int2(v))` for `uint2(v)`,
-    # also where `v` is negative.
-    "to_float": Spelling(usual="{type}({0})", vectors="(({type}){0:p})"),
-    "to_int": Spelling(usual="{type}({0})", integers="asint({0})"),
-    "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})"),
+    "to_float": Spelling(usual="{type}({0})", after={"to_int": _CAST, "to_uint": _CAST}),
+    # DXC takes `uint2(int2(v))` for `uint2(v)`, also where `v` is negative.
+    "to_int": Spelling(usual="{type}({0})", integers="asint({0})", after={"to_float": _CAST}),
+    "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})", after={"to_float": _CAST}),
     "sample": Read("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
     "sample_level": Read(
         "{0}.SampleLevel({sampler}, {1}, {2})", "{0}.SampleLevel({sampler}, float3({1}, {2}), {3})"

@@ -25,7 +25,7 @@ struct ComputeInput {
 void main(ComputeInput input) {
     int2 texel = int2(input.texel);
     int2 place_texture_size = texture_size(picture, 0);
-    float2 place = (2.0 * ((float2)texel) + 1.0) / ((float2)place_texture_size) - 1.0;
+    float2 place = (2.0 * float2(texel) + 1.0) / float2(place_texture_size) - 1.0;
     float light = 1.0 - strength * dot(place, place);
     dark[texel] = float4(
         picture.Load(int3(clamp(texel, int2(0, 0), place_texture_size - 1), 0)).xyz * light, light
