@@ -68,9 +68,8 @@ class _Family:
     """The ids of what would move."""
 
     def join(self, other: _Family) -> None:
-        """Take all that another family has."""
+        """Take what another family has; the results are not known yet."""
         self.sources.update(other.sources)
-        self.results.update(other.results)
         self.work += other.work
 
     @property
@@ -95,8 +94,7 @@ class _Corners:
         for node in self._roots.nodes:
             self._look_at(node)
         for node in self._ends():
-            lanes = width(node.type) if isinstance(node.type, Scalar | Vector) else 0
-            self._families[node.id].results[self._computed[node.id]] = lanes
+            self._families[node.id].results[self._computed[node.id]] = _lanes(node)
         families = {id(family): family for family in self._families.values()}
         paying = [family for family in families.values() if family.pays]
         return frozenset(node for family in paying for node in family.work)
@@ -107,9 +105,8 @@ class _Corners:
             value, number = node.operands
             self._places[node.id] = _Place(CROSS.data(node), number.id)
             self._computed[node.id] = value.id
-            lanes = width(value.type) if isinstance(value.type, Scalar | Vector) else 0
             self._families[node.id] = self._family([value.id])
-            self._families[node.id].sources[value.id] = lanes
+            self._families[node.id].sources[value.id] = _lanes(value)
             self._families[value.id] = self._families[node.id]
         elif self._may_move(node):
             varying = self._varying(node)
@@ -151,6 +148,11 @@ class _Corners:
             if node.id not in self._places or _is_corner(node):
                 read.update(operand.id for operand in node.operands)
         return [n for n in self._roots.nodes if n.id in read and n.id in self._places]
+
+
+def _lanes(node: Node) -> int:
+    """How many numbers cross for a value; only scalars and vectors do."""
+    return width(node.type) if isinstance(node.type, Scalar | Vector) else 0
 
 
 def _is_corner(node: Node) -> bool:
