@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .api import (
+        CompiledFrame,
         CompiledMaterial,
         CompileResult,
         Instance,
@@ -32,6 +33,7 @@ __version__ = "0.1.0"
 __all__ = [
     "CompileError",
     "CompileResult",
+    "CompiledFrame",
     "CompiledMaterial",
     "Diagnostic",
     "Instance",

@@ -8,23 +8,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from importlib import import_module
-from itertools import chain
+from itertools import chain, islice
 from os import PathLike
 from pathlib import Path
 from types import NoneType
 from typing import TYPE_CHECKING, Any
 
 from .arguments import expect, expect_all
-from .compiled import CompiledMaterial, CompileResult, OutputFile
+from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
+from .compiler.ir.frame import Frame
 from .compiler.ir.shader import Shader
 from .compiler.ir.stages import COMPUTED
 from .compiler.passes.lower_stages import keep_stages, lower_stages
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
+from .frozen import changed
 from .garbage import seldom_collected
 from .targets.availability import way_out, with_as_many
 from .targets.description.profile import Profile
@@ -45,6 +47,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CompileResult",
+    "CompiledFrame",
     "CompiledMaterial",
     "Instance",
     "MissingValuesError",
@@ -99,7 +102,14 @@ def compile(
     )  # fmt: skip
     chosen = select_targets(_names_of_targets(targets), report, single_file=single_file)
     frontend, module = _opened(source, search_path, report)
-    shaders = [] if module is None else frontend.shaders(module, material, rig, pass_)
+    frames: list[Frame] | None = None
+    if module is None:
+        shaders = []
+    elif frontend.has_frames(module, material):
+        frames = frontend.frames(module, material, rig)
+        shaders = [each.shader for frame in frames for each in frame.shaders]
+    else:
+        shaders = frontend.shaders(module, material, rig, pass_)
     if report.failed:
         raise CompileError(report.diagnostics)
     options = EmitOptions(flip_y, single_file, line_directives)
@@ -112,10 +122,12 @@ def compile(
         lacking = _lacking(shader, staged, chosen)
         if not partial:
             report.extend(chain.from_iterable(lacking.values()))
-        compiled.append(_compiled(shader, staged, lacking, chosen, options))
+        to_textures = frames is not None
+        compiled.append(_compiled(shader, staged, lacking, chosen, options, to_textures))
     if report.failed:
         raise CompileError(report.diagnostics)
-    return CompileResult(tuple(compiled), report.diagnostics, frontend.inputs)
+    made = _compiled_frames(frames or (), compiled)
+    return CompileResult(tuple(compiled), report.diagnostics, frontend.inputs, made)
 
 
 @seldom_collected
@@ -181,17 +193,34 @@ def _opened(
     return frontend, frontend.open_file(Path(source))
 
 
+def _compiled_frames(
+    frames: Iterable[Frame], compiled: Iterable[CompiledMaterial]
+) -> tuple[CompiledFrame, ...]:
+    """The frames with their shaders, which were compiled in the same order."""
+    shaders = iter(compiled)
+    return tuple(
+        CompiledFrame(frame.name, tuple(islice(shaders, len(frame.shaders))), frame)
+        for frame in frames
+    )
+
+
 def _compiled(
     shader: Shader,
     staged: Staged,
     lacking: Mapping[str, Sequence[Diagnostic]],
     chosen: list[tuple[Language, Profile]],
     emit_options: EmitOptions,
+    to_textures: bool = False,
 ) -> CompiledMaterial:
-    if shader.chain == COMPUTED:
+    """``to_textures``: whether the shader draws what others read, so that its first row lies first
+    in memory."""
+
+    def options(profile: Profile) -> EmitOptions:
         # What a kernel writes has its first row at the top, also where a pass draws it.
-        given = emit_options
-        emit_options = EmitOptions(False, given.single_file, given.line_directives)
+        turned = emit_options.flip_y and shader.chain != COMPUTED
+        flip_y = profile.framebuffer.rows_up if to_textures else turned
+        return changed(emit_options, flip_y=flip_y)
+
     forms = (
         (form_for(staged, profile), target, profile)
         for target, profile in chosen
@@ -200,7 +229,7 @@ def _compiled(
     legals = (
         legalise(form.program, target, profile, form.undecided) for form, target, profile in forms
     )
-    emissions = tuple((legal, emit(legal, emit_options)) for legal in legals)
+    emissions = tuple((legal, emit(legal, options(legal.profile))) for legal in legals)
     files = tuple(
         _output(shader, legal.language, legal.profile, emission, file, emit_options)
         for legal, emission in emissions
@@ -209,9 +238,12 @@ def _compiled(
     profiles = [profile for _target, profile in chosen]
     guards = tuple(g for g in staged.guards if any(keeps(profile, g) for profile in profiles))
     reasons = {name: "; ".join(each.message for each in found) for name, found in lacking.items()}
-    return CompiledMaterial(
-        shader.name, files, reasons, guards, shader, staged, emissions, emit_options.flip_y
+    flipped = frozenset(
+        full_name(legal.language, legal.profile)
+        for legal, _emission in emissions
+        if options(legal.profile).flip_y
     )
+    return CompiledMaterial(shader.name, files, reasons, guards, shader, staged, emissions, flipped)
 
 
 def _lacking(

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from .compiler.diagnostics.diagnostic import Diagnostic
 from .compiler.diagnostics.source import Source, Span
 from .compiler.inputs import Inputs
+from .compiler.ir.frame import Frame
 from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Staged
@@ -75,7 +76,8 @@ class CompiledMaterial:
     _staged: Staged
     _emissions: tuple[tuple[Legal, Emission], ...]
     """Of each profile that has texts: the program in its form, and the texts."""
-    _flip_y: bool
+    _flipped: frozenset[str]
+    """The profiles whose texts turn the picture upside down."""
 
     def __repr__(self) -> str:
         """The material with the names of its files, since the whole shader would fill pages."""
@@ -100,7 +102,8 @@ class CompiledMaterial:
         tables = {
             full_name(legal.language, legal.profile): backend_table(
                 legal.program, legal.language, legal.profile, emission,
-                self._files(legal.language, legal.profile), flip_y=self._flip_y,
+                self._files(legal.language, legal.profile),
+                flip_y=full_name(legal.language, legal.profile) in self._flipped,
                 source_maps=self._source_maps(legal.language, legal.profile),
             )
             for legal, emission in self._emissions
@@ -162,13 +165,40 @@ class CompiledMaterial:
 
 
 @frozen
+class CompiledFrame:
+    """The results of compiling one frame."""
+
+    name: str
+    shaders: tuple[CompiledMaterial, ...]
+    """One for each pass with each material and its lights, and one for each kernel, in the order of
+    the plan's ``shaders``."""
+    frame: Frame
+    """What was checked, which the reference draws."""
+
+    def __repr__(self) -> str:
+        """The frame with the names of its shaders."""
+        return f"<CompiledFrame {self.name}: {', '.join(shader.name for shader in self.shaders)}>"
+
+    @cached_property
+    def plan(self) -> dict[str, Any]:
+        """What a host does to draw the frame, as data for JSON (``compiler/reflection`` has the
+        schema)."""
+        from .compiler.frames.planning import plan
+        from .compiler.reflection.plan import plan_document
+
+        return plan_document(plan(self.frame))
+
+
+@frozen
 class CompileResult:
     """All materials of a file, with the diagnostics (only warnings, since it compiled)."""
 
     materials: tuple[CompiledMaterial, ...]
+    """Of a file with frames, their shaders."""
     diagnostics: tuple[Diagnostic, ...]
     inputs: Inputs
     """The files that were read, and the places where files were searched."""
+    frames: tuple[CompiledFrame, ...] = ()
 
     def __iter__(self) -> Iterator[CompiledMaterial]:
         """The materials in the order of the file."""

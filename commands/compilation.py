@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .compile_options import Request
 from .console import rendered, show
 from .results import STDOUT, Output, Question, keep, print_output
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledMaterial, CompileResult
+    from ..compiled import CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
 
 
@@ -75,12 +75,19 @@ def _output(request: Request, result: CompileResult) -> Output:
     for material in result.materials:
         reflection = f"{material.name}.json"
         texts |= {file.name: file.text for file in material.files}
-        reflections[reflection] = _reflection_text(material)
+        reflections[reflection] = _as_json(material.reflection)
         shaders = f"{len(material.files)} shaders and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
+    plans: dict[str, str] = {}
+    for frame in result.frames:
+        plan = f"{frame.name}.plan.json"
+        plans[plan] = _as_json(frame.plan)
+        count = len(frame.plan["steps"])
+        lines.append(f"{frame.name}: {count} steps, {plan} in {request.output}\n")
     lines += _remarks_on_languages(result)
-    # Reflections are put in place last: whoever sees a new one finds the shaders that it describes.
-    return Output(request.output, texts | reflections, "".join(lines), warnings)
+    # Reflections are put in place behind the shaders, and plans last: whoever sees a new one finds
+    # what it describes.
+    return Output(request.output, texts | reflections | plans, "".join(lines), warnings)
 
 
 def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
@@ -118,7 +125,7 @@ def _insist_on_acceptance(result: CompileResult) -> None:
     show(found)
 
 
-def _reflection_text(material: CompiledMaterial) -> str:
+def _as_json(document: dict[str, Any]) -> str:
     import json
 
-    return json.dumps(material.reflection, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"

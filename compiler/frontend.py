@@ -15,8 +15,10 @@ from .diagnostics.file_names import readable
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
 from .inputs import Inputs
+from .ir.frame import Frame
 from .ir.shader import Shader
 from .library import FOLDER, standard_library
+from .semantics.frames.frames import Surroundings, frame_of
 from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.loader import Loader
 from .semantics.names.modules import Module, Symbol
@@ -125,6 +127,33 @@ class Frontend:
         drawn_shaders = [shader for shader in found if shader is not None]
         return [*drawn_shaders, *self._kernels(module, kernels)]
 
+    def has_frames(self, module: Module, wanted: str | None) -> bool:
+        """Whether a file is compiled to its frames: it has some, and no material is asked for."""
+        return bool(_wanted_frames(module, wanted))
+
+    def frames(self, module: Module, wanted: str | None, rig: str | None) -> list[Frame]:
+        """The frames of a file, or the one named; errors are in the report.
+
+        Everything that the file declares is checked, unless a frame is named.
+        """
+        lights = self._rig(module, rig)
+        if lights is None:
+            return []
+        reached: set[Symbol] = set()
+        around = Surroundings(module, lights, self._report, self._records, reached)
+        found = [frame_of(symbol, around) for symbol in _wanted_frames(module, wanted)]
+        if wanted is None:
+            self._check_beside(module, lights, reached)
+        return [frame for frame in found if frame is not None]
+
+    def _check_beside(self, module: Module, rig: Symbol, reached: set[Symbol]) -> None:
+        """Check what a file declares and no frame of it uses."""
+        rigs = dict.fromkeys([rig, *self._rigs_of(module)])
+        drawn = list(product(rigs, [self._forward()]))
+        self._check_unused(module, drawn, (), reached)
+        kernels = records_of(module, "kernel", abstract=False)
+        self._kernels(module, [kernel for kernel in kernels if kernel not in reached])
+
     def _kernels(self, module: Module, kernels: Iterable[Symbol]) -> list[Shader]:
         """The shaders of kernels."""
         found: list[Shader] = []
@@ -154,8 +183,13 @@ class Frontend:
         rigs = [self._rig(module, rig)] if rig is not None else self._rigs_of(module)
         pass_symbol = self._pass(module, pass_)
         drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
+        reached: set[Symbol] = set()
+        if rigs and (lights := rigs[0]) is not None:
+            around = Surroundings(module, lights, self._report, self._records, reached)
+            for frame in _wanted_frames(module, None):
+                frame_of(frame, around)
         if drawn:
-            self._check_unused(module, drawn, (), set())
+            self._check_unused(module, drawn, (), reached)
         self._kernels(module, records_of(module, "kernel", abstract=False))
 
     def _check_unused(
@@ -261,6 +295,12 @@ def _materials_of(module: Module) -> list[Symbol]:
     return [
         m for abstract in (False, True) for m in records_of(module, "material", abstract=abstract)
     ]
+
+
+def _wanted_frames(module: Module, wanted: str | None) -> list[Symbol]:
+    """The frames of a file that are compiled."""
+    frames = records_of(module, "frame", abstract=False)
+    return [frame for frame in frames if wanted is None or frame.name == wanted]
 
 
 def _shines(symbol: Symbol) -> bool:

@@ -1055,3 +1055,98 @@ TOOL_MISSING = _error(
     "{checker} cannot check anything: {problem}",
     "`burnish doctor` lists the tools, with a command that installs each missing one.",
 )
+
+# --- B08: frames ---------------------------------------------------------------------------------
+
+FRAMES_ONLY = _error(
+    "B0801",
+    "{what} has a meaning in frames only",
+    "A frame draws a pass several times: `sum lamp in rig : Lit(screen)` once for each light, "
+    "`each i in 0..4 : Depth(scene)` once for each layer of its results. Loops over numbers go "
+    "over a range, `sum i in 0..4 : e`.",
+)
+NO_STEP = _error(
+    "B0802",
+    "this is no step of a frame",
+    "A step draws a pass or runs a kernel: `name = Pass(what, size) with { input = value }`, "
+    "`name = Kernel()`. What it makes is read as `name.target`.",
+)
+NO_RESULT = _error(
+    "B0803",
+    "this is no {what}",
+    "What a step makes has names: the targets of its pass, `depth`, or the results of its kernel. "
+    "They are read as `step.name`; textures and buffers of the host are declared by `map` and "
+    "`buffer`.",
+)
+NOT_DRAWN = _error(
+    "B0804",
+    "a pass cannot draw this",
+    "The first argument says what is drawn: models that the frame declares by `models name`, or "
+    "`screen`, which is one triangle over the whole result.",
+)
+STEP_ARGUMENTS = _error(
+    "B0805",
+    "`{name}` takes {expected}",
+    "A pass is told what it draws and, if that is not the frame's own size, where to: "
+    "`Pass(models)`, `Pass(screen, size / 2)`, `Pass(models, other_step)`. A kernel knows by its "
+    "results how often it runs. All else is set by `with { name = value }`.",
+)
+INPUT_MISSING = _error(
+    "B0806",
+    "`{step}` needs `{name}`",
+    "A texture of a pass or a kernel that has no default, and a buffer, is set where the frame is "
+    "put together: `with { name = step.target }`, or `with { name = albedo }` where the frame has "
+    "a `map albedo` that its host binds.",
+)
+PLACES_DIFFER = _error(
+    "B0807",
+    "`{first}` and `{second}` do not fit together: {reason}",
+    "What is drawn at once has one size, equally many layers, and equally many samples.",
+)
+NO_OUTPUT = _error(
+    "B0808",
+    "frame `{name}` has no output",
+    "`output picture = step.target` says what the host gets. What no output needs is not drawn.",
+)
+NOT_ADDED = _error(
+    "B0809",
+    "`{target}` of `{step}` is not blended, so each light would replace the one before",
+    "`sum lamp in rig` draws once for each light into the same targets. Declare the pass with "
+    "`blend add`.",
+)
+NO_RANGE_OF_STEPS = _error(
+    "B0810",
+    "steps cannot be repeated over this",
+    "`each i in 0..4` and `iterate` need numbers that are known when compiling, 256 at most. "
+    "`each face in cube` draws the six faces of a cube, `each level in mips(5)` so many mip "
+    "levels, and `sum lamp in rig` once for each light.",
+)
+NOT_NEEDED = _warning(
+    "B0811",
+    "nothing needs `{name}`, so it is not drawn",
+    "A step is drawn if an output of the frame depends on it. Make it one, or remove it.",
+)
+NO_MATERIAL_TO_DRAW = _error(
+    "B0812",
+    "no material of this file is among the models `{name}`",
+    "Models of a scene have the materials that the file declares and that are not abstract. "
+    "`models name : Base` are those whose material extends `Base`.",
+)
+NOT_FILTERED = _error(
+    "B0813",
+    "`{name}` of `{step}` filters its texels, and `{format}` cannot be filtered",
+    "Many devices filter no 32-bit floats. Declare the texture with `{{ filter = nearest, "
+    "mip = none }}`, or the target with a 16-bit format.",
+)
+FRAME_CYCLE = _error(
+    "B0814",
+    "`{name}` needs itself: {cycle}",
+    "A frame draws its steps one after the other, so none of them can need what comes of it. "
+    "`previous(step.target)` is what the last frame left there.",
+)
+NO_INITIAL = _error(
+    "B0815",
+    "in the first frame, nothing has left `{name}`",
+    "A buffer has as many elements as what made it says, and before the first frame nothing did. "
+    "`previous(moved.after, seeded.after)` reads the second buffer in the first frame.",
+)

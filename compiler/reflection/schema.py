@@ -1,4 +1,4 @@
-"""The JSON Schema of the reflection, and a check against it.
+"""The JSON Schemas of reflections and of plans, and checks against them.
 
 Compiling never imports this module: ``jsonschema`` is needed by those who check only.
 """
@@ -11,12 +11,12 @@ from typing import Any
 
 from jsonschema import Draft202012Validator
 
-SCHEMA = "reflection.schema.json"
+REFLECTION, PLAN = "reflection.schema.json", "plan.schema.json"
 
 
-def schema() -> dict[str, Any]:
-    """The schema that lies beside this module."""
-    text = files(__package__).joinpath(SCHEMA).read_text(encoding="utf-8")
+def schema(name: str = REFLECTION) -> dict[str, Any]:
+    """One of the schemas, which lie beside this module."""
+    text = files(__package__).joinpath(name).read_text(encoding="utf-8")
     loaded: dict[str, Any] = json.loads(text)
     return loaded
 
@@ -24,3 +24,8 @@ def schema() -> dict[str, Any]:
 def validate(reflection: dict[str, Any]) -> None:
     """Raises ``jsonschema.ValidationError`` where the reflection does not follow the schema."""
     Draft202012Validator(schema()).validate(reflection)
+
+
+def validate_plan(plan: dict[str, Any]) -> None:
+    """Raises ``jsonschema.ValidationError`` where the plan does not follow the schema."""
+    Draft202012Validator(schema(PLAN)).validate(plan)

@@ -287,6 +287,11 @@ class Builder:
     ) -> ast.Fold:
         return ast.Fold(span, operator, ast.Turns(variable, *over, most), initial, body)
 
+    def fold_over(
+        self, span: Span, operator: ast.FoldWord, variable: Name, over: Expression, body: Expression
+    ) -> ast.FoldOver:
+        return ast.FoldOver(span, operator, variable, over, body)
+
     def folding(self, _: Span, word: Token) -> str:
         return word.text
 
@@ -346,6 +351,9 @@ class Builder:
 
     def replacement(self, _: Span, name: Name, value: Expression) -> Replacement:
         return name, value
+
+    def light_replacement(self, _: Span, light: Name, slot: Name, value: Expression) -> Replacement:
+        return Name(f"{light.text}.{slot.text}", light.span.to(slot.span)), value
 
     def number(self, span: Span, token: Token) -> ast.Number:
         text = token.text

@@ -68,6 +68,8 @@ def show(node: ast.Expression) -> str:  # noqa: PLR0912
         case ast.Fold(operator=operator, turns=turns, initial=initial, body=body):
             first = "" if initial is None else f" from {show(initial)}"
             return f"({operator} {_turns(turns)}{first} : {show(body)})"
+        case ast.FoldOver(operator=operator, variable=variable, over=whole, body=body):
+            return f"({operator} {variable.text} in {show(whole)} : {show(body)})"
         case ast.Iterate(state=state, initial=initial, turns=turns, condition=c, body=body):
             going_on = "" if c is None else f" while {show(c)}"
             over = f"for {_turns(turns)}" if turns.variable.text else f"up to {show(turns.end)}"

@@ -304,6 +304,7 @@ RULES: Rules = {
     ast.Ascription: Rule(_operand, _ascription),
     ast.Array: Rule(_elements, aggregates.array),
     ast.Fold: Rule(loops.bounds_of_fold, loops.fold),
+    ast.FoldOver: Rule(loops.no_operands, loops.fold_over),
     ast.Iterate: Rule(loops.bounds_of_iterate, loops.iterate),
     ast.Call: OpenRule(calls.operands_of_call, calls.call),
     ast.With: OpenRule(calls.operands_of_with, calls.replaced),

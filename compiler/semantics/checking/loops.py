@@ -11,6 +11,8 @@ from functools import partial
 from ....frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import Moved, close, substitute
 from ...ir.node import (
@@ -23,6 +25,7 @@ from ...ir.node import (
 )
 from ...ir.types import BOOL, INT, Opaque, Scalar, Texture, Type, Vector, width
 from ...syntax import ast
+from ...syntax.quoting import spanned
 from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Inner, Scope, Value
@@ -35,6 +38,7 @@ LARGEST_STATE = 64
 OPERATORS: Mapping[ast.FoldWord, FoldOperator] = {
     "sum": "add", "product": "mul", "min": "min", "max": "max", "all": "and", "any": "or",
 }  # fmt: skip
+"""Folds of numbers; ``each`` is none."""
 
 
 def folded(
@@ -70,6 +74,9 @@ def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
 
 def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``sum i in a..b from x : e`` and its like."""
+    if e.operator not in OPERATORS:
+        ctx.report.add(rules.FRAMES_ONLY, e.span, what=f"`{e.operator}`")
+        return FAILURE
     if too_deep(ctx, e, scope.loops):
         return FAILURE
     outside = list(operands)
@@ -79,6 +86,25 @@ def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> V
         return FAILURE
     inner = scope.inside_loop({e.turns.variable.text: turns.index})
     return Inner((e.body,), inner, partial(_folded, ctx, e, turns, initial))
+
+
+def no_operands(_e: ast.FoldOver, _scope: Scope) -> tuple[ast.Expression, ...]:
+    """What is evaluated before a fold over no range: nothing."""
+    return ()
+
+
+def fold_over(ctx: Context, e: ast.FoldOver, _operands: Sequence[Node], _scope: Scope) -> Failure:
+    """``sum lamp in rig : e`` has a meaning in frames only."""
+    place = Span(e.over.span.source, e.over.span.start, e.over.span.start)
+    counted = fix_it(
+        f"a fold goes over a range: `{e.operator} {e.variable.text} in 0..{spanned(e.over.span)}`",
+        (place, "0.."),
+    )  # fmt: skip
+    ctx.report.add(
+        rules.FRAMES_ONLY, e.span, what=f"`{e.operator} … in` something that is no range",
+        hint=counted if e.operator in OPERATORS else "",
+    )  # fmt: skip
+    return FAILURE
 
 
 def _folded(

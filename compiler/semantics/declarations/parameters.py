@@ -56,6 +56,7 @@ DEFAULT_GROUPS: Mapping[str, str] = {
     "light": "rig",
     "pass": "frame",
     "kernel": "draw",
+    "frame": "frame",
 }
 """The group of a parameter that names none, by what declares it."""
 

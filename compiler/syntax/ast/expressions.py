@@ -168,7 +168,8 @@ class Turns:
     most: Expression | None
 
 
-FoldWord = Literal["sum", "product", "min", "max", "any", "all"]
+FoldWord = Literal["sum", "product", "min", "max", "any", "all", "each"]
+"""``each`` makes layers of what a frame draws, and has no meaning elsewhere."""
 
 
 @frozen(eq=False)
@@ -179,6 +180,17 @@ class Fold:
     operator: FoldWord
     turns: Turns
     initial: Expression | None
+    body: Expression
+
+
+@frozen(eq=False)
+class FoldOver:
+    """``sum lamp in rig : e``, ``each face in cube : e``: what a frame repeats, over no range."""
+
+    span: Span
+    operator: FoldWord
+    variable: Name
+    over: Expression
     body: Expression
 
 
@@ -196,7 +208,7 @@ class Iterate:
 
 Expression = (
     Number | Color | Boolean | Reference | Unary | Binary | Conditional | Call | Field | Index
-    | With | AtRate | Conversion | Ascription | Array | Fold | Iterate
+    | With | AtRate | Conversion | Ascription | Array | Fold | FoldOver | Iterate
 )  # fmt: skip
 
 

@@ -29,10 +29,10 @@ Inheritance = Literal["overridden", "replaced", "gathered"]
 - ``gathered``: it has no name, and those of the whole chain count together.
 """
 
-Contribution = Literal["parameter", "resource", "attribute", "value", "result"]
+Contribution = Literal["parameter", "resource", "attribute", "value", "result", "drawn"]
 """What a shader gets of a member: a value that the host sets, a texture or a buffer that it binds,
-an input of the vertices, something computed that others read, or something that the shader
-delivers."""
+an input of the vertices, something computed that others read, something that the shader delivers,
+or something that is drawn."""
 
 
 @frozen
@@ -289,6 +289,29 @@ KINDS: tuple[MemberKind, ...] = (
         form="the size of the work groups is `work_group of 128`, or `work_group of 16 by 16` "
         "where the results have two dimensions",
         doc="how many invocations of a kernel run together",
+    ),
+    MemberKind(
+        word="models",
+        node=members.Models,
+        productions={"models": members.Models},
+        opening=("NAME",),
+        records=("frame",),
+        inheritance="replaced",
+        contribution="drawn",
+        form="models of the host's scene are `models name`, or `models name : Material` where "
+        "all of them are made of this material or of one that extends it",
+        doc="models of the host's scene, which passes draw",
+    ),
+    MemberKind(
+        word="output",
+        node=members.Output,
+        productions={"output": members.Output},
+        opening=("NAME", "="),
+        records=("frame",),
+        inheritance="replaced",
+        contribution="result",
+        form="an output is `output name = result`",
+        doc="a result that the host gets",
     ),
 )
 

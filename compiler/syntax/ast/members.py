@@ -1,4 +1,4 @@
-"""Members of materials, lights, passes, kernels and mixins: one class for each kind.
+"""Members of materials, lights, passes, kernels, frames and mixins: one class for each kind.
 
 ``member_kinds.py`` has a row for each of them, with all else that the compiler knows of a kind.
 """
@@ -11,7 +11,7 @@ from ....frozen import frozen
 from ...diagnostics.source import Span
 from .expressions import Expression, Name, Turns, TypeName
 
-RecordKind = Literal["material", "light", "pass", "kernel"]
+RecordKind = Literal["material", "light", "pass", "kernel", "frame"]
 RECORD_KINDS: tuple[RecordKind, ...] = get_args(RecordKind)
 """The kinds of records that have members; a mixin has those of the kind that it is for."""
 
@@ -217,9 +217,30 @@ class WorkGroup:
     sides: tuple[Expression, ...]
 
 
+@frozen(eq=False)
+class Models:
+    """``models mirrors : Shiny``: models of the host's scene that a frame draws."""
+
+    span: Span
+    doc: str
+    name: Name
+    material: Name | None
+    """What the materials of these models extend."""
+
+
+@frozen(eq=False)
+class Output:
+    """``output picture = toned.color``: a result of a frame that its host gets."""
+
+    span: Span
+    doc: str
+    name: Name
+    value: Expression
+
+
 Member = (
     Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Capture | Expand
-    | Tessellate | Result | Scatter | Extent | WorkGroup
+    | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 

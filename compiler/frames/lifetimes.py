@@ -1,0 +1,131 @@
+"""From which step to which a frame needs what its steps leave."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...frozen import fresh, record
+from ..ir.frame import (
+    Attachment,
+    Elements,
+    Frame,
+    FromHost,
+    Image,
+    KernelStep,
+    Previous,
+    RenderStep,
+    Source,
+    Step,
+    Use,
+)
+
+Left = Image | Elements
+"""What a step leaves."""
+
+ALWAYS = 1 << 30
+"""A step after the last one: what is needed then lives on."""
+
+
+def uses_of(step: Step) -> Iterator[Use]:
+    """The shaders of a step, with what they are given."""
+    if isinstance(step, KernelStep):
+        yield step.use
+    else:
+        for drawn in step.draws:
+            yield from drawn.uses
+
+
+def sources_of(step: Step) -> Iterator[Source]:
+    """Where the inputs of a step come from; several may come from one place."""
+    for use in uses_of(step):
+        for given in use.given:
+            yield given.source
+
+
+def attachments_of(step: Step) -> tuple[Attachment, ...]:
+    """What a pass draws to, its depths last."""
+    if not isinstance(step, RenderStep):
+        return ()
+    return step.attachments if step.depth is None else (*step.attachments, step.depth)
+
+
+def written_by(step: Step) -> Iterator[Left]:
+    """What a step leaves."""
+    if isinstance(step, KernelStep):
+        yield from step.images.values()
+        yield from step.buffers.values()
+    else:
+        yield from (each.image for each in attachments_of(step))
+
+
+def read_by(step: Step) -> Iterator[Left]:
+    """What a step reads that others have left in this frame."""
+    for source in sources_of(step):
+        found = source.initially if isinstance(source, Previous) else source
+        if isinstance(found, Image | Elements):
+            yield found
+
+
+@record
+class Lifetimes:
+    """The first and the last step that need each thing that is left."""
+
+    first: dict[Left, int] = fresh(factory=dict)
+    last: dict[Left, int] = fresh(factory=dict)
+    kept: dict[Left, None] = fresh(factory=dict)
+    """What the next frame reads, in order."""
+
+    @classmethod
+    def of(cls, frame: Frame) -> Lifetimes:
+        """Those of a frame's steps, which are numbered in order."""
+        found = cls()
+        for number, step in enumerate(frame.steps):
+            for left in written_by(step):
+                found.first.setdefault(left, number)
+                found.last[left] = number
+            for left in read_by(step):
+                found.last[left] = number
+            for attachment in attachments_of(step):
+                if attachment.over is not None:
+                    found.last[attachment.over] = number
+            for source in sources_of(step):
+                if isinstance(source, Previous) and source.of is not None:
+                    found.kept[source.of] = None
+        for output in frame.outputs:
+            found.last[output.source] = ALWAYS
+        return found
+
+    def is_over(self, left: Left, step: int) -> bool:
+        """Whether nothing needs something any more behind a step."""
+        return left not in self.kept and self.last[left] <= step
+
+
+def only_first(frame: Frame) -> frozenset[str]:
+    """The names of steps that are needed in the first frame only, as ``previous`` reads what they
+    leave before there is a last one."""
+    makers = {left: step for step in frame.steps for left in written_by(step)}
+    pending: list[Left] = [output.source for output in frame.outputs]
+    needed: dict[str, None] = {}
+    while pending:
+        step = makers[pending.pop()]
+        if step.name in needed:
+            continue
+        needed[step.name] = None
+        # All steps that draw into one image belong together.
+        mine = set(written_by(step))
+        for other in frame.steps:
+            if not mine.isdisjoint(written_by(other)):
+                pending += _always_read(other)
+                needed[other.name] = None
+    return frozenset(step.name for step in frame.steps if step.name not in needed)
+
+
+def _always_read(step: Step) -> Iterator[Left]:
+    """What a step needs in every frame."""
+    for source in sources_of(step):
+        if isinstance(source, Previous):
+            if source.of is not None:
+                yield source.of
+        elif not isinstance(source, int | FromHost):
+            yield source
+    yield from (each.over for each in attachments_of(step) if each.over is not None)

@@ -1,0 +1,260 @@
+"""Makes a plan of a frame: textures that results share, copies, loads and stores, barriers.
+
+``compiled.py`` calls ``plan`` when somebody asks for a frame's plan, and ``reflection/plan.py``
+writes what comes of it as JSON.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Iterator, Mapping
+from typing import Literal
+
+from ...frozen import fresh, frozen, record
+from ..ir.frame import Attachment, Frame, Image, KernelStep, Step
+from .lifetimes import (
+    Left,
+    Lifetimes,
+    attachments_of,
+    only_first,
+    read_by,
+    written_by,
+)
+
+State = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
+"""What a texture is used as: drawn to, written by a kernel, read, copied. At first it has no
+contents: ``undefined``."""
+
+_WRITES = frozenset(("target", "depth", "image", "copied_to"))
+"""Uses behind which even the same use has to wait."""
+
+
+@record
+class PlannedTexture:
+    """A texture that the host makes, for one result after the other."""
+
+    images: list[Image]
+    uses: dict[State, None] = fresh(factory=dict)
+    kept: bool = False
+    """Whether its contents are needed in the next frame."""
+
+
+@frozen(eq=False)
+class Barrier:
+    """A texture that is used in another way from here on."""
+
+    texture: int
+    before: State
+    after: State
+
+
+@frozen(eq=False)
+class Target:
+    """An attachment of a step with what happens to its texture."""
+
+    attachment: Attachment
+    texture: int
+    loads: bool
+    """Whether what is there is kept; else it is cleared."""
+    stores: bool
+    """Whether anybody needs what is drawn."""
+
+
+@frozen(eq=False)
+class Copy:
+    """What is there before a step draws over it, where others still need what was there."""
+
+    image: Image
+    into: Image
+
+
+@frozen(eq=False)
+class PlannedStep:
+    """A step of the plan."""
+
+    step: Step | Copy
+    barriers: tuple[Barrier, ...]
+    targets: tuple[Target, ...] = ()
+    depth: Target | None = None
+    only_first: bool = False
+    """Whether it is needed in the first frame only."""
+
+
+@frozen(eq=False)
+class Kept:
+    """Something that the next frame reads: of two textures, or buffers, one is drawn while the
+    other one still has what the last frame left; after the frame they are exchanged."""
+
+    left: Left
+    texture: int | None
+    previous: int | None
+    """The textures; ``None`` for buffers, of which each result has its own."""
+
+
+@frozen(eq=False)
+class Plan:
+    """What a host does for a frame."""
+
+    frame: Frame
+    textures: tuple[PlannedTexture, ...]
+    texture_of: Mapping[Image, int]
+    lifetimes: Lifetimes
+    steps: tuple[PlannedStep, ...]
+    kept: tuple[Kept, ...]
+
+
+def plan(frame: Frame) -> Plan:
+    """The plan of a frame."""
+    return _Planning(frame).plan()
+
+
+class _Planning:
+    def __init__(self, frame: Frame) -> None:
+        self._frame = frame
+        self._lifetimes = Lifetimes.of(frame)
+        self._textures: list[PlannedTexture] = []
+        self._texture_of: dict[Image, int] = {}
+        self._free: dict[Hashable, list[int]] = {}
+        self._states: dict[int, State] = {}
+        self._drawn: set[tuple[Image, int | None, int]] = set()
+        """Layers and levels that have been drawn to."""
+
+    def plan(self) -> Plan:
+        kept = tuple(self._kept(left) for left in self._lifetimes.kept)
+        rare = only_first(self._frame)
+        steps: list[PlannedStep] = []
+        for number, step in enumerate(self._frame.steps):
+            copies = list(self._placed(number, step))
+            steps += [self._copied(copy) for copy in copies]
+            steps.append(self._planned(number, step, step.name in rare))
+            self._release(number, step)
+        return Plan(
+            self._frame,
+            tuple(self._textures),
+            self._texture_of,
+            self._lifetimes,
+            tuple(steps),
+            kept,
+        )
+
+    # --- textures ---
+
+    def _kept(self, left: Left) -> Kept:
+        if not isinstance(left, Image):
+            return Kept(left, None, None)
+        texture, previous = self._new(left), self._new(left)
+        for number in (texture, previous):
+            self._textures[number].kept = True
+        self._texture_of[left] = texture
+        self._states[previous] = "sampled"
+        self._textures[previous].uses["sampled"] = None
+        return Kept(left, texture, previous)
+
+    def _new(self, image: Image) -> int:
+        self._textures.append(PlannedTexture([image]))
+        self._states[len(self._textures) - 1] = "undefined"
+        return len(self._textures) - 1
+
+    def _key(self, image: Image) -> Hashable:
+        """What two images have in common that can share a texture."""
+        value = image.size.value
+        size = image.size.kernel if value is None else self._frame.values[value].id
+        return (image.format, size, image.size.level, image.dimension, image.layers, image.levels)
+
+    def _placed(self, number: int, step: Step) -> Iterator[Copy]:
+        """Find a texture for everything that a step draws; what has to be copied before it."""
+        read = set(read_by(step))
+        for attachment in attachments_of(step):
+            image, over = attachment.image, attachment.over
+            if over is None or image in self._texture_of:
+                continue
+            if over not in read and self._lifetimes.is_over(over, number):
+                self._share(image, self._texture_of[over])
+            else:
+                self._allot(image)
+                yield Copy(over, image)
+        for left in written_by(step):
+            if isinstance(left, Image) and left not in self._texture_of:
+                self._allot(left)
+
+    def _allot(self, image: Image) -> None:
+        free = self._free.get(self._key(image))
+        if free:
+            self._share(image, free.pop())
+        else:
+            self._texture_of[image] = self._new(image)
+
+    def _share(self, image: Image, texture: int) -> None:
+        self._texture_of[image] = texture
+        self._textures[texture].images.append(image)
+
+    def _release(self, number: int, step: Step) -> None:
+        """Free the textures that nothing needs behind a step."""
+        over = [each.over for each in attachments_of(step) if each.over is not None]
+        touched = dict.fromkeys([*written_by(step), *read_by(step), *over])
+        for left in touched:
+            if not isinstance(left, Image) or not self._lifetimes.is_over(left, number):
+                continue
+            texture = self._texture_of[left]
+            if self._textures[texture].images[-1] is left:
+                self._free.setdefault(self._key(left), []).append(texture)
+
+    # --- steps ---
+
+    def _copied(self, copy: Copy) -> PlannedStep:
+        states: tuple[tuple[State, Image], ...] = (
+            ("copied_from", copy.image), ("copied_to", copy.into),
+        )  # fmt: skip
+        self._drawn |= {(copy.into, layer, level) for image, layer, level in self._drawn
+                        if image is copy.image}  # fmt: skip
+        barriers = self._barriers((self._texture_of[i], state) for state, i in states)
+        return PlannedStep(copy, barriers)
+
+    def _planned(self, number: int, step: Step, rare: bool) -> PlannedStep:
+        barriers = self._barriers(self._used(step))
+        targets = [self._target(number, each) for each in attachments_of(step)]
+        for target in targets:
+            attachment = target.attachment
+            self._drawn.add((attachment.image, attachment.layer, attachment.level))
+        has_depth = not isinstance(step, KernelStep) and step.depth is not None
+        depth = targets.pop() if has_depth else None
+        return PlannedStep(step, barriers, tuple(targets), depth, rare)
+
+    def _target(self, number: int, attachment: Attachment) -> Target:
+        image = attachment.image
+        again = (image, attachment.layer, attachment.level) in self._drawn
+        return Target(
+            attachment, self._texture_of[image], again or attachment.over is not None,
+            self._is_needed(number, image),
+        )  # fmt: skip
+
+    def _is_needed(self, number: int, image: Image) -> bool:
+        """Whether somebody reads an image behind a step that draws it."""
+        if image in self._lifetimes.kept or self._lifetimes.last[image] == number:
+            return image in self._lifetimes.kept
+        later = self._frame.steps[number + 1 :]
+        reads = any(image in set(read_by(step)) for step in later)
+        drawn_over = any(each.over is image for step in later for each in attachments_of(step))
+        return reads or drawn_over or any(o.source is image for o in self._frame.outputs)
+
+    def _used(self, step: Step) -> Iterator[tuple[int, State]]:
+        for left in read_by(step):
+            if isinstance(left, Image):
+                yield self._texture_of[left], "sampled"
+        if isinstance(step, KernelStep):
+            for image in step.images.values():
+                yield self._texture_of[image], "image"
+            return
+        for attachment in step.attachments:
+            yield self._texture_of[attachment.image], "target"
+        if step.depth is not None:
+            yield self._texture_of[step.depth.image], "depth"
+
+    def _barriers(self, used: Iterable[tuple[int, State]]) -> tuple[Barrier, ...]:
+        found = []
+        for texture, state in dict.fromkeys(used):
+            before = self._states[texture]
+            self._textures[texture].uses[state] = None
+            if before != state or before in _WRITES:
+                found.append(Barrier(texture, before, state))
+            self._states[texture] = state
+        return tuple(found)

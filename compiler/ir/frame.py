@@ -1,0 +1,203 @@
+"""What a frame is: steps that draw and compute, what they leave, and what they read of each other.
+
+Semantics makes a ``Frame`` of a declaration; ``compiler/frames`` makes a plan of it, which hosts
+execute. A frame has no order of its own: each step says what it needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from ...frozen import frozen, record
+from ..diagnostics.source import Span
+from .node import Node
+from .shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
+
+ImageDimension = Literal["2d", "2d_array", "cube"]
+
+DEPTH = "depth"
+"""What the depths are called that a pass leaves."""
+
+
+@frozen(eq=False)
+class FrameShader:
+    """One shader of a frame: a pass with a material and lights, or a kernel."""
+
+    name: str
+    """By which the plan names it, and its files: ``Deferred.GBuffer.Plastic``."""
+    shader: Shader
+
+
+@frozen(eq=False)
+class Size:
+    """How large an image is."""
+
+    value: int | None
+    """The number of the value that says it, an ``ivec2``; ``None`` where a kernel says it."""
+    kernel: str = ""
+    """The step whose kernel says it by its extent."""
+    level: int = 0
+    """How often it has been halved."""
+
+
+@frozen(eq=False)
+class Image:
+    """A texture that a step leaves: a target of a pass, its depths, or an image of a kernel."""
+
+    name: str
+    """``step.target``."""
+    format: str
+    """One of the formats of render targets, or of depths."""
+    size: Size
+    dimension: ImageDimension
+    layers: int
+    """How many, or 6 of a cube; 1 where the dimension is ``2d``."""
+    levels: int
+    doc: str
+    span: Span
+
+
+@frozen(eq=False)
+class Elements:
+    """A storage buffer that a kernel leaves."""
+
+    name: str
+    info: BufferInfo
+    doc: str
+    span: Span
+
+
+@frozen(eq=False)
+class FromHost:
+    """A texture or a buffer that the host binds, by the frame's name for it."""
+
+    name: str
+
+
+@record
+class Previous:
+    """What an image or a buffer held at the end of the last frame."""
+
+    of: Image | Elements | None = None
+    """Unknown while the frame is checked: what is read may be made later."""
+    initially: Image | Elements | FromHost | None = None
+    """What is read in the first frame instead; ``None`` for an image without anything drawn."""
+
+
+Source = int | Image | Elements | Previous | FromHost
+"""Where the value of an input comes from; a number is that of one of the frame's values."""
+
+
+@frozen(eq=False)
+class Given:
+    """An input of a shader that the frame sets, by the name that hosts know it by."""
+
+    name: str
+    source: Source
+
+
+@frozen(eq=False)
+class Use:
+    """A shader in a step, with what the frame sets there."""
+
+    material: str
+    """Whose models are drawn with it; empty where there are none."""
+    shader: FrameShader
+    given: tuple[Given, ...]
+
+
+@frozen(eq=False)
+class Drawn:
+    """What a step draws, one draw behind the other."""
+
+    models: str
+    """Models of the host's scene; empty for one triangle over everything."""
+    uses: tuple[Use, ...]
+    """A shader for each material that they may have."""
+    light: str = ""
+    """The entry of the rig for each of whose lights this is drawn once more."""
+
+
+@frozen(eq=False)
+class Attachment:
+    """What one target of a pass, or its depths, is drawn to."""
+
+    target: str
+    image: Image
+    layer: int | None
+    """Which one; ``None`` for all of them."""
+    level: int
+    over: Image | None
+    """What is there before, drawn by another step; ``None`` if it is cleared."""
+
+
+@frozen(eq=False)
+class RenderStep:
+    """A pass that is drawn."""
+
+    name: str
+    pass_name: str
+    attachments: tuple[Attachment, ...]
+    depth: Attachment | None
+    draws: tuple[Drawn, ...]
+    doc: str
+    span: Span
+
+
+@frozen(eq=False)
+class KernelStep:
+    """A kernel that is run."""
+
+    name: str
+    use: Use
+    images: Mapping[str, Image]
+    buffers: Mapping[str, Elements]
+    """By the names of the kernel's results."""
+    doc: str
+    span: Span
+
+
+Step = RenderStep | KernelStep
+
+
+@frozen(eq=False)
+class Models:
+    """Models of the host's scene that the frame draws."""
+
+    name: str
+    materials: tuple[str, ...]
+    """That they may have."""
+    doc: str
+    span: Span
+
+
+@frozen(eq=False)
+class Output:
+    """What a host gets of a frame."""
+
+    name: str
+    source: Image | Elements
+    doc: str
+    span: Span
+
+
+@frozen(eq=False)
+class Frame:
+    """A frame, checked."""
+
+    name: str
+    doc: str
+    span: Span
+    rig: str
+    values: tuple[Node, ...]
+    """Numbers that the host computes, in terms of ``parameters`` and the sizes of ``resources``.
+    Equal ones are one node."""
+    parameters: tuple[ParameterInfo, ...]
+    resources: tuple[ResourceInfo, ...]
+    buffers: tuple[BufferInfo, ...]
+    models: tuple[Models, ...]
+    shaders: tuple[FrameShader, ...]
+    steps: tuple[Step, ...]
+    """Those that outputs need, each behind what it needs itself."""
+    outputs: tuple[Output, ...]

@@ -1,0 +1,292 @@
+"""The plan of a frame as one JSON document: ``plan.schema.json`` describes it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from ..diagnostics.source import Span
+from ..frames.planning import Barrier, Copy, Plan, PlannedStep, Target
+from ..ir.frame import (
+    Drawn,
+    Elements,
+    FrameShader,
+    FromHost,
+    Given,
+    Image,
+    KernelStep,
+    Previous,
+    RenderStep,
+    Use,
+)
+from ..ir.leaves import Resource
+from ..ir.shader import BufferInfo, ParameterInfo, ResourceInfo
+from ..ir.types import Texture
+from ..packing import packing
+from .bytes import layout_row
+from .parameters import light_rows, member_rows
+from .values import listed, steps
+
+VERSION = 1
+"""Grows when a host that executes plans has to change."""
+
+
+def plan_document(plan: Plan) -> dict[str, Any]:
+    """Everything that a host needs to draw a frame, but for the reflections of its shaders."""
+    return _Document(plan).rows()
+
+
+class _Document:
+    def __init__(self, plan: Plan) -> None:
+        self._plan = plan
+        self._frame = plan.frame
+        self._shaders: Mapping[FrameShader, int] = {
+            shader: number for number, shader in enumerate(self._frame.shaders)
+        }
+        self._previous = {kept.left: kept.previous for kept in plan.kept}
+        self._values = {node: n for n, node in enumerate(dict.fromkeys(self._frame.values))}
+        """Equal values are one node, and one row."""
+
+    def rows(self) -> dict[str, Any]:
+        frame = self._frame
+        lights = {info.parameter.name for info in frame.parameters if info.light}
+        counts = {info.count.parameter.name for info in frame.buffers}
+        own = [i for i in frame.parameters if i.parameter.name not in lights | counts]
+        return {
+            "plan": VERSION,
+            "frame": frame.name,
+            "doc": frame.doc,
+            "source": _place(frame.span),
+            "rig": frame.rig,
+            "parameters": [_parameter_row(info) for info in own],
+            "lights": light_rows(frame.parameters),
+            "host_textures": [_host_texture_row(info) for info in frame.resources],
+            "host_buffers": [_host_buffer_row(info) for info in frame.buffers],
+            "models": [
+                {
+                    "name": models.name,
+                    "materials": list(models.materials),
+                    "doc": models.doc,
+                    "source": _place(models.span),
+                }
+                for models in frame.models
+            ],
+            "shaders": [_shader_row(shader) for shader in frame.shaders],
+            "values": [
+                {"representation": str(value.type), "steps": steps(value)} for value in self._values
+            ],
+            "textures": list(self._texture_rows()),
+            "results": list(self._result_rows()),
+            "steps": [self._step_row(planned) for planned in self._plan.steps],
+            "kept": list(self._kept_rows()),
+            "outputs": [
+                {
+                    "name": output.name,
+                    "result": output.source.name,
+                    "texture": self._texture(output.source),
+                    "doc": output.doc,
+                    "source": _place(output.span),
+                }
+                for output in frame.outputs
+            ],
+        }
+
+    # --- what there is ---
+
+    def _texture_rows(self) -> Iterator[dict[str, Any]]:
+        for texture in self._plan.textures:
+            image = texture.images[0]
+            yield {
+                "format": image.format,
+                "dimension": image.dimension,
+                "size": self._size_row(image),
+                "layers": image.layers,
+                "levels": image.levels,
+                "uses": list(texture.uses),
+                "kept": texture.kept,
+                "results": [each.name for each in texture.images],
+            }
+
+    def _size_row(self, image: Image) -> dict[str, Any]:
+        size = image.size
+        value = None if size.value is None else self._values[self._frame.values[size.value]]
+        return {"value": value, "extent_of": size.kernel or None, "level": size.level}
+
+    def _result_rows(self) -> Iterator[dict[str, Any]]:
+        numbers = {planned.step: n for n, planned in enumerate(self._plan.steps)}
+        steps_ = self._frame.steps
+        lifetimes = self._plan.lifetimes
+        for left, first in lifetimes.first.items():
+            last = min(lifetimes.last[left], len(steps_) - 1)
+            yield {
+                "name": left.name,
+                "kind": "buffer" if isinstance(left, Elements) else "texture",
+                "texture": self._texture(left),
+                "first": numbers[steps_[first]],
+                "last": numbers[steps_[last]],
+                "doc": left.doc,
+                "source": _place(left.span),
+            }
+
+    def _kept_rows(self) -> Iterator[dict[str, Any]]:
+        for kept in self._plan.kept:
+            yield {
+                "result": kept.left.name,
+                "texture": kept.texture,
+                "previous": kept.previous,
+            }
+
+    def _texture(self, left: Image | Elements) -> int | None:
+        return self._plan.texture_of[left] if isinstance(left, Image) else None
+
+    # --- what is done ---
+
+    def _step_row(self, planned: PlannedStep) -> dict[str, Any]:
+        barriers = [_barrier_row(barrier) for barrier in planned.barriers]
+        match planned.step:
+            case Copy() as copy:
+                return {
+                    "kind": "copy",
+                    "barriers": barriers,
+                    "from": {"result": copy.image.name, "texture": self._texture(copy.image)},
+                    "to": {"result": copy.into.name, "texture": self._texture(copy.into)},
+                }
+            case RenderStep() as step:
+                return {
+                    "kind": "draw",
+                    "name": step.name,
+                    "pass": step.pass_name,
+                    "barriers": barriers,
+                    "only_first": planned.only_first,
+                    "targets": [self._target_row(target) for target in planned.targets],
+                    "depth": planned.depth and self._target_row(planned.depth),
+                    "draws": [self._drawn_row(drawn) for drawn in step.draws],
+                    "source": _place(step.span),
+                }
+            case KernelStep() as step:
+                return {
+                    "kind": "compute",
+                    "name": step.name,
+                    "barriers": barriers,
+                    "only_first": planned.only_first,
+                    **self._use_row(step.use),
+                    "images": [
+                        {"name": name, "result": image.name, "texture": self._texture(image)}
+                        for name, image in step.images.items()
+                    ],
+                    "buffers": [
+                        {"name": name, "result": elements.name}
+                        for name, elements in step.buffers.items()
+                    ],
+                    "source": _place(step.span),
+                }
+
+    def _target_row(self, target: Target) -> dict[str, Any]:
+        attachment = target.attachment
+        return {
+            "name": attachment.target,
+            "result": attachment.image.name,
+            "texture": target.texture,
+            "layer": attachment.layer,
+            "level": attachment.level,
+            "load": "load" if target.loads else "clear",
+            "store": target.stores,
+            "over": attachment.over and attachment.over.name,
+        }
+
+    def _drawn_row(self, drawn: Drawn) -> dict[str, Any]:
+        return {
+            "models": drawn.models or None,
+            "light": drawn.light or None,
+            "uses": [{"material": use.material or None, **self._use_row(use)}
+                     for use in drawn.uses],
+        }  # fmt: skip
+
+    def _use_row(self, use: Use) -> dict[str, Any]:
+        return {
+            "shader": self._shaders[use.shader],
+            "inputs": [self._input_row(given) for given in use.given],
+        }
+
+    def _input_row(self, given: Given) -> dict[str, Any]:
+        source = given.source
+        if isinstance(source, int):
+            return {"name": given.name, "value": self._values[self._frame.values[source]]}
+        if isinstance(source, Previous):
+            assert source.of is not None
+            initial = source.initially
+            return {
+                "name": given.name,
+                "previous": source.of.name,
+                "texture": self._previous[source.of],
+                "initially": None if initial is None else self._read_row(initial),
+            }
+        return {"name": given.name, **self._read_row(source)}
+
+    def _read_row(self, source: Image | Elements | FromHost) -> dict[str, Any]:
+        if isinstance(source, FromHost):
+            return {"host": source.name}
+        return {"result": source.name, "texture": self._texture(source)}
+
+
+def _barrier_row(barrier: Barrier) -> dict[str, Any]:
+    return {"texture": barrier.texture, "from": barrier.before, "to": barrier.after}
+
+
+def _shader_row(shader: FrameShader) -> dict[str, Any]:
+    made = shader.shader
+    return {
+        "name": shader.name,
+        "reflection": f"{shader.name}.json",
+        "pass": made.pass_name or None,
+        "rig": made.rig_name or None,
+    }
+
+
+def _parameter_row(info: ParameterInfo) -> dict[str, Any]:
+    packed = packing(info.parameter.type)
+    return {
+        "name": info.parameter.name,
+        "type": info.declared_type,
+        "representation": str(info.parameter.type),
+        "range": listed(info.range),
+        "default": listed(info.default),
+        "layout": layout_row(packed),
+        "members": member_rows(packed, info.members),
+        "doc": info.doc,
+        "source": _place(info.span),
+    }
+
+
+def _host_texture_row(info: ResourceInfo) -> dict[str, Any]:
+    resource: Resource = info.resource
+    assert isinstance(resource.type, Texture)
+    return {
+        "name": resource.name,
+        "type": str(resource.type),
+        "dimension": resource.type.dimension,
+        "sample": resource.type.sample,
+        "default": resource.default,
+        "doc": info.doc,
+        "source": _place(info.span),
+    }
+
+
+def _host_buffer_row(info: BufferInfo) -> dict[str, Any]:
+    return {
+        "name": info.buffer.name,
+        "type": f"{info.element.declared_type}[]",
+        "doc": info.doc,
+        "source": _place(info.span),
+    }
+
+
+def _place(span: Span) -> dict[str, Any]:
+    """Where something is declared: lines and columns count from 1."""
+    line, column = span.source.position(span.start)
+    return {
+        "file": span.source.name_in_outputs,
+        "line": line,
+        "column": column,
+        "length": span.end - span.start,
+    }

@@ -1,0 +1,1 @@
+"""Frames: steps that draw and compute, put together."""

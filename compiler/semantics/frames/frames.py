@@ -1,0 +1,211 @@
+"""A frame declaration as a checked ``Frame``: its steps, in an order in which they can be drawn.
+
+``Frontend`` calls ``frame_of`` for each frame of a file that is not abstract.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from ....frozen import frozen
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Report
+from ...ir.frame import Elements, Frame, Image, Models, Output, Step
+from ...syntax import ast
+from ..checking.expressions import RULES
+from ..checking.slots import slot
+from ..checking.unknown_names import unknown
+from ..declarations.parameters import Leaves, all_parameters, leaves_of
+from ..inheritance.flattening import Records, root_of
+from ..inheritance.records import Record
+from ..lowering.outlining import lowered
+from ..names.modules import Module, Symbol
+from ..shading.host_names import Entry, names_taken
+from ..shading.instances import instance_of
+from ..shading.rigs import entries_of
+from ..state.context import Context
+from ..state.scope import OUTERMOST, Failure, Instance, Scope, Value
+from .dependencies import Dependencies, Key, Need
+from .shaders import Shaders
+from .steps import Around, ModelsOf, Steps
+
+
+@frozen
+class Surroundings:
+    """What a frame is checked in."""
+
+    module: Module
+    rig: Symbol
+    report: Report
+    records: Records
+    reached: set[Symbol]
+    """Gets every declaration that was checked on the way."""
+
+
+def frame_of(symbol: Symbol, around: Surroundings) -> Frame | None:
+    """The frame that a declaration says, or ``None`` after reporting why there is none."""
+    return _Checking(symbol, around).frame()
+
+
+class _Checking:
+    def __init__(self, symbol: Symbol, around: Surroundings) -> None:
+        self._symbol = symbol
+        self._around = around
+        self._ctx = ctx = Context(around.report, around.records, RULES)
+        self._record: Record = around.records.of(symbol)
+        self._leaves: Leaves = leaves_of(ctx, self._record)
+        self._instance: Instance = instance_of(ctx, self._record, self._leaves)
+        taken = names_taken((self._leaves,), symbol.module)
+        self._entries: list[Entry] = entries_of(ctx, around.rig, taken)
+        self._lights = self._light_values()
+        self._models = self._all_models()
+        self._dependencies = Dependencies(self._record, around.report)
+        root = root_of(symbol.module, "material")
+        assert root is not None
+        shaders = Shaders(
+            symbol.name, around.module, around.rig, root, around.report, around.records,
+            around.reached,
+        )  # fmt: skip
+        self._shaders = shaders
+        self._steps = Steps(ctx, self._instance, shaders, self._dependencies, self._models)
+
+    def frame(self) -> Frame | None:
+        declaration, ctx = self._symbol.declaration, self._ctx
+        assert isinstance(declaration, ast.Record)
+        self._around.reached.add(self._symbol)
+        outputs = list(self._outputs())
+        needed = tuple(self._steps.steps)
+        self._check_rest(needed)
+        self._steps.settle_previous()
+        ctx.deferred.report()
+        if not outputs and not self._record.baseless and not ctx.report.unread_names:
+            ctx.report.add(rules.NO_OUTPUT, declaration.name.span, name=self._symbol.name)
+        self._around.reached.update(ctx.reached())
+        if ctx.report.failed:
+            return None
+        return self._made(declaration, outputs, needed)
+
+    def _made(
+        self, declaration: ast.Record, outputs: list[Output], needed: tuple[Step, ...]
+    ) -> Frame:
+        lights = tuple(leaves for _, leaves in self._entries)
+        everything = (self._leaves, *lights)
+        values, _graph, _notes = lowered(self._ctx, self._steps.numbers.nodes)
+        return Frame(
+            name=self._symbol.name,
+            doc=declaration.doc,
+            span=declaration.name.span,
+            rig=self._around.rig.name,
+            values=tuple(values),
+            parameters=all_parameters(everything, self._ctx.externs.infos),
+            resources=self._leaves.resources,
+            buffers=self._leaves.buffers,
+            models=tuple(
+                Models(name, tuple(m.name for m in each.materials), each.member.doc,
+                       each.member.name.span)
+                for name, each in self._models.items()
+            ),
+            shaders=self._shaders.made,
+            steps=needed,
+            outputs=tuple(outputs),
+        )  # fmt: skip
+
+    # --- what the frame draws, and under which lights ---
+
+    def _light_values(self) -> Mapping[str, Value]:
+        """The single lights of the rig, whose parameters equations of the frame can read."""
+        return {
+            entry.short_name: instance_of(self._ctx, entry.record, leaves)
+            for entry, leaves in self._entries
+            if entry.kind == "single"
+        }
+
+    def _all_models(self) -> dict[str, ModelsOf]:
+        return {
+            member.name.text: ModelsOf(member, self._materials(member, owner))
+            for member, owner, _level in self._record.every(ast.Models)
+        }
+
+    def _materials(self, member: ast.Models, owner: Symbol) -> tuple[Symbol, ...]:
+        """The materials of the file, own ones and imported ones, that models may have."""
+        module = self._around.module
+        visible = [*module.declared.values(), *module.imported.values()]
+        every = [symbols[0] for symbols in visible if _is_material(symbols[0])]
+        base = member.material
+        if base is not None:
+            symbols = owner.module.find(base.text)
+            if not symbols or not _is_record(symbols[0], "material"):
+                known = [symbol.name for symbol in every]
+                unknown(self._ctx, "material", base.text, base.span, known)
+                return ()
+            every = [s for s in every if symbols[0] in self._ctx.records.of(s).chain]
+        if not every:
+            self._ctx.report.add(rules.NO_MATERIAL_TO_DRAW, member.name.span, name=member.name.text)
+        return tuple(every)
+
+    # --- steps ---
+
+    def _outputs(self) -> Iterator[Output]:
+        """The outputs, with all steps that they need."""
+        written = list(self._record.every(ast.Output))
+        self._check_steps(
+            [
+                need
+                for member, _owner, level in written
+                for need in self._dependencies.needs(member.value, level)
+            ]
+        )
+        for member, owner, level in written:
+            scope = self._scope(owner, level)
+            made = self._steps.made(member.value, Around(scope, member.name.text))
+            if isinstance(made, Image | Elements):
+                yield Output(member.name.text, made, member.doc, member.name.span)
+            elif not isinstance(made, Failure):
+                self._ctx.report.add(rules.NO_RESULT, member.value.span, what="result of a step")
+
+    def _check_steps(self, needs: list[Need]) -> list[Key]:
+        """Check steps that nobody has asked for yet, each behind those that it needs."""
+        keys = [key for key in self._dependencies.ordered(needs) if key not in self._steps.values]
+        for key in keys:
+            definition = self._dependencies.definition(key)
+            assert definition is not None and isinstance(definition.member, ast.Slot)
+            written = definition.member.value
+            assert written is not None
+            scope = self._scope(definition.owner, definition.level)
+            self._steps.values[key] = self._steps.made(written, Around(scope, key[0]))
+        return keys
+
+    def _check_rest(self, needed: tuple[Step, ...]) -> None:
+        """Check what no output needs: other steps, and numbers."""
+        for name, definitions in self._record.definitions.items():
+            member = definitions[0].member
+            if not isinstance(member, ast.Slot):
+                continue
+            key, span = (name, OUTERMOST), member.name.span
+            if not self._dependencies.is_step(key):
+                slot(self._ctx, self._instance, name, span)
+            elif key not in self._steps.values:
+                self._check_steps([Need(key, span, before=True)])
+                if definitions[0].owner.module is self._around.module and needed:
+                    self._warn(name, member)
+
+    def _warn(self, name: str, member: ast.ReadMember) -> None:
+        self._ctx.report.add(rules.NOT_NEEDED, member.name.span, name=name)
+
+    def _scope(self, owner: Symbol, level: int) -> Scope:
+        return Scope(owner.module, self._instance, level, locals=self._lights)
+
+
+def _is_record(symbol: Symbol, kind: str) -> bool:
+    declaration = symbol.declaration
+    return isinstance(declaration, ast.Record) and declaration.kind == kind
+
+
+def _is_material(symbol: Symbol) -> bool:
+    """Whether a symbol is a material that can be drawn."""
+    declaration = symbol.declaration
+    return (
+        isinstance(declaration, ast.Record)
+        and _is_record(symbol, "material")
+        and (not declaration.abstract)
+    )

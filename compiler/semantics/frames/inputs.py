@@ -1,0 +1,203 @@
+"""What a frame gives the inputs of a step by ``with``: numbers, textures and buffers.
+
+``steps.py`` makes ``Inputs`` for each pass or kernel that a frame applies, and asks it for each
+shader that this comes to: the same text means the same for all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ....frozen import changed
+from ....stdlib.builtins.facts import UNKNOWN
+from ...diagnostics import rules
+from ...diagnostics.source import Span
+from ...ir.frame import Elements, FromHost, Given, Image, Previous, Source
+from ...ir.shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
+from ...ir.types import Texture, Type
+from ...syntax import ast
+from ..checking.unknown_names import unknown
+from ..declarations.contracts import as_declared
+from ..names.duplicates import check_once
+from ..state.context import Context
+from ..state.evaluation import node_of
+from ..state.scope import Failure, Instance, Scope
+from ..types.typenames import Declared
+from .shaders import Input, host_name, inputs_of
+from .values import Made, Numbers
+
+Replacements = Sequence[tuple[ast.Name, ast.Expression]]
+"""What stands behind ``with``."""
+
+Later = tuple[Previous, Type, Span]
+"""What the last frame left, as what it is read, and where that is written."""
+
+_DEPTHS = "depth"
+"""What the names of formats begin with that store depths."""
+
+
+def type_of(left: Image | Elements) -> Type:
+    """The type of map or of buffer by which something is read that a step leaves."""
+    if isinstance(left, Elements):
+        return left.info.buffer.type
+    return Texture(left.dimension, "depth" if left.format.startswith(_DEPTHS) else "float")
+
+
+class Inputs:
+    """What one step is given."""
+
+    def __init__(
+        self,
+        ctx: Context,
+        instance: Instance,
+        numbers: Numbers,
+        made: Callable[[ast.Expression, str], Made],
+        given: Replacements,
+        scope: Scope,
+        later: list[Later],
+    ) -> None:
+        """``made`` evaluates an expression about steps, for the input of this name; ``later`` gets
+        what is to be checked when it is known what the last frame left."""
+        self._ctx = ctx
+        self._instance = instance
+        self._numbers = numbers
+        self._made = made
+        self._given = given
+        self._scope = scope
+        self._known: dict[tuple[str, str], Source | Failure] = {}
+        """Sources by the name of the input, and what is declared there."""
+        self._met: set[str] = set()
+        self._seen: set[str] = set()
+        """The names of all inputs there are."""
+        self._later = later
+        check_once(ctx.report, (name for name, _ in given))
+
+    def of(self, shader: Shader) -> tuple[Given, ...] | None:
+        """What a shader is given; ``None`` after reporting what is wrong."""
+        inputs = inputs_of(shader)
+        self._seen.update(name.removeprefix(f"{shader.pass_name}.") for name in inputs)
+        found: list[Given] = []
+        for name, written in self._given:
+            host = host_name(shader, name.text, inputs)
+            if host is None:
+                continue
+            self._met.add(name.text)
+            source = self._source(name.text, written, inputs[host])
+            if isinstance(source, Failure):
+                return None
+            found.append(Given(host, source))
+        return tuple(found)
+
+    def sets(self, name: str) -> bool:
+        """Whether the step is given something of this name."""
+        return any(name == given.text for given, _ in self._given)
+
+    def report_unknown(self, step: str) -> bool:
+        """Whether some name is no input of any of the shaders, which is reported."""
+        unmet = [name for name, _ in self._given if name.text not in self._met]
+        for name in unmet:
+            unknown(self._ctx, f"input of `{step}`", name.text, name.span, sorted(self._seen))
+        return bool(unmet)
+
+    def _source(self, name: str, written: ast.Expression, wanted: Input) -> Source | Failure:
+        key = name, _declared(wanted)
+        if key not in self._known:
+            self._known[key] = self._found(name, written, wanted)
+        return self._known[key]
+
+    def _found(self, name: str, written: ast.Expression, wanted: Input) -> Source | Failure:
+        if isinstance(wanted, ParameterInfo):
+            return self._number(written, wanted)
+        source = self._made(written, name)
+        if isinstance(source, Failure):
+            return source
+        if isinstance(wanted, ResourceInfo):
+            return self._texture(source, written, wanted)
+        return self._buffer(source, written, wanted)
+
+    def _number(self, written: ast.Expression, wanted: ParameterInfo) -> Source | Failure:
+        leaf = wanted.parameter
+        declared = Declared(
+            leaf.type, wanted.declared_type, changed(UNKNOWN, unit=leaf.fact.unit), leaf.meaning
+        )
+        value = node_of(self._ctx, written, self._scope)
+        return self._numbers.number(as_declared(self._ctx, value, declared, written, self._scope))
+
+    def _texture(
+        self, source: Made, written: ast.Expression, wanted: ResourceInfo
+    ) -> Source | Failure:
+        type_ = wanted.resource.type
+        assert isinstance(type_, Texture)
+        return self._read(source, written, type_, "texture")
+
+    def _buffer(
+        self, source: Made, written: ast.Expression, wanted: BufferInfo
+    ) -> Source | Failure:
+        return self._read(source, written, wanted.buffer.type, "buffer")
+
+    def _read(
+        self, source: Made, written: ast.Expression, wanted: Type, what: str
+    ) -> Source | Failure:
+        """A texture or a buffer as the type by which it is read."""
+        if isinstance(source, Previous):
+            self._later.append((source, wanted, written.span))
+            initial = source.initially
+            return (
+                source if initial is None else self._fitting(source, initial, wanted, written, what)
+            )
+        if isinstance(source, Image | Elements | FromHost):
+            return self._fitting(source, source, wanted, written, what)
+        self._ctx.report.add(rules.NO_RESULT, written.span, what=what)
+        return Failure()
+
+    def _fitting(
+        self,
+        source: Source,
+        read: Image | Elements | FromHost,
+        wanted: Type,
+        written: ast.Expression,
+        what: str,
+    ) -> Source | Failure:
+        found = (
+            self._instance.resources[read.name].type
+            if isinstance(read, FromHost)
+            else (type_of(read))
+        )
+        if type(found) is not type(wanted):
+            self._ctx.report.add(rules.NO_RESULT, written.span, what=what)
+            return Failure()
+        return source if fits(self._ctx, found, wanted, written.span) else Failure()
+
+
+def fits(ctx: Context, found: Type, wanted: Type, span: Span) -> bool:
+    """Whether something is of the type by which it is read; reported if not."""
+    if found == wanted:
+        return True
+    ctx.report.add(
+        rules.WRONG_TYPE, span, expected=str(wanted), found=str(found), caption=f"this is `{found}`"
+    )
+    return False
+
+
+def check_previous(ctx: Context, later: Sequence[Later]) -> None:
+    """Check the types of what the last frame left, once it is known what that is."""
+    for source, wanted, span in later:
+        if source.of is None:
+            continue
+        if isinstance(source.of, Elements) and source.initially is None:
+            ctx.report.add(
+                rules.NO_INITIAL, span, name=source.of.name,
+                hint=f"`previous({source.of.name}, first)`, where `first` is another buffer",
+            )  # fmt: skip
+        fits(ctx, type_of(source.of), wanted, span)
+
+
+def _declared(wanted: Input) -> str:
+    """What is declared of an input, by which equal ones are told."""
+    match wanted:
+        case ParameterInfo(declared_type=declared):
+            return declared
+        case ResourceInfo(resource=resource):
+            return str(resource.type)
+        case BufferInfo(buffer=buffer):
+            return str(buffer.type)

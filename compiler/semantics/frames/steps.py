@@ -1,0 +1,606 @@
+"""The steps of a frame: what each draws or computes, where to, and what it is given.
+
+``frames.py`` asks for the slots of a frame in an order in which each stands behind those that it
+needs. A step is checked where it is written, with all that it reads of others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import count
+
+from ....frozen import EMPTY, changed, fresh, frozen, record
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.source import Span
+from ...ir import build
+from ...ir.frame import (
+    DEPTH,
+    Attachment,
+    Drawn,
+    Elements,
+    FrameShader,
+    FromHost,
+    Image,
+    ImageDimension,
+    KernelStep,
+    Previous,
+    RenderStep,
+    Size,
+    Step,
+    Use,
+)
+from ...ir.shader import RenderTarget
+from ...ir.stages import IMAGE, TARGET
+from ...ir.types import INT, IVEC2
+from ...syntax import ast
+from ..checking.unknown_names import unknown
+from ..declarations.fitting import fit
+from ..names.modules import Symbol
+from ..state.context import Context
+from ..state.evaluation import node_of
+from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Scope
+from .dependencies import PREVIOUS, Dependencies, Key, applied, is_previous
+from .inputs import Inputs, Later, Replacements, check_previous
+from .shaders import Shaders, required_of
+from .values import Made, Numbers, StepValue
+
+SCREEN = "screen"
+"""One triangle over everything."""
+FACES = 6
+MOST_STEPS = 256
+"""That one repetition may come to."""
+DEEPEST = 48
+"""How deep expressions about steps nest."""
+
+DEPTH_FORMAT = "depth32f"
+
+
+@frozen(eq=False)
+class Place:
+    """Into which layers and levels of its images a step draws that is repeated."""
+
+    dimension: ImageDimension = "2d"
+    layers: int = 1
+    layer: int = 0
+    levels: int = 1
+    level: int = 0
+    images: dict[str, Image] = fresh(factory=dict)
+    """Those that the first of the steps has made, and all others draw into as well."""
+    suffix: str = ""
+    """What tells the names of the steps apart."""
+
+
+WHOLE = Place()
+
+
+@frozen(eq=False)
+class Around:
+    """Where an expression about steps stands."""
+
+    scope: Scope
+    name: str
+    """What the step is called that the expression makes."""
+    states: Mapping[str, Made] = EMPTY
+    """What the states of ``iterate`` are."""
+    place: Place | None = None
+    light: bool = False
+    """Whether each draw is repeated for each light of the rig."""
+    depth: int = 0
+
+    def inside(self) -> Around:
+        """One expression deeper."""
+        return changed(self, depth=self.depth + 1)
+
+
+@record
+class ModelsOf:
+    """Models that a frame declares, and the materials that they may have."""
+
+    member: ast.Models
+    materials: tuple[Symbol, ...]
+
+
+class Steps:
+    """Checks the steps of one frame, and keeps what they are."""
+
+    def __init__(
+        self,
+        ctx: Context,
+        instance: Instance,
+        shaders: Shaders,
+        dependencies: Dependencies,
+        models: Mapping[str, ModelsOf],
+    ) -> None:
+        self._ctx = ctx
+        self._instance = instance
+        self._shaders = shaders
+        self._dependencies = dependencies
+        self._models = models
+        self.numbers = Numbers()
+        self.steps: list[Step] = []
+        self.values: dict[Key, Made] = {}
+        self._names: set[str] = set()
+        self._previous: list[tuple[Previous, ast.Call, Around]] = []
+        self._later: list[Later] = []
+
+    # --- expressions ---
+
+    def made(self, e: ast.Expression, around: Around) -> Made:
+        """What an expression about steps stands for; what is wrong with it has been reported."""
+        if around.depth > DEEPEST:
+            return self._no_step(e.span)
+        inside = around.inside()
+        symbol = applied(e, around.scope.module)
+        if symbol is not None:
+            assert isinstance(e, ast.Call)
+            return self._applied(symbol, e, (), around)
+        match e:
+            case ast.With(operand=ast.Call() as call, replacements=given):
+                symbol = applied(call, around.scope.module)
+                if symbol is not None:
+                    return self._applied(symbol, call, given, around)
+            case ast.Reference():
+                return self._named(e, around)
+            case ast.Field(operand=ast.Reference(name="inherited")):
+                return self._slot((e.name.text, around.scope.level + 1), e.span)
+            case ast.Field():
+                return self._left(self.made(e.operand, inside), e)
+            case ast.Call() if is_previous(e):
+                return self._previously(e, inside)
+            case ast.Conditional():
+                return self._chosen(e, inside)
+            case ast.FoldOver() | ast.Fold(operator="each"):
+                return self._repeated(e, inside)
+            case ast.Iterate():
+                return self._iterated(e, inside)
+        return self._no_step(e.span)
+
+    def _no_step(self, span: Span) -> Failure:
+        self._ctx.report.add(rules.NO_STEP, span)
+        return FAILURE
+
+    def _named(self, e: ast.Reference, around: Around) -> Made:
+        if e.name in around.states:
+            return around.states[e.name]
+        if e.name in self._instance.resources:
+            return FromHost(e.name)
+        return self._slot((e.name, OUTERMOST), e.span)
+
+    def _slot(self, key: Key, span: Span) -> Made:
+        if key in self.values:
+            return self.values[key]
+        definitions = self._instance.record.definitions
+        if key[0] in definitions and self._dependencies.is_step(key):
+            return FAILURE  # It needs itself, which has been reported.
+        if key[0] in definitions:
+            return self._no_step(span)
+        unknown(self._ctx, "step", key[0], span, [*definitions, *self._models])
+        return FAILURE
+
+    def _left(self, whole: Made, e: ast.Field) -> Made:
+        """``step.target``: what a step leaves."""
+        if isinstance(whole, Failure):
+            return FAILURE
+        if not isinstance(whole, StepValue):
+            self._ctx.report.add(rules.NO_STEP, e.operand.span)
+            return FAILURE
+        found = whole.left.get(e.name.text)
+        if found is None:
+            what = f"result of `{whole.name}`"
+            unknown(self._ctx, what, e.name.text, e.name.span, whole.left)
+            return FAILURE
+        return found
+
+    def _previously(self, e: ast.Call, around: Around) -> Made:
+        """``previous(step.target)``, which may be made later: it is looked up at the end."""
+        if not 1 <= len(e.arguments) <= 2:
+            self._ctx.report.add(
+                rules.STEP_ARGUMENTS, e.span, name=PREVIOUS, expected="one or two arguments",
+                hint=f"`{PREVIOUS}(step.target, first.target)`: the second is what is read in the "
+                "first frame",
+            )  # fmt: skip
+            return FAILURE
+        found = Previous()
+        self._previous.append((found, e, around))
+        if len(e.arguments) == 2:
+            initial = self.made(e.arguments[1], changed(around, name=f"{around.name}.first"))
+            if not isinstance(initial, Image | Elements | FromHost):
+                return self._no_result(initial, e.arguments[1].span)
+            found.initially = initial
+        return found
+
+    def settle_previous(self) -> None:
+        """Find what all ``previous(…)`` mean, once every step is there."""
+        for found, e, around in self._previous:
+            left = self.made(e.arguments[0], around)
+            if isinstance(left, Image | Elements):
+                found.of = left
+            else:
+                self._no_result(left, e.arguments[0].span)
+        check_previous(self._ctx, self._later)
+
+    def _no_result(self, found: Made, span: Span) -> Failure:
+        """Report that something is no result of a step, unless more has been said about it."""
+        if not isinstance(found, Failure):
+            self._ctx.report.add(rules.NO_RESULT, span, what="result of a step")
+        return FAILURE
+
+    def _chosen(self, e: ast.Conditional, around: Around) -> Made:
+        """``if`` between steps is decided when compiling."""
+        condition = node_of(self._ctx, e.condition, around.scope)
+        if isinstance(condition, Failure):
+            return FAILURE
+        known = self._ctx.constants.known(condition)
+        if not isinstance(known, bool):
+            self._ctx.report.add(
+                rules.NO_STEP, e.condition.span,
+                hint="which step is drawn is decided when compiling, by constants",
+            )  # fmt: skip
+            return FAILURE
+        return self.made(e.then if known else e.otherwise, around)
+
+    # --- repetitions ---
+
+    def _repeated(self, e: ast.Fold | ast.FoldOver, around: Around) -> Made:
+        if isinstance(e, ast.Fold):
+            turns = self._range(e.turns, around)
+            return FAILURE if turns is None else self._layers(e, "2d_array", turns, around)
+        over = e.over
+        match over, e.operator:
+            case ast.Reference(name="rig"), "sum":
+                return self.made(e.body, changed(around, light=True))
+            case ast.Reference(name="cube"), "each":
+                return self._layers(e, "cube", range(FACES), around)
+            case ast.Call(callee=ast.Reference(name="mips"), arguments=(most,)), "each":
+                levels = self._integer(most, around)
+                return FAILURE if levels is None else self._levels(e, levels, around)
+        self._ctx.report.add(rules.NO_RANGE_OF_STEPS, over.span)
+        return FAILURE
+
+    def _layers(
+        self,
+        e: ast.Fold | ast.FoldOver,
+        dimension: ImageDimension,
+        turns: range,
+        around: Around,
+    ) -> Made:
+        outer = around.place or Place()
+        if outer.layers > 1:
+            return self._no_step(e.span)
+        variable = e.turns.variable if isinstance(e, ast.Fold) else e.variable
+        made: Made = FAILURE
+        for layer, turn in enumerate(turns):
+            place = changed(
+                outer, dimension=dimension, layers=len(turns), layer=layer,
+                suffix=f"{outer.suffix}.{turn}",
+            )  # fmt: skip
+            made = self._turn(e.body, variable, turn, changed(around, place=place))
+            if isinstance(made, Failure):
+                return FAILURE
+        return made
+
+    def _levels(self, e: ast.FoldOver, levels: int, around: Around) -> Made:
+        outer = around.place or Place()
+        if outer.levels > 1:
+            return self._no_step(e.span)
+        made: Made = FAILURE
+        for level in range(levels):
+            place = changed(
+                outer, levels=levels, level=level, suffix=f"{outer.suffix}.level{level}"
+            )
+            made = self._turn(e.body, e.variable, level, changed(around, place=place))
+            if isinstance(made, Failure):
+                return FAILURE
+        return made
+
+    def _turn(self, body: ast.Expression, variable: ast.Name, turn: int, around: Around) -> Made:
+        number = build.constant(self._ctx.tree, INT, turn)
+        local = {**around.scope.locals, variable.text: number} if variable.text else {}
+        scope = changed(around.scope, locals=local or around.scope.locals)
+        return self.made(body, changed(around, scope=scope))
+
+    def _iterated(self, e: ast.Iterate, around: Around) -> Made:
+        """``iterate s from first up to n : Step(screen) with { before = s.value }``."""
+        turns = self._range(e.turns, around)
+        if turns is None:
+            return FAILURE
+        if e.condition is not None:
+            self._ctx.report.add(rules.NO_RANGE_OF_STEPS, e.condition.span)
+            return FAILURE
+        state = self.made(e.initial, changed(around, name=f"{around.name}.first"))
+        for number, turn in enumerate(turns):
+            if isinstance(state, Failure):
+                return FAILURE
+            last = number == len(turns) - 1
+            name = around.name if last else f"{around.name}.{number}"
+            states = {**around.states, e.state.text: state}
+            inner = changed(around, states=states, name=name)
+            state = self._turn(e.body, e.turns.variable, turn, inner)
+        return state
+
+    def _range(self, turns: ast.Turns, around: Around) -> range | None:
+        start, end = self._integer(turns.start, around), self._integer(turns.end, around)
+        if start is None or end is None:
+            return None
+        if not 0 < end - start <= MOST_STEPS:
+            self._ctx.report.add(rules.NO_RANGE_OF_STEPS, turns.end.span)
+            return None
+        return range(start, end)
+
+    def _integer(self, e: ast.Expression, around: Around) -> int | None:
+        """A number that is known when compiling, 1 or more where it counts levels."""
+        node = fit(self._ctx, node_of(self._ctx, e, around.scope), INT, "int", e.span)
+        if isinstance(node, Failure):
+            return None
+        known = self._ctx.constants.known_integer(node)
+        if known is None or known > MOST_STEPS:
+            self._ctx.report.add(rules.NO_RANGE_OF_STEPS, e.span)
+            return None
+        return known
+
+    # --- steps ---
+
+    def _applied(
+        self,
+        symbol: Symbol,
+        e: ast.Call,
+        given: Replacements,
+        around: Around,
+    ) -> Made:
+        declaration = symbol.declaration
+        assert isinstance(declaration, ast.Record)
+        if declaration.abstract:
+            self._ctx.report.add(rules.ABSTRACT_USE, e.callee.span, name=symbol.name)
+            return FAILURE
+        if declaration.kind == "kernel":
+            return self._run(symbol, e, given, around)
+        return self._draw(symbol, e, given, around)
+
+    def _run(
+        self,
+        symbol: Symbol,
+        e: ast.Call,
+        given: Replacements,
+        around: Around,
+    ) -> Made:
+        if e.arguments:
+            self._ctx.report.add(
+                rules.STEP_ARGUMENTS, e.span, name=symbol.name, expected="no arguments"
+            )
+            return FAILURE
+        shader = self._shaders.kernel(symbol)
+        if shader is None:
+            return FAILURE
+        name = self._unique(around.name)
+        inputs = self._inputs(given, changed(around, name=name))
+        use = self._use("", shader, symbol, inputs, e)
+        if inputs.report_unknown(symbol.name) or use is None:
+            return FAILURE
+        images = {
+            result.name: self._image(
+                f"{name}.{result.name}", state, Size(None, name), result.doc, e
+            )
+            for result in shader.shader.results_of(IMAGE)
+            if (state := result.state) is not None
+        }
+        buffers = {
+            info.buffer.name: Elements(f"{name}.{info.buffer.name}", info, info.doc, e.span)
+            for info in shader.shader.written
+        }
+        self.steps.append(KernelStep(name, use, images, buffers, "", e.span))
+        return StepValue(name, {**images, **buffers})
+
+    def _image(self, name: str, state: RenderTarget, size: Size, doc: str, e: ast.Call) -> Image:
+        return Image(name, state.format, size, "2d", 1, 1, doc, e.span)
+
+    def _draw(
+        self,
+        symbol: Symbol,
+        e: ast.Call,
+        given: Replacements,
+        around: Around,
+    ) -> Made:
+        if not 1 <= len(e.arguments) <= 2:
+            self._ctx.report.add(
+                rules.STEP_ARGUMENTS, e.span, name=symbol.name, expected="one or two arguments",
+                hint=f"write `{symbol.name}({SCREEN})` for one triangle over everything",
+            )  # fmt: skip
+            return FAILURE
+        materials = self._materials(e.arguments[0])
+        place = around.place or Place()
+        name = self._unique(around.name + place.suffix)
+        within = changed(around, name=name, place=None, light=False)
+        inputs = self._inputs(given, within)
+        draws = (
+            None if materials is None else self._draws(symbol, materials, inputs, e, around.light)
+        )
+        over = self._where(e, changed(within, name=f"{name}.over"))
+        if not draws or over is None or inputs.report_unknown(symbol.name):
+            return FAILURE
+        shader = draws[0].uses[0].shader
+        step = self._step(name, shader, draws, over, changed(around, place=place), e)
+        self.steps.append(step)
+        return StepValue(around.name, self._all_left(step))
+
+    @staticmethod
+    def _all_left(step: RenderStep) -> dict[str, Image]:
+        attachments = [*step.attachments, *([step.depth] if step.depth else [])]
+        return {each.target: each.image for each in attachments}
+
+    def _materials(self, e: ast.Expression) -> tuple[str, tuple[Symbol | None, ...]] | None:
+        """What is drawn: the name of models and their materials, or nothing but a triangle."""
+        name = e.name if isinstance(e, ast.Reference) else ""
+        if name in self._models:
+            models = self._models[name]
+            return (name, models.materials) if models.materials else None
+        if name == SCREEN:
+            return "", (None,)
+        known = [*self._models, SCREEN]
+        self._ctx.report.add(
+            rules.NOT_DRAWN, e.span, hint=f"there is {', '.join(f'`{each}`' for each in known)}"
+        )
+        return None
+
+    def _inputs(self, given: Replacements, around: Around) -> Inputs:
+        def made(e: ast.Expression, name: str) -> Made:
+            return self.made(
+                e, changed(around, name=f"{around.name}.{name}", depth=around.depth + 1)
+            )
+
+        return Inputs(
+            self._ctx, self._instance, self.numbers, made, given, around.scope, self._later
+        )
+
+    def _draws(
+        self,
+        symbol: Symbol,
+        drawn: tuple[str, tuple[Symbol | None, ...]],
+        inputs: Inputs,
+        e: ast.Call,
+        by_light: bool,
+    ) -> list[Drawn] | None:
+        """What a pass draws, one behind the other; ``None`` after reporting what is wrong."""
+        models, materials = drawn
+        rig = self._shaders.rig.declaration
+        lights = rig.entries if by_light and isinstance(rig, ast.Rig) else (None,)
+        draws = []
+        for light in lights:
+            uses = []
+            for material in materials:
+                shader = self._shaders.drawn(symbol, material, light)
+                if shader is None or (light and not self._is_added(shader, symbol, e)):
+                    return None
+                use = self._use(material.name if material else "", shader, symbol, inputs, e)
+                if use is None:
+                    return None
+                uses.append(use)
+            draws.append(Drawn(models, tuple(uses), light.name.text if light else ""))
+        return draws
+
+    def _is_added(self, shader: FrameShader, symbol: Symbol, e: ast.Call) -> bool:
+        """Whether what one light adds does not replace what others have."""
+        for result in shader.shader.results_of(TARGET):
+            if result.state is not None and result.state.blend == "none":
+                self._ctx.report.add(rules.NOT_ADDED, e.span, target=result.name, step=symbol.name)
+                return False
+        return True
+
+    def _use(
+        self, material: str, shader: FrameShader, symbol: Symbol, inputs: Inputs, e: ast.Call
+    ) -> Use | None:
+        """A shader with what it is given; ``None`` after reporting what it lacks."""
+        found = inputs.of(shader.shader)
+        missing = [
+            name for name in required_of(self._ctx.records.of(symbol)) if not inputs.sets(name.text)
+        ]
+        for name in missing:
+            self._ctx.report.add(
+                rules.INPUT_MISSING, e.span, step=symbol.name, name=name.text,
+                labels=[Label(name.span, "declared here, without a default")],
+            )  # fmt: skip
+        return None if found is None or missing else Use(material, shader, found)
+
+    def _step(
+        self,
+        name: str,
+        shader: FrameShader,
+        draws: Sequence[Drawn],
+        over: Mapping[str, Image] | Size,
+        around: Around,
+        e: ast.Call,
+    ) -> RenderStep:
+        place = around.place or WHOLE
+        layered = shader.shader.layers
+        if layered:
+            place = changed(place, dimension="cube" if layered == FACES else "2d_array",
+                            layers=layered)  # fmt: skip
+        given = over if isinstance(over, Mapping) else {}
+        size = next(iter(given.values())).size if isinstance(over, Mapping) else over
+
+        def attached(target: str, format_: str, doc: str) -> Attachment:
+            behind = given.get(target)
+            image = place.images.get(target)
+            if image is None:
+                image = Image(
+                    f"{around.name}.{target}", format_, size, place.dimension, place.layers,
+                    place.levels, doc, e.span,
+                )  # fmt: skip
+                place.images[target] = image
+            if behind is not None and behind.format != format_:
+                self._ctx.report.add(
+                    rules.PLACES_DIFFER, e.span, first=behind.name, second=image.name,
+                    reason=f"one is `{behind.format}`, the other `{format_}`",
+                )  # fmt: skip
+            return Attachment(target, image, None if layered else place.layer, place.level, behind)
+
+        targets = tuple(
+            attached(result.name, result.state.format, result.doc)
+            for result in shader.shader.results_of(TARGET)
+            if result.state is not None
+        )
+        depth = attached(DEPTH, DEPTH_FORMAT, "") if draws[0].models else None
+        return RenderStep(name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span)
+
+    def _where(self, e: ast.Call, around: Around) -> Mapping[str, Image] | Size | None:
+        """Where to a pass draws: new images of a size, or over what others have left."""
+        if len(e.arguments) == 1:
+            return self._whole_size(e)
+        written = e.arguments[1]
+        parts = written.elements if isinstance(written, ast.Array) else (written,)
+        if not all(self._is_step(part, around) for part in parts):
+            return self._size(written, around.scope)
+        found: dict[str, Image] = {}
+        for number, part in enumerate(parts):
+            left = self.made(part, changed(around, name=f"{around.name}{number or ''}"))
+            if isinstance(left, Failure):
+                return None
+            if isinstance(left, StepValue):
+                images = {n: i for n, i in left.left.items() if isinstance(i, Image)}
+                found |= images
+            elif isinstance(left, Image):
+                found[left.name.rpartition(".")[2]] = left
+            else:
+                self._no_result(left, part.span)
+                return None
+        first, *others = found.values()
+        for other in others:
+            if (other.dimension, other.layers) != (first.dimension, first.layers):
+                self._ctx.report.add(
+                    rules.PLACES_DIFFER, written.span, first=first.name, second=other.name,
+                    reason="they have different layers",
+                )  # fmt: skip
+                return None
+        return found
+
+    def _is_step(self, e: ast.Expression, around: Around) -> bool:
+        """Whether an expression is about steps, and no number."""
+        if applied(e, around.scope.module) is not None:
+            return True
+        while isinstance(e, ast.Field | ast.With):
+            e = e.operand
+        if isinstance(e, ast.Reference):
+            named = (e.name, OUTERMOST)
+            return e.name in around.states or self._dependencies.is_step(named)
+        return applied(e, around.scope.module) is not None
+
+    def _whole_size(self, e: ast.Call) -> Size | None:
+        """The size of what the host shows: the frame's own ``size``."""
+        reference = ast.Reference(e.span, "size")
+        return self._size(reference, Scope(self._instance.record.root.module, self._instance))
+
+    def _size(self, written: ast.Expression, scope: Scope) -> Size | None:
+        node = node_of(self._ctx, written, scope)
+        if isinstance(node, Failure):
+            return None
+        if node.type == INT:
+            node = build.splat(self._ctx.tree, node, 2)
+        fitted = self.numbers.number(fit(self._ctx, node, IVEC2, "ivec2", written.span))
+        return None if isinstance(fitted, Failure) else Size(fitted)
+
+    def _unique(self, name: str) -> str:
+        """A name that no step has yet."""
+        names = (name if number == 1 else f"{name}.{number}" for number in count(1))
+        found = next(each for each in names if each not in self._names)
+        self._names.add(found)
+        return found
