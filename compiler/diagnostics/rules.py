@@ -1071,7 +1071,7 @@ NO_STEP = _error(
     "A step draws a pass or runs a kernel: `name = Pass(what, size) with { input = value }`, "
     "`name = Kernel()`. What it makes is read as `name.target`.",
 )
-NO_RESULT = _error(
+NOT_LEFT = _error(
     "B0803",
     "this is no {what}",
     "What a step makes has names: the targets of its pass, `depth`, or the results of its kernel. "
@@ -1144,7 +1144,7 @@ FRAME_CYCLE = _error(
     "A frame draws its steps one after the other, so none of them can need what comes of it. "
     "`previous(step.target)` is what the last frame left there.",
 )
-NO_INITIAL = _error(
+NOTHING_BEFORE = _error(
     "B0815",
     "in the first frame, nothing has left `{name}`",
     "A buffer has as many elements as what made it says, and before the first frame nothing did. "

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from ....frozen import frozen
 from ...diagnostics import rules
@@ -24,7 +24,7 @@ from ..shading.host_names import Entry, names_taken
 from ..shading.instances import instance_of
 from ..shading.rigs import entries_of
 from ..state.context import Context
-from ..state.scope import OUTERMOST, Failure, Instance, Scope, Value
+from ..state.scope import OUTERMOST, Failure, Instance, Scope
 from .dependencies import Dependencies, Key, Need
 from .shaders import Shaders
 from .steps import Around, ModelsOf, Steps
@@ -57,7 +57,7 @@ class _Checking:
         self._instance: Instance = instance_of(ctx, self._record, self._leaves)
         taken = names_taken((self._leaves,), symbol.module)
         self._entries: list[Entry] = entries_of(ctx, around.rig, taken)
-        self._lights = self._light_values()
+        ctx.lights.named.update(self._single_lights())
         self._models = self._all_models()
         self._dependencies = Dependencies(self._record, around.report)
         root = root_of(symbol.module, "material")
@@ -112,13 +112,10 @@ class _Checking:
 
     # --- what the frame draws, and under which lights ---
 
-    def _light_values(self) -> Mapping[str, Value]:
-        """The single lights of the rig, whose parameters equations of the frame can read."""
-        return {
-            entry.short_name: instance_of(self._ctx, entry.record, leaves)
-            for entry, leaves in self._entries
-            if entry.kind == "single"
-        }
+    def _single_lights(self) -> Iterator[tuple[str, Instance]]:
+        for entry, leaves in self._entries:
+            if entry.kind == "single":
+                yield entry.short_name, instance_of(self._ctx, entry.record, leaves)
 
     def _all_models(self) -> dict[str, ModelsOf]:
         return {
@@ -161,7 +158,7 @@ class _Checking:
             if isinstance(made, Image | Elements):
                 yield Output(member.name.text, made, member.doc, member.name.span)
             elif not isinstance(made, Failure):
-                self._ctx.report.add(rules.NO_RESULT, member.value.span, what="result of a step")
+                self._ctx.report.add(rules.NOT_LEFT, member.value.span, what="result of a step")
 
     def _check_steps(self, needs: list[Need]) -> list[Key]:
         """Check steps that nobody has asked for yet, each behind those that it needs."""
@@ -193,7 +190,7 @@ class _Checking:
         self._ctx.report.add(rules.NOT_NEEDED, member.name.span, name=name)
 
     def _scope(self, owner: Symbol, level: int) -> Scope:
-        return Scope(owner.module, self._instance, level, locals=self._lights)
+        return Scope(owner.module, self._instance, level)
 
 
 def _is_record(symbol: Symbol, kind: str) -> bool:
