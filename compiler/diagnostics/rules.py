@@ -227,7 +227,8 @@ AMBIGUOUS_NAME = _error(
 WRONG_BASE = _error(
     "B0208",
     "`{name}` is not a {kind}",
-    "A material extends a material, a light a light, a pass a pass, and a kernel a kernel.",
+    "A material extends a material, a light a light, a pass a pass, a kernel a kernel, "
+    "and a frame a frame.",
 )
 NOT_A_VALUE = _error(
     "B0209",
@@ -1135,8 +1136,8 @@ NO_MATERIAL_TO_DRAW = _error(
 NOT_FILTERED = _error(
     "B0813",
     "`{name}` of `{step}` filters its texels, and `{format}` cannot be filtered",
-    "Many devices filter no 32-bit floats. Declare the texture with `{{ filter = nearest, "
-    "mip = none }}`, or the target with a 16-bit format.",
+    "Many devices filter no 32-bit floats. Declare the texture with `{ filter = nearest, "
+    "mip = none }`, or the target with a 16-bit format.",
 )
 FRAME_CYCLE = _error(
     "B0814",

@@ -78,7 +78,8 @@ class _Checking:
         self._check_rest(needed)
         self._steps.settle_previous()
         ctx.deferred.report()
-        if not outputs and not self._record.baseless and not ctx.report.unread_names:
+        written = any(self._record.every(ast.Output))
+        if not written and not self._record.baseless and not ctx.report.unread_names:
             ctx.report.add(rules.NO_OUTPUT, declaration.name.span, name=self._symbol.name)
         self._around.reached.update(ctx.reached())
         if ctx.report.failed:
