@@ -59,6 +59,11 @@ class Drawn:
         ]
         return cls(row["format"], row["dimension"], levels)
 
+    @property
+    def lanes(self) -> int:
+        """How many lanes its format has."""
+        return 1 if self.format.startswith(DEPTHS) else formats.lanes_of(self.format)
+
     def texels(self) -> Texels:
         """The texture as a shader reads it."""
         flat = self.dimension == "2d"

@@ -13,6 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from ..instances.instance import FORMAT, Instance
+from ..instances.values import UnknownParameterError
 from ..scene_state import CLEAR, SceneState, drawn_state
 from ..subject import Subject
 from .scenery import Model, Scenery
@@ -86,8 +87,25 @@ class FrameHost:
         width, height = size
         scenery.camera.apply(self.values, width / height)
         self.values.set("size", size)
+        self._instances = [Instance(shader.reflection) for shader in self.shaders]
+        """For each shader the values of its materials that are the same for all models."""
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
+
+    def set_text(self, name: str, text: str) -> None:
+        """Set something of the frame; or else of all shaders that have it, such as a material's
+        parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
+        unknown = []
+        for instance in (self.values, *self._instances):
+            try:
+                instance.set_text(name, text)
+            except UnknownParameterError as error:
+                unknown.append(error)
+            else:
+                if instance is self.values:
+                    return
+        if len(unknown) == len(self._instances) + 1:
+            raise unknown[0]
 
     # --- numbers ---------------------------------------------------------------------------------
 
@@ -120,8 +138,7 @@ class FrameHost:
 
     def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
         """The run of a kernel."""
-        subject = self.shaders[step["shader"]]
-        instance = Instance(subject.reflection)
+        instance = self._instances[step["shader"]].copied()
         reads = self._give(instance, step, is_first)
         self._kernels[step["name"]] = instance
         return FrameDraw(step["shader"], triangle(instance, (1, 1)), reads)
@@ -164,7 +181,7 @@ class FrameHost:
         size: tuple[int, int],
         is_first: bool,
     ) -> FrameDraw:
-        instance = Instance(self.shaders[use["shader"]].reflection)
+        instance = self._instances[use["shader"]].copied()
         camera = self.scenery.camera
         if model is not None:
             camera = replace(camera, object_to_world=model.placement)

@@ -144,12 +144,17 @@ class Instance:
 
     def having(self, name: str, value: object) -> Instance:
         """A copy that differs in one value. Raises ``ParameterError``, as ``set`` does."""
+        made = self.copied()
+        made.set(name, value)
+        return made
+
+    def copied(self) -> Instance:
+        """An instance with the same values, which can be changed by itself."""
         made = copy(self)
         made._values = dict(self._values)
         made._textures = dict(self._textures)
         made._sized = dict(self._sized)
         made._buffers = dict(self._buffers)
-        made.set(name, value)
         return made
 
     def set_text(self, name: str, text: str) -> None:
