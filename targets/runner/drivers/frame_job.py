@@ -82,8 +82,8 @@ class FrameDraw:
 
 @dataclass(frozen=True, slots=True)
 class FrameStep:
-    """Something that the device does: it draws, runs a kernel, or copies a texture; or nothing but
-    to wait at barriers."""
+    """Something that the device does: it draws, runs a kernel, copies a texture, or brings texels
+    back; or nothing but to wait at barriers."""
 
     barriers: tuple[Barrier, ...] = ()
     targets: tuple[Attachment, ...] = ()
@@ -96,6 +96,8 @@ class FrameStep:
     """How many work groups a kernel runs in."""
     copied: tuple[int, ...] = ()
     """From which texture to which other one, if it is a copy."""
+    read: tuple[int, ...] = ()
+    """The textures whose first level is read back."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,10 +118,6 @@ class FrameJob:
     buffers: tuple[FrameBuffer, ...]
     pipelines: tuple[Pipeline, ...]
     steps: tuple[FrameStep, ...]
-    kept: tuple[int, ...]
-    """The textures whose first level is read back at the end."""
-    last_uses: tuple[TextureUse, ...] = ()
-    """As what each of these was used last."""
 
 
 @dataclass(frozen=True, slots=True)

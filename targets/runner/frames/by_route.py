@@ -46,17 +46,18 @@ NEW = -1
 
 def draw_frames(
     host: FrameHost, route: Route, runner: Runner, toolchain: Toolchain, count: int = 1
-) -> dict[str, Floats]:
-    """The outputs of the last of some frames, by name: (layers, height, width, 4).
+) -> list[dict[str, Floats]]:
+    """The outputs of some frames, by name: (layers, height, width, 4).
 
     Raises ``CodeError`` if a compiler refuses a text, and ``DriverError``.
     """
     job = _Job(host, route, toolchain)
+    names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
     for number in range(count):
         job.add_frame(is_first=number == 0)
-    names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
-    found = runner.draw_frame(route, job.whole(names))
-    return {name: _array(texels) for name, texels in zip(names, found, strict=True)}
+        job.add_reading(names)
+    found = iter(runner.draw_frame(route, job.whole()))
+    return [{name: _array(next(found)) for name in names} for _ in range(count)]
 
 
 def _array(texels: FrameTexels) -> Floats:
@@ -100,16 +101,28 @@ class _Job:
         for row in self._plan["kept"]:
             self._exchange(row)
 
-    def whole(self, outputs: Sequence[str]) -> FrameJob:
-        """The job, which keeps these outputs."""
-        kept = [self._output(name) for name in outputs]
+    def add_reading(self, outputs: Sequence[str]) -> None:
+        """Have these outputs brought back."""
+        read = [self._output(name) for name in outputs]
+        uses = self._textures.uses
+        barriers = [Barrier(number, uses[number], "copied_from") for number in dict.fromkeys(read)]
+        for number in read:
+            uses[number] = "copied_from"
+        self._steps.append(FrameStep(tuple(barriers), read=tuple(read)))
+        left = [self._textures.at[row["previous"]] for row in self._plan["kept"] if row["previous"]]
+        again = [number for number in dict.fromkeys(read) if number in left]
+        for number in again:
+            uses[number] = "sampled"
+        barriers = [Barrier(number, "copied_from", "sampled") for number in again]
+        self._steps.append(FrameStep(tuple(barriers)))
+
+    def whole(self) -> FrameJob:
+        """The job."""
         return FrameJob(
             tuple(self._textures.made),
             tuple(self._buffers),
             tuple(self._pipelines),
             tuple(self._steps),
-            tuple(kept),
-            tuple(self._textures.uses[number] for number in kept),
         )
 
     def _output(self, name: str) -> int:
@@ -144,7 +157,7 @@ class _Job:
             return
         at = self._textures.at
         barrier = Barrier(at[one], self._textures.uses[at[one]], "sampled")
-        self._steps.append(FrameStep((barrier,), copied=()))
+        self._steps.append(FrameStep((barrier,)))
         self._textures.uses[at[one]] = "sampled"
         at[one], at[other] = at[other], at[one]
 
@@ -163,9 +176,10 @@ class _Job:
         for row in step["barriers"]:
             number = self._texture(row["texture"])
             before: TextureUse = row["from"]
-            if before == "undefined" and self._textures.uses[number] != "undefined":
-                # What the last frame left there is not needed, but may still be read.
-                before = self._textures.uses[number]
+            known = self._textures.uses[number]
+            if before == "undefined" or known == "copied_from":
+                # The last frame may still read what it left there, and so may the host.
+                before = known
             found.append(Barrier(number, before, row["to"]))
             self._textures.uses[number] = row["to"]
         return tuple(found)

@@ -9,7 +9,7 @@ from typing import Any
 import vulkan as vk
 
 from ..draw import Draw, Image
-from ..frame_job import Attachment, Barrier, FrameDraw, FrameJob, FrameStep, FrameTexels
+from ..frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..readback import TEXEL_LANES, depths_to_float, to_float
 from .compute import COMPUTE, make_compute_pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
@@ -24,7 +24,8 @@ DEPTH_BYTES = 4
 
 
 def draw_frame(gpu: Gpu, job: FrameJob) -> list[FrameTexels]:
-    """What is kept of the textures. Raises ``DriverError``, and ``VkError`` for calls that fail."""
+    """What is read back, step by step. Raises ``DriverError``, and ``VkError`` for calls that
+    fail."""
     with ExitStack() as owned:
         return _Frame(owned, gpu, job).texels()
 
@@ -53,7 +54,8 @@ class _Frame:
     def texels(self) -> list[FrameTexels]:
         """Do all steps."""
         recorded = [self._prepared(step) for step in self._job.steps]
-        kept = [self._back(number) for number in self._job.kept]
+        back = [(number, self._back(number)) for step in self._job.steps for number in step.read]
+        waiting = iter(back)
         with recording(self._gpu) as commands:
             for texture in self._textures:
                 if texture.description.is_black:
@@ -61,12 +63,10 @@ class _Frame:
             for step, sets in zip(self._job.steps, recorded, strict=True):
                 record(commands, self._textures, step.barriers)
                 self._do(commands, step, sets)
-            for number, use, buffer in zip(self._job.kept, self._job.last_uses, kept, strict=True):
-                self._read_back(commands, number, Barrier(number, use, "copied_from"), buffer)
+                for number in step.read:
+                    self._read_back(commands, number, next(waiting)[1])
             _wait_for_host(commands)
-        return [
-            self._found(number, buffer) for number, buffer in zip(self._job.kept, kept, strict=True)
-        ]
+        return [self._found(number, buffer) for number, buffer in back]
 
     # --- before it is recorded -------------------------------------------------------------------
 
@@ -275,9 +275,8 @@ class _Frame:
         usage = vk.VK_BUFFER_USAGE_TRANSFER_DST_BIT
         return make_buffer(self._owned, self._gpu, usage, size)
 
-    def _read_back(self, commands: Any, number: int, barrier: Barrier, buffer: Buffer) -> None:
+    def _read_back(self, commands: Any, number: int, buffer: Buffer) -> None:
         texture = self._textures[number]
-        record(commands, self._textures, [barrier])
         copy = vk.VkBufferImageCopy(
             imageSubresource=_layers(texture, 0),
             imageExtent=vk.VkExtent3D(texture.description.width, texture.description.height, 1),
