@@ -13,6 +13,7 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 
 from ..drivers.draw import Dimension
 from .arrays import MAX_SIDE, check_sides
+from .high_range import format_of, read_floats
 from .kinds import FACES, Kind, PictureError
 
 
@@ -40,13 +41,15 @@ def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
     try:
         if path.exists() and not (path.is_file() or path.is_dir()):
             raise PictureError(f"cannot read {path}: it is a pipe or a device")
+        if form := format_of(path):
+            return read_floats(path, form)
         with warnings.catch_warnings():
             # The size is checked below, before anything is decoded, and more strictly.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             with Image.open(path) as picture:
                 check_sides(*picture.size, str(path))
                 return _LANES[sample](ImageOps.exif_transpose(picture))
-    except PictureError:
+    except (PictureError, MemoryError, ModuleNotFoundError):
         raise
     except UnidentifiedImageError:
         raise PictureError(f"{path} is not a picture of a known format") from None
