@@ -124,6 +124,8 @@ def compile(
             report.extend(chain.from_iterable(lacking.values()))
         to_textures = frames is not None
         compiled.append(_compiled(shader, staged, lacking, chosen, options, to_textures))
+    if frames:
+        _check_filtering(frames, compiled, report)
     if report.failed:
         raise CompileError(report.diagnostics)
     made = _compiled_frames(frames or (), compiled)
@@ -191,6 +193,19 @@ def _opened(
     if isinstance(source, str) and ("\n" in source or "{" in source):
         return frontend, frontend.open_text(source, "<text>")
     return frontend, frontend.open_file(Path(source))
+
+
+def _check_filtering(
+    frames: Iterable[Frame], compiled: Iterable[CompiledMaterial], report: Report
+) -> None:
+    """Report results that are filtered and have a format that many devices cannot filter."""
+    from .compiler.reflection.filtering import filtered_in
+
+    programs = {shader.name: shader.staged.program for shader in compiled}
+    for found in chain.from_iterable(filtered_in(frame, programs) for frame in frames):
+        report.add(
+            rules.NOT_FILTERED, found.span, name=found.name, step=found.step, format=found.format
+        )
 
 
 def _compiled_frames(

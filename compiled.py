@@ -183,7 +183,7 @@ class CompiledFrame:
     def plan(self) -> dict[str, Any]:
         """What a host does to draw the frame, as data for JSON (``compiler/reflection`` has the
         schema)."""
-        from .compiler.frames.planning import plan
+        from .compiler.planning.plan import plan
         from .compiler.reflection.plan import plan_document
 
         return plan_document(plan(self.frame))

@@ -227,7 +227,8 @@ AMBIGUOUS_NAME = _error(
 WRONG_BASE = _error(
     "B0208",
     "`{name}` is not a {kind}",
-    "A material extends a material, a light a light, a pass a pass, and a kernel a kernel.",
+    "A material extends a material, a light a light, a pass a pass, a kernel a kernel, "
+    "and a frame a frame.",
 )
 NOT_A_VALUE = _error(
     "B0209",
@@ -1071,7 +1072,7 @@ NO_STEP = _error(
     "A step draws a pass or runs a kernel: `name = Pass(what, size) with { input = value }`, "
     "`name = Kernel()`. What it makes is read as `name.target`.",
 )
-NO_RESULT = _error(
+NOT_LEFT = _error(
     "B0803",
     "this is no {what}",
     "What a step makes has names: the targets of its pass, `depth`, or the results of its kernel. "
@@ -1135,8 +1136,8 @@ NO_MATERIAL_TO_DRAW = _error(
 NOT_FILTERED = _error(
     "B0813",
     "`{name}` of `{step}` filters its texels, and `{format}` cannot be filtered",
-    "Many devices filter no 32-bit floats. Declare the texture with `{{ filter = nearest, "
-    "mip = none }}`, or the target with a 16-bit format.",
+    "Many devices filter no 32-bit floats. Declare the texture with `{ filter = nearest, "
+    "mip = none }`, or the target with a 16-bit format.",
 )
 FRAME_CYCLE = _error(
     "B0814",
@@ -1144,7 +1145,7 @@ FRAME_CYCLE = _error(
     "A frame draws its steps one after the other, so none of them can need what comes of it. "
     "`previous(step.target)` is what the last frame left there.",
 )
-NO_INITIAL = _error(
+NOTHING_BEFORE = _error(
     "B0815",
     "in the first frame, nothing has left `{name}`",
     "A buffer has as many elements as what made it says, and before the first frame nothing did. "

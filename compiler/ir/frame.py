@@ -1,6 +1,6 @@
 """What a frame is: steps that draw and compute, what they leave, and what they read of each other.
 
-Semantics makes a ``Frame`` of a declaration; ``compiler/frames`` makes a plan of it, which hosts
+Semantics makes a ``Frame`` of a declaration; ``compiler/planning`` makes a plan of it, which hosts
 execute. A frame has no order of its own: each step says what it needs.
 """
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from ..diagnostics.source import Span
-from ..frames.planning import Barrier, Copy, Plan, PlannedStep, Target
 from ..ir.frame import (
     Drawn,
     Elements,
@@ -23,6 +22,7 @@ from ..ir.leaves import Resource
 from ..ir.shader import BufferInfo, ParameterInfo, ResourceInfo
 from ..ir.types import Texture
 from ..packing import packing
+from ..planning.plan import Barrier, Copy, Plan, PlannedStep, Target
 from .bytes import layout_row
 from .parameters import light_rows, member_rows
 from .values import listed, steps
@@ -165,7 +165,7 @@ class _Document:
                 }
             case KernelStep() as step:
                 return {
-                    "kind": "compute",
+                    "kind": "run",
                     "name": step.name,
                     "barriers": barriers,
                     "only_first": planned.only_first,

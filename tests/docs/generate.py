@@ -76,6 +76,7 @@ SECTIONS = {
     "B05": "Stages and rates",
     "B06": "Rigs and lights",
     "B07": "Targets",
+    "B08": "Frames",
 }
 
 

@@ -22,7 +22,7 @@ from burnish.compiler.diagnostics.render import render_all
 FOLDER = Path(__file__).parent / "broken"
 BROKEN = sorted(path.stem for path in FOLDER.glob("*.burnish"))
 RULES = {name.lower(): rule for name, rule in vars(rules).items() if isinstance(rule, Rule)}
-SECTIONS = ("B02", "B03", "B04", "B05", "B06", "B07")
+SECTIONS = ("B02", "B03", "B04", "B05", "B06", "B07", "B08")
 NOT_OF_A_SOURCE = {
     "no_clip_position": "the library's `Surface` has one",
     "unsupported": "about an option of the command line, in tests/cli",

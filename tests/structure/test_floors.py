@@ -55,13 +55,18 @@ FLOORS: dict[str, str] = {
         "frozen diagnostics syntax ir library types names inheritance state hints declarations "
         "checking lowering"
     ),
-    "compiler.frontend": "inputs diagnostics syntax ir library names inheritance shading",
+    "compiler.semantics.frames": (
+        "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
+        "lowering shading"
+    ),
+    "compiler.frontend": "inputs diagnostics syntax ir library names inheritance shading frames",
+    "compiler.planning": "frozen diagnostics ir",
     "compiler.expansion_templates": (
         "frozen stdlib diagnostics syntax ir library types names inheritance state checking "
         "lowering"
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
-    "compiler.reflection": "frozen stdlib diagnostics ir packing promises",
+    "compiler.reflection": "frozen stdlib diagnostics ir packing promises planning",
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
     "targets.toolchain": "cache closing",
@@ -78,12 +83,12 @@ FLOORS: dict[str, str] = {
     "targets.conformance": "frozen stdlib diagnostics ir reference runner toolchain",
     # The door.
     "compiled": (
-        "frozen garbage inputs diagnostics ir passes reflection description legalise emit "
+        "frozen garbage inputs diagnostics ir passes planning reflection description legalise emit "
         "selection runner"
     ),
     "api": (
-        "arguments garbage diagnostics ir passes source_map names frontend description emit "
-        "legalise availability selection runner compiled"
+        "frozen arguments garbage diagnostics ir passes source_map names reflection frontend "
+        "description emit legalise availability selection runner compiled"
     ),
     "commands": (
         "frozen cache inputs diagnostics ir passes frontend formula description emit registry "

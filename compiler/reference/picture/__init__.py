@@ -1,21 +1,27 @@
 """The reference's pictures: rasterisation, filtering and blending in double precision.
 
-``targets/runner/reference.py`` calls ``draw``. This package needs NumPy, so nothing that compiles
+``targets/runner/reference.py`` calls ``draw``, and ``targets/runner/frames`` draws several times on
+one ``Canvas``. This package needs NumPy, so nothing that compiles
 imports it.
 """
 
 from . import formats
-from .drawing import draw
+from .drawing import draw, draw_onto, expected_on, written_by
+from .resolve import Canvas
 from .scene import Expected, Geometry, RasterRules, Texels, instanced
 from .stage_evaluation import compares_neighbours
 
 __all__ = [
+    "Canvas",
     "Expected",
     "Geometry",
     "RasterRules",
     "Texels",
     "compares_neighbours",
     "draw",
+    "draw_onto",
+    "expected_on",
     "formats",
     "instanced",
+    "written_by",
 ]

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ...ir.shader import Shader
+from ...ir.shader import RenderTarget, Shader
 from ...ir.stages import DISCARD
-from ...ir.types import width
+from ...ir.types import Type, width
 from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
@@ -48,21 +48,71 @@ def draw(
     that does not fit. Values that are not finite only affect the triangles and pixels that they
     belong to.
     """
+    written = written_by(shader)
+    canvas = Canvas(rules.width * rules.height, clear, written, rounds=errors is not None)
+    broken = draw_onto(canvas, shader, values, textures, geometry, rules, errors, progress)
+    return expected_on(canvas, rules, broken)
+
+
+def draw_onto(
+    canvas: Canvas,
+    shader: Shader,
+    values: Mapping[str, Lanes],
+    textures: Mapping[str, Texels],
+    geometry: Geometry,
+    rules: RasterRules,
+    errors: Errors | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> frozenset[int]:
+    """Draw over what is on a canvas, as ``draw`` does on an empty one, and with the same errors.
+
+    Returns the ids of the promises that were broken.
+    """
     with np.errstate(all="ignore"):
-        return _Drawing(shader, values, textures, geometry, rules, clear, errors).drawn(progress)
+        drawing = _Drawing(canvas, shader, values, textures, geometry, rules, errors)
+        drawing.draw(progress)
+    return drawing.broken
+
+
+def written_by(shader: Shader) -> list[tuple[RenderTarget, Type]]:
+    """The render targets of a shader, with the types of what it writes to them."""
+    return [(r.state, r.value.type) for r in shader.results if r.state is not None]
+
+
+def expected_on(
+    canvas: Canvas, rules: RasterRules, broken: frozenset[int] = frozenset()
+) -> Expected:
+    """The picture on a canvas."""
+    shape = rules.height, rules.width
+
+    def picture(pixels: Floats) -> Floats:
+        return pixels.reshape(*shape, 4)
+
+    def mask(pixels: Bools) -> Bools:
+        return pixels.reshape(shape)
+
+    return Expected(
+        targets=tuple(picture(target[0]) for target in canvas.targets),
+        covered=mask(canvas.layers > 0),
+        undecided=mask(canvas.undecided | canvas.shaky),
+        low=tuple(picture(_known(target[1], -np.inf)) for target in canvas.targets),
+        high=tuple(picture(_known(target[2], np.inf)) for target in canvas.targets),
+        layers=canvas.layers.reshape(shape),
+        broken=broken,
+    )
 
 
 class _Drawing:
-    """One picture while it is drawn."""
+    """One draw while it is drawn."""
 
     def __init__(
         self,
+        canvas: Canvas,
         shader: Shader,
         values: Mapping[str, Lanes],
         textures: Mapping[str, Texels],
         geometry: Geometry,
         rules: RasterRules,
-        clear: Sequence[Sequence[float]],
         errors: Errors | None,
     ) -> None:
         self._rules = rules
@@ -71,15 +121,19 @@ class _Drawing:
         self._faces: Faces = faces_of(
             self._vertices.positions, geometry.triangles, rules, self._vertices.off
         )
-        self._places = place_numbers(shader, geometry, self._faces)
-        written = [(r.state, r.value.type) for r in shader.results if r.state is not None]
-        self._lanes = [width(type_) for _, type_ in written]
-        blends = [target.blend != "none" for target, _ in written]
-        self._opaque = not shader.results_of(DISCARD) and not any(blends)
-        pixels = rules.width * rules.height
-        self._canvas = Canvas(pixels, clear, written, rounds=self._stages.has_bounds)
+        self._places = place_numbers(shader, geometry, self._faces) + canvas.places
+        canvas.places = int(self._places.max(initial=canvas.places - 1)) + 1
+        self._lanes = [width(type_) for _, type_ in written_by(shader)]
+        self._opaque = not shader.results_of(DISCARD) and canvas.is_opaque and canvas.has_depth
+        self._canvas = canvas
 
-    def drawn(self, progress: Callable[[float], None] | None) -> Expected:
+    @property
+    def broken(self) -> frozenset[int]:
+        """The ids of the promises that were broken."""
+        return frozenset(self._stages.broken)
+
+    def draw(self, progress: Callable[[float], None] | None) -> None:
+        """Draw all fragments on the canvas."""
         canvas = self._canvas
         coverage = coverage_of(self._faces, self._rules)
         fragments, doubtful = coverage.fragments, coverage.doubtful
@@ -95,7 +149,6 @@ class _Drawing:
         canvas.undecided[doubtful.pixel] = True
         place = self._places[fragments.face]
         canvas.draw(fragments.pixel, depth, off, place, self._shaded(fragments, progress))
-        return self._expected()
 
     def _not_hidden(self, doubtful: Fragments, certain: Fragments, farthest: Floats) -> Fragments:
         """The doubtful fragments that are not behind others which every device draws.
@@ -146,25 +199,6 @@ class _Drawing:
                 bounded = as_bounded(values)
                 ends = (bounded.value, bounded.low, bounded.high)
                 colours[:, members, i] = np.stack([chosen(end) for end in ends])
-
-    def _expected(self) -> Expected:
-        canvas, shape = self._canvas, (self._rules.height, self._rules.width)
-
-        def picture(pixels: Floats) -> Floats:
-            return pixels.reshape(*shape, 4)
-
-        def mask(pixels: Bools) -> Bools:
-            return pixels.reshape(shape)
-
-        return Expected(
-            targets=tuple(picture(target[0]) for target in canvas.targets),
-            covered=mask(canvas.layers > 0),
-            undecided=mask(canvas.undecided | canvas.shaky),
-            low=tuple(picture(_known(target[1], -np.inf)) for target in canvas.targets),
-            high=tuple(picture(_known(target[2], np.inf)) for target in canvas.targets),
-            layers=canvas.layers.reshape(shape),
-            broken=frozenset(self._stages.broken),
-        )
 
 
 def _known(ends: Floats, otherwise: float) -> Floats:

@@ -37,7 +37,10 @@ class Shades:
 
 
 class Canvas:
-    """The targets and the depth buffer, with the pixels in one axis, row after row."""
+    """The targets and the depth buffer, with the pixels in one axis, row after row.
+
+    Several shaders may draw on one canvas, one after the other.
+    """
 
     def __init__(
         self,
@@ -46,10 +49,13 @@ class Canvas:
         written: Sequence[tuple[RenderTarget, Type]],
         *,
         rounds: bool,
+        has_depth: bool = True,
     ) -> None:
         """``written`` are the render targets with the types of the values that are written to
-        them. If the device ``rounds``, its values lie between those of their formats."""
+        them. If the device ``rounds``, its values lie between those of their formats. Without
+        depths, what is drawn later is in front."""
         self._rounds = rounds
+        self.has_depth = has_depth
         self._lanes = [width(type_) for _, type_ in written]
         self._states = [target for target, _ in written]
         self.targets = [
@@ -59,8 +65,10 @@ class Canvas:
         for target, state in zip(self.targets, self._states, strict=True):
             target[:] = self._stored(state, target)
         self.depth = np.ones(pixels)
-        self._depth_off = np.zeros(pixels)
+        self.depth_off = np.zeros(pixels)
         """By how much a device's depth may differ."""
+        self.places = 0
+        """How many places of faces have been drawn at: whoever draws next begins to count here."""
         self._place = np.full(pixels, -1)
         """The number of the place of the face that was drawn last (``copies.py``)."""
         self._may_hide = np.ones(pixels)
@@ -72,7 +80,7 @@ class Canvas:
         """Pixels that are undecided because their coverage is."""
         self.shaky = np.zeros(pixels, dtype=np.bool_)
         """Pixels that are undecided because of what has been drawn there so far."""
-        self._opaque = all(state.blend == "none" for state in self._states)
+        self.is_opaque = all(state.blend == "none" for state in self._states)
 
     def draw(self, pixel: Ints, depth: Floats, off: Floats, place: Ints, shades: Shades) -> None:
         """Draw fragments in their order; several may be of the same pixel.
@@ -90,14 +98,16 @@ class Canvas:
         """Draw at most one fragment of each pixel."""
         at = pixel[members]
         before, new = self.depth[at], depth[members]
-        margin = off[members] + self._depth_off[at]
+        margin = off[members] + self.depth_off[at]
         nearer, close = new < before, np.abs(new - before) <= margin
         doubtful = close & (place[members] != self._place[at])
+        if not self.has_depth:
+            nearer, doubtful = np.ones_like(nearer), np.zeros_like(doubtful)
         hidden = ~nearer & ~doubtful
         unsure = doubtful | (shades.undecided[members] & ~hidden)
-        if self._opaque:
+        if self.is_opaque:
             # Whatever is behind a fragment that certainly wins is not undecided any more.
-            in_front = new + off[members] < self._may_hide[at]
+            in_front = (new + off[members] < self._may_hide[at]) | (not self.has_depth)
             wins = nearer & in_front & ~unsure & ~shades.discarded[members]
             self.shaky[pixel[members[wins]]] = False
         self.shaky[at] |= unsure
@@ -106,7 +116,7 @@ class Canvas:
         drawn = members[nearer & ~shades.discarded[members]]
         at = pixel[drawn]
         self.depth[at] = depth[drawn]
-        self._depth_off[at] = off[drawn]
+        self.depth_off[at] = off[drawn]
         self._place[at] = place[drawn]
         self.layers[at] += 1
         rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)

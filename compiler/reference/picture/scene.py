@@ -79,6 +79,10 @@ class Texels:
     """
     is_srgb: bool = False
     """Whether colours are stored in 8 bits of sRGB, which a device decodes."""
+    low: tuple[Floats, ...] = ()
+    high: tuple[Floats, ...] = ()
+    """Of a texture that was drawn: for each level, between which numbers those of a device are. As
+    ``Expected`` has them; of an undecided pixel, they are all numbers that the format has."""
 
 
 @dataclass(frozen=True, slots=True)

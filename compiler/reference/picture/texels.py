@@ -48,13 +48,16 @@ class Image:
         layers, heights, widths = np.array(shapes).T
         counts = layers * heights * widths
         self._starts = np.cumsum(counts) - counts
-        rows = [level.reshape(-1, level.shape[-1]) for level in texels.levels]
-        self._table = np.ascontiguousarray(np.concatenate(rows).T)
-        self._errors = None if self.is_exact else _errors_of(self._table, texels.is_srgb)
+        self._table = _table(texels.levels)
+        self._ends = (_table(texels.low), _table(texels.high)) if texels.low else None
+        """Between which numbers the texels of a device are, where these were drawn."""
+        has_errors = not self.is_exact and self._ends is None
+        self._errors = _errors_of(self._table, texels.is_srgb) if has_errors else None
         self._size = np.stack([widths, heights, layers])
         self.layers = int(layers[0])
         """The layers of an array, or the faces of a cube."""
-        same = bool((self._table == self._table[:, :1]).all())
+        tables = (self._table, *(self._ends or ()))
+        same = all(bool((table == table[:, :1]).all()) for table in tables)
         self.only = _lanes(self._texel_at(np.int64(0))) if same else None
         """The lanes of all texels, if they are the same."""
 
@@ -192,10 +195,19 @@ class Image:
     def _texel_at(self, index: Any, lanes: slice = EVERY_LANE) -> Bounded:
         """Texels by their numbers in the table."""
         found = self._table[lanes].take(index, axis=1)
+        if self._ends is not None and not self.is_exact:
+            low, high = (end[lanes].take(index, axis=1) for end in self._ends)
+            return Bounded(found, low, high)
         if self._errors is None:
             return exact(found)
         off = self._errors[lanes].take(index, axis=1)
         return Bounded(found, np.maximum(found - off, np.minimum(found, 0.0)), found + off)
+
+
+def _table(levels: Sequence[Floats | Ints]) -> NDArray[Any]:
+    """The texels of all levels, one behind the other: (lanes, texels)."""
+    rows = [level.reshape(-1, level.shape[-1]) for level in levels]
+    return np.ascontiguousarray(np.concatenate(rows).T)
 
 
 def _any_depth(mean: Bounded, three: Sequence[Bounded]) -> Bounded:

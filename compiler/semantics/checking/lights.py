@@ -91,13 +91,13 @@ def _light_body(
 ) -> LightBody | Failure:
     """The term's body with ``light``'s slots as variables; once for the same arguments."""
     key: Application = (symbol, tuple(argument.id for argument in arguments), surface)
-    if key not in ctx.light_bodies:
+    if key not in ctx.lights.bodies:
         instance, _ = light_instance(ctx, ctx.rig[0], surface)
         light = LightVariable({}, instance.record, instance)
         scope = scope_of_body(ctx, symbol, arguments, surface, {"light": light})
         finish = partial(_finish_body, ctx, key, arguments, light)
         settle_body(ctx, symbol, span, scope, finish)
-    return ctx.light_bodies[key]
+    return ctx.lights.bodies[key]
 
 
 def _finish_body(
@@ -110,7 +110,7 @@ def _finish_body(
     symbol, *_ = key
     body = fit_result(ctx, symbol, result, arguments)
     closed = FAILURE if isinstance(body, Failure) else _closed(ctx, symbol, light, body)
-    ctx.light_bodies[key] = closed
+    ctx.lights.bodies[key] = closed
 
 
 def _closed(ctx: Context, symbol: Symbol, light: LightVariable, body: Node) -> LightBody | Failure:
@@ -151,7 +151,7 @@ def _contribution(ctx: Context, body: LightBody, instance: Instance, span: Span)
             )  # fmt: skip
             return FAILURE
         node = slot(ctx, instance, name, span)
-        declared = ctx.light_types[variable.id]
+        declared = ctx.lights.types[variable.id]
         fitted = fit(ctx, node, declared.type, declared.text, span)
         if isinstance(fitted, Node):
             fitted = contracts.meant(ctx, fitted, declared, span)
@@ -166,11 +166,11 @@ def light_instance(
 ) -> tuple[Instance, Formal | None]:
     """One light of the rig as seen from a surface; for an array, its element at a formal index."""
     key = (entry.name, surface)
-    if key not in ctx.lights:
-        made = ctx.lights[key] = _new_instance(ctx, entry, surface)
+    if key not in ctx.lights.instances:
+        made = ctx.lights.instances[key] = _new_instance(ctx, entry, surface)
         if not ctx.is_twin:
             ctx.twins[made[0]] = partial(_twin, ctx, entry, slots_given(ctx, surface)[0])
-    return ctx.lights[key]
+    return ctx.lights.instances[key]
 
 
 def _twin(ctx: Context, entry: RigEntry, surface: Instance) -> Twin:

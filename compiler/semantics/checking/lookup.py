@@ -47,6 +47,8 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
         return slot(ctx, instance, name, span)
     if scope.surface is not None and scope.surface.has(name):
         return slot(ctx, scope.surface, name, span)
+    if name in ctx.lights.named:
+        return ctx.lights.named[name]
     row = KERNEL_INPUTS.get(name)
     if row is not None and ctx.extent is not None and row.type == ctx.extent.type:
         return ctx.tree.node("input", row.type, (), row)

@@ -226,11 +226,11 @@ def light_variable(
     ctx: Context, light: LightVariable, name: str, variable: Node, sample: Node
 ) -> Node:
     """A slot of ``light`` in a term: what all lights of the rig have to keep to."""
-    if variable.id not in ctx.light_types:
+    if variable.id not in ctx.lights.types:
         declared, typing = None, light.record.typing(name)
         if typing is not None and typing.member.type is not None:
             declared = declared_type(ctx, typing.member.type, typing.owner.module)
         meaning = weakened(ctx.meanings.of(sample))
         untyped = Declared(sample.type, str(meaning or sample.type), meaning=meaning)
-        ctx.light_types[variable.id] = declared or untyped
-    return assumed(ctx, variable, ctx.light_types[variable.id])
+        ctx.lights.types[variable.id] = declared or untyped
+    return assumed(ctx, variable, ctx.lights.types[variable.id])

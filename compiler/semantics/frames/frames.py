@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from ....frozen import frozen
 from ...diagnostics import rules
@@ -24,7 +24,7 @@ from ..shading.host_names import Entry, names_taken
 from ..shading.instances import instance_of
 from ..shading.rigs import entries_of
 from ..state.context import Context
-from ..state.scope import OUTERMOST, Failure, Instance, Scope, Value
+from ..state.scope import OUTERMOST, Failure, Instance, Scope
 from .dependencies import Dependencies, Key, Need
 from .shaders import Shaders
 from .steps import Around, ModelsOf, Steps
@@ -57,7 +57,7 @@ class _Checking:
         self._instance: Instance = instance_of(ctx, self._record, self._leaves)
         taken = names_taken((self._leaves,), symbol.module)
         self._entries: list[Entry] = entries_of(ctx, around.rig, taken)
-        self._lights = self._light_values()
+        ctx.lights.named.update(self._single_lights())
         self._models = self._all_models()
         self._dependencies = Dependencies(self._record, around.report)
         root = root_of(symbol.module, "material")
@@ -78,7 +78,8 @@ class _Checking:
         self._check_rest(needed)
         self._steps.settle_previous()
         ctx.deferred.report()
-        if not outputs and not self._record.baseless and not ctx.report.unread_names:
+        written = any(self._record.every(ast.Output))
+        if not written and not self._record.baseless and not ctx.report.unread_names:
             ctx.report.add(rules.NO_OUTPUT, declaration.name.span, name=self._symbol.name)
         self._around.reached.update(ctx.reached())
         if ctx.report.failed:
@@ -112,13 +113,10 @@ class _Checking:
 
     # --- what the frame draws, and under which lights ---
 
-    def _light_values(self) -> Mapping[str, Value]:
-        """The single lights of the rig, whose parameters equations of the frame can read."""
-        return {
-            entry.short_name: instance_of(self._ctx, entry.record, leaves)
-            for entry, leaves in self._entries
-            if entry.kind == "single"
-        }
+    def _single_lights(self) -> Iterator[tuple[str, Instance]]:
+        for entry, leaves in self._entries:
+            if entry.kind == "single":
+                yield entry.short_name, instance_of(self._ctx, entry.record, leaves)
 
     def _all_models(self) -> dict[str, ModelsOf]:
         return {
@@ -161,7 +159,7 @@ class _Checking:
             if isinstance(made, Image | Elements):
                 yield Output(member.name.text, made, member.doc, member.name.span)
             elif not isinstance(made, Failure):
-                self._ctx.report.add(rules.NO_RESULT, member.value.span, what="result of a step")
+                self._ctx.report.add(rules.NOT_LEFT, member.value.span, what="result of a step")
 
     def _check_steps(self, needs: list[Need]) -> list[Key]:
         """Check steps that nobody has asked for yet, each behind those that it needs."""
@@ -193,7 +191,7 @@ class _Checking:
         self._ctx.report.add(rules.NOT_NEEDED, member.name.span, name=name)
 
     def _scope(self, owner: Symbol, level: int) -> Scope:
-        return Scope(owner.module, self._instance, level, locals=self._lights)
+        return Scope(owner.module, self._instance, level)
 
 
 def _is_record(symbol: Symbol, kind: str) -> bool:

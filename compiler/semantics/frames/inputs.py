@@ -147,7 +147,7 @@ class Inputs:
             )
         if isinstance(source, Image | Elements | FromHost):
             return self._fitting(source, source, wanted, written, what)
-        self._ctx.report.add(rules.NO_RESULT, written.span, what=what)
+        self._ctx.report.add(rules.NOT_LEFT, written.span, what=what)
         return Failure()
 
     def _fitting(
@@ -164,7 +164,7 @@ class Inputs:
             else (type_of(read))
         )
         if type(found) is not type(wanted):
-            self._ctx.report.add(rules.NO_RESULT, written.span, what=what)
+            self._ctx.report.add(rules.NOT_LEFT, written.span, what=what)
             return Failure()
         return source if fits(self._ctx, found, wanted, written.span) else Failure()
 
@@ -186,7 +186,7 @@ def check_previous(ctx: Context, later: Sequence[Later]) -> None:
             continue
         if isinstance(source.of, Elements) and source.initially is None:
             ctx.report.add(
-                rules.NO_INITIAL, span, name=source.of.name,
+                rules.NOTHING_BEFORE, span, name=source.of.name,
                 hint=f"`previous({source.of.name}, first)`, where `first` is another buffer",
             )  # fmt: skip
         fits(ctx, type_of(source.of), wanted, span)

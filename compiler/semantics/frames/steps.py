@@ -223,7 +223,7 @@ class Steps:
     def _no_result(self, found: Made, span: Span) -> Failure:
         """Report that something is no result of a step, unless more has been said about it."""
         if not isinstance(found, Failure):
-            self._ctx.report.add(rules.NO_RESULT, span, what="result of a step")
+            self._ctx.report.add(rules.NOT_LEFT, span, what="result of a step")
         return FAILURE
 
     def _chosen(self, e: ast.Conditional, around: Around) -> Made:

@@ -62,6 +62,19 @@ class ExternBlocks:
 
 
 @record
+class Lights:
+    """The lights of the rig, as far as somebody has asked for them."""
+
+    types: dict[int, Declared] = fresh(factory=dict)
+    """How the slots of `light` are declared, by the variables that stand for them in terms."""
+    instances: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = fresh(factory=dict)
+    bodies: dict[Application, LightBody | Failure] = fresh(factory=dict)
+    """Bodies of terms that are summed over the lights."""
+    named: dict[str, Instance] = fresh(factory=dict)
+    """The single lights of a rig, whose parameters the equations of a frame read by name."""
+
+
+@record
 class Progress:
     """Which values are being computed at the moment, and which never can be."""
 
@@ -129,8 +142,7 @@ class Context:
         """Values of functions and of the file's constants."""
         self.overloads: dict[Symbol, Overloads] = {}
         """By the first of them."""
-        self.light_bodies: dict[Application, LightBody | Failure] = {}
-        """Bodies of terms that are summed over the lights."""
+        self.lights = Lights()
         self.call_sizes: dict[Symbol, int] = {}
         """How many bodies one call of a function comes to (``call_sizes``)."""
         self.entered: set[Symbol] = set()
@@ -140,9 +152,6 @@ class Context:
         self.is_twin = False
         self.placeholders: set[Node] = set()
         """Arguments and slots without a value, in a declaration that is checked by itself."""
-        self.light_types: dict[int, Declared] = {}
-        """How the slots of `light` are declared, by the variables that stand for them in terms."""
-        self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
         self.shaded: dict[tuple[Instance, Hashable], Instance] = {}
         """Surfaces with slots replaced by ``with``, by the surface and the new values."""
         self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
