@@ -14,6 +14,7 @@ from .terminal import FAILED
 PACKAGES = {
     "numpy": ("drawing needs NumPy", "render"),
     "PIL": ("drawing needs Pillow", "render"),
+    "msgspec": ("scenes need msgspec", "scenes"),
     "OpenImageIO": (".exr and .hdr files need OpenImageIO", "scenes"),
 }
 """What lacks without a package, by the name that is imported; and the extra that brings it."""

@@ -358,7 +358,7 @@ def test_numbers_instead_of_colours(tmp_path: Path) -> None:
     given = f"paint={whole}"
     picture = draw("material M { map paint : texture2d color = paint(vec2(0.5)).rgb / 12 }",
                    tmp_path, "--set", given)  # fmt: skip
-    assert middle(picture) == (255, 38, 0)
+    assert middle(picture) == (255, 40, 0)
 
 
 def test_a_sheet_has_no_numbers(tmp_path: Path) -> None:
