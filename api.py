@@ -152,6 +152,20 @@ def check(
     return report.diagnostics
 
 
+def has_frames(
+    source: str | Path, *, material: str | None = None, search_path: Sequence[str | Path] = ()
+) -> bool:
+    """Whether ``compile`` makes frames of a file; ``material`` is the only name asked for.
+
+    Raises ``CompileError`` if the file cannot be read.
+    """
+    report = Report()
+    frontend, module = _opened(source, search_path, report)
+    if module is None or report.failed:
+        raise CompileError(report.diagnostics)
+    return frontend.has_frames(module, material)
+
+
 def variants(
     source: str | Path, *, search_path: Sequence[str | Path] = ()
 ) -> tuple[tuple[str | None, str | None], ...]:

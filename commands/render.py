@@ -116,8 +116,18 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
     help="The colour behind the mesh.",
 )  # fmt: skip
-@click.option("--target", metavar="NAME", help="The render target to show, if not the first.")
-@click.option("--material", metavar="NAME", help="Only this material, instead of all in the file.")
+@click.option(
+    "--frames", metavar="N", default=1, show_default=True, type=click.IntRange(1, 10_000),
+    help="How often to draw a frame, one after the other.",
+)  # fmt: skip
+@click.option(
+    "--target", metavar="NAME",
+    help="The render target to show, if not the first; or the output of a frame.",
+)  # fmt: skip
+@click.option(
+    "--material", metavar="NAME",
+    help="Only this material, kernel or frame, instead of all in the file.",
+)  # fmt: skip
 @rig_option
 @pass_option
 @search_option
@@ -146,9 +156,14 @@ def render(**chosen: Any) -> None:
     called like it, of a kernel in the same file, which the reference runs. For simulations, --steps
     runs it again and again; --again says which buffers go on with what was written.
 
+    A file that declares a frame shows its outputs, side by side: what the whole frame draws, with
+    a model of each material. For frames that evolve, --frames draws several: as numbered pictures,
+    or as one that moves if the output ends in .gif or .webp.
+
     \b
     Example:
         burnish render plastic.burnish -o plastic.png
+        burnish render deferred.burnish -o deferred.png --set exposure=2
         burnish render plastic.burnish -o torus.png --mesh torus --set power=200
         burnish render plastic.burnish -o sheet.png --on all --size 256
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
@@ -160,12 +175,18 @@ def render(**chosen: Any) -> None:
 
 def _render(request: Request) -> None:
     from ..targets.runner.runner import Runner
+    from .frames import has_frames, render_frames
     from .panels import panels
     from .progress import Progress
     from .subjects import subjects
 
     _check_output(request.output)
     routes = _routes(request.on)
+    if has_frames(request):
+        if routes != [None]:
+            raise click.UsageError("frames are drawn by the reference only, as yet")
+        render_frames(request)
+        return
     if request.native_stages and None in routes:
         raise click.UsageError(
             "--native-stages is for routes, and the reference draws without such stages: name "

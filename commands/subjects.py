@@ -52,6 +52,8 @@ class Request(NamedTuple):
     """How often kernels that a step changes are run."""
     again: tuple[tuple[str, str], ...]
     """Buffers, and what they become from step to step."""
+    frames: int
+    """How often a frame is drawn."""
 
     @property
     def draws_everything(self) -> bool:

@@ -22,7 +22,7 @@ def buffer_rows(infos: Sequence[BufferInfo], program: Program) -> Iterator[dict[
     read = {stage.name: frozenset(stage.buffers) for stage in program.stages}
     for info in infos:
         stages = [name for name, buffers in read.items() if info.buffer in buffers]
-        yield {**_row(info), "count": info.buffer.count.name, "stages": stages}
+        yield {**buffer_row(info), "count": info.buffer.count.name, "stages": stages}
 
 
 def result_rows(shader: Shader) -> Iterator[dict[str, Any]]:
@@ -33,7 +33,7 @@ def result_rows(shader: Shader) -> Iterator[dict[str, Any]]:
     for info in shader.written:
         operator, count = lengths.get(info.buffer, (None, extents[0].value))
         signed = info.buffer.type.element == INT
-        row = _row(info)
+        row = buffer_row(info)
         yield {
             **row,
             "stride": row["stride"] * info.each,
@@ -49,7 +49,7 @@ def extent_steps(shader: Shader) -> list[dict[str, Any]] | None:
     return steps(extents[0].value) if extents else None
 
 
-def _row(info: BufferInfo) -> dict[str, Any]:
+def buffer_row(info: BufferInfo) -> dict[str, Any]:
     """What both kinds of buffers have."""
     buffer, packed = info.buffer, element_packing(info.buffer.type.element)
     return {

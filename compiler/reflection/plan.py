@@ -19,13 +19,12 @@ from ..ir.frame import (
     Use,
 )
 from ..ir.leaves import Resource
-from ..ir.shader import BufferInfo, ParameterInfo, ResourceInfo
+from ..ir.shader import ResourceInfo
 from ..ir.types import Texture
-from ..packing import packing
 from ..planning.plan import Barrier, Copy, Plan, PlannedStep, Target
-from .bytes import layout_row
-from .parameters import light_rows, member_rows
-from .values import listed, steps
+from .buffers import buffer_row
+from .parameters import Places, light_rows, parameter_row
+from .values import steps
 
 VERSION = 1
 """Grows when a host that executes plans has to change."""
@@ -49,19 +48,21 @@ class _Document:
 
     def rows(self) -> dict[str, Any]:
         frame = self._frame
-        lights = {info.parameter.name for info in frame.parameters if info.light}
-        counts = {info.count.parameter.name for info in frame.buffers}
-        own = [i for i in frame.parameters if i.parameter.name not in lights | counts]
+        names = frozenset(info.parameter.name for info in frame.parameters)
         return {
             "plan": VERSION,
             "frame": frame.name,
             "doc": frame.doc,
             "source": _place(frame.span),
             "rig": frame.rig,
-            "parameters": [_parameter_row(info) for info in own],
+            "parameters": [parameter_row(info, names, Places(())) for info in frame.parameters],
             "lights": light_rows(frame.parameters),
             "host_textures": [_host_texture_row(info) for info in frame.resources],
-            "host_buffers": [_host_buffer_row(info) for info in frame.buffers],
+            "host_buffers": [
+                {**buffer_row(info), "count": info.buffer.count.name, "stages": []}
+                for info in frame.buffers
+            ],
+            "sources": dict(self._sources()),
             "models": [
                 {
                     "name": models.name,
@@ -92,6 +93,16 @@ class _Document:
         }
 
     # --- what there is ---
+
+    def _sources(self) -> Iterator[tuple[str, dict[str, Any]]]:
+        """Where everything is declared that the host sets."""
+        frame = self._frame
+        for info in frame.parameters:
+            yield info.parameter.name, _place(info.span)
+        for texture in frame.resources:
+            yield texture.resource.name, _place(texture.span)
+        for buffer in frame.buffers:
+            yield buffer.buffer.name, _place(buffer.span)
 
     def _texture_rows(self) -> Iterator[dict[str, Any]]:
         for texture in self._plan.textures:
@@ -243,21 +254,6 @@ def _shader_row(shader: FrameShader) -> dict[str, Any]:
     }
 
 
-def _parameter_row(info: ParameterInfo) -> dict[str, Any]:
-    packed = packing(info.parameter.type)
-    return {
-        "name": info.parameter.name,
-        "type": info.declared_type,
-        "representation": str(info.parameter.type),
-        "range": listed(info.range),
-        "default": listed(info.default),
-        "layout": layout_row(packed),
-        "members": member_rows(packed, info.members),
-        "doc": info.doc,
-        "source": _place(info.span),
-    }
-
-
 def _host_texture_row(info: ResourceInfo) -> dict[str, Any]:
     resource: Resource = info.resource
     assert isinstance(resource.type, Texture)
@@ -266,18 +262,9 @@ def _host_texture_row(info: ResourceInfo) -> dict[str, Any]:
         "type": str(resource.type),
         "dimension": resource.type.dimension,
         "sample": resource.type.sample,
+        "group": resource.group,
         "default": resource.default,
         "doc": info.doc,
-        "source": _place(info.span),
-    }
-
-
-def _host_buffer_row(info: BufferInfo) -> dict[str, Any]:
-    return {
-        "name": info.buffer.name,
-        "type": f"{info.element.declared_type}[]",
-        "doc": info.doc,
-        "source": _place(info.span),
     }
 
 

@@ -10,6 +10,7 @@ from importlib.resources import files
 from typing import Any
 
 from jsonschema import Draft202012Validator
+from referencing import Registry, Resource
 
 REFLECTION, PLAN = "reflection.schema.json", "plan.schema.json"
 
@@ -28,4 +29,6 @@ def validate(reflection: dict[str, Any]) -> None:
 
 def validate_plan(plan: dict[str, Any]) -> None:
     """Raises ``jsonschema.ValidationError`` where the plan does not follow the schema."""
-    Draft202012Validator(schema(PLAN)).validate(plan)
+    rows = Resource.from_contents(schema())
+    registry: Registry[Any] = Registry().with_resource(REFLECTION, rows)
+    Draft202012Validator(schema(PLAN), registry=registry).validate(plan)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,11 +54,14 @@ def encoded_numbers(pixels: Floats, path: Path, *, lanes: int = 4) -> bytes:
     return encoded_floats(pixels, lanes, path, form)
 
 
-def encoded(image: Image.Image, path: Path) -> bytes:
-    """A file in the format that the ending of its name says; raises ``PictureError``."""
+def encoded(image: Image.Image, path: Path, **further: Any) -> bytes:
+    """A file in the format that the ending of its name says; raises ``PictureError``.
+
+    ``further`` is what Pillow takes for this format, such as more pictures.
+    """
     file = BytesIO()
     try:
-        image.save(file, format=_format(path))
+        image.save(file, format=_format(path), **further)
     except (OSError, ValueError) as error:
         raise _unwritable(path, getattr(error, "strerror", None) or str(error)) from error
     return file.getvalue()

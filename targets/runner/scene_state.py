@@ -102,6 +102,17 @@ def set_up(
     """
     width, height = size
     scene.apply(instance, width / height)
+    return drawn_state(instance, mesh, size, clear)
+
+
+def drawn_state(
+    instance: Instance, mesh: Mesh, size: tuple[int, int], clear: Color = CLEAR
+) -> SceneState:
+    """The state of a scene whose parameters have been set.
+
+    Raises ``MeshError`` if the mesh lacks something that the shader reads.
+    """
+    width, height = size
     reflection = instance.reflection
     data = vertex_data(reflection, mesh)
     drawn = as_drawn(instance, data, mesh)

@@ -59,6 +59,13 @@ def format_of(name: str) -> Format:
     return Format(numbers[0], numbers[-1], name.endswith("f"), name.endswith("srgb"))
 
 
+def lanes_of(name: str) -> int:
+    """How many lanes a format stores, each of which its name begins with a letter for."""
+    letters = re.match(r"[a-z]+", name)
+    assert letters is not None
+    return len(letters[0])
+
+
 def clamped(name: str, colours: Floats) -> Floats:
     """Colours (…, 4) in the range of a format."""
     return colours if format_of(name).is_float else np.clip(colours, 0.0, 1.0)

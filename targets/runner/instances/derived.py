@@ -27,6 +27,17 @@ class Sized(Protocol):
         """The number of texels in each direction."""
 
 
+class OfSize:
+    """A texture that the host has made itself, and of which only the size is known."""
+
+    def __init__(self, *sides: int) -> None:
+        self._sides = sides
+
+    def size(self, level: int) -> tuple[int, ...]:
+        """The number of texels in each direction."""
+        return tuple(max(side >> max(level, 0), 1) for side in self._sides)
+
+
 class Inputs:
     """The values of the parameters, converted to ``Named`` when a step first reads them."""
 

@@ -7,7 +7,7 @@ the compiler. Nothing here imports NumPy.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sized
+from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
@@ -69,6 +69,7 @@ class Instance:
         self._names = Names(reflection)
         self._values = {name: initial(shape) for name, shape in self._names.shapes.items()}
         self._textures: dict[str, Texture] = {}
+        self._sized: dict[str, derived.OfSize] = {}
         layouts = map(layout_of, reflection["buffers"])
         self._buffers = {layout.name: empty(layout) for layout in layouts}
 
@@ -120,13 +121,40 @@ class Instance:
             )  # fmt: skip
         self._set_buffer(Contents(layout, count, data))
 
+    def bind_own(self, name: str, size: tuple[int, ...]) -> None:
+        """Say how large a texture is that the host binds itself: one that it has drawn.
+
+        Raises ``ParameterError`` if there is no such texture.
+        """
+        if name not in self._names.textures:
+            raise ParameterError(name, f"there is no texture `{name}`")
+        self._sized[name] = derived.OfSize(*size)
+
+    def take(self, name: str, other: Instance, source: str) -> None:
+        """Take over the whole value of a parameter from another instance, where it has this type,
+        with parts of it that nobody has set."""
+        self._values[name] = other._values[source]
+
+    def evaluated(self, steps: Sequence[Mapping[str, Any]]) -> Any:
+        """The value that steps compute of parameters and of the sizes of textures, as ``set`` takes
+        it. Raises ``MissingValuesError``."""
+        found = derived.compute(steps, self._read_by(steps, self._sizes()))
+        is_number = len(found) == 1 and not isinstance(found[0], tuple)
+        return found[0] if is_number else found
+
     def having(self, name: str, value: object) -> Instance:
         """A copy that differs in one value. Raises ``ParameterError``, as ``set`` does."""
+        made = self.copied()
+        made.set(name, value)
+        return made
+
+    def copied(self) -> Instance:
+        """An instance with the same values, which can be changed by itself."""
         made = copy(self)
         made._values = dict(self._values)
         made._textures = dict(self._textures)
+        made._sized = dict(self._sized)
         made._buffers = dict(self._buffers)
-        made.set(name, value)
         return made
 
     def set_text(self, name: str, text: str) -> None:
@@ -222,7 +250,7 @@ class Instance:
     def image_size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""
         steps = self._reflection["extent"]
-        width, height = derived.compute(steps, self._read_by(steps, self.textures()))
+        width, height = derived.compute(steps, self._read_by(steps, self._sizes()))
         return max(int(width), 0), max(int(height), 0)
 
     def patch_levels(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -317,8 +345,12 @@ class Instance:
             changes |= self._changes(f"{name}.{member}", inner)
         return changes
 
+    def _sizes(self) -> dict[str, derived.Sized]:
+        """Every texture, of which somebody asks for the size."""
+        return {**self.textures(), **self._sized}
+
     def _read_by(
-        self, steps: Iterable[Mapping[str, Any]], textures: Mapping[str, Texture] = EMPTY
+        self, steps: Iterable[Mapping[str, Any]], textures: Mapping[str, derived.Sized] = EMPTY
     ) -> derived.Inputs:
         """What steps of a host's read, which need no other values. Raises
         ``MissingValuesError``."""

@@ -1,0 +1,1 @@
+"""Draws frames: executes their plans with the reference and with drivers."""

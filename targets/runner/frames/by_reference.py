@@ -1,0 +1,297 @@
+"""Draws a frame with the reference: step by step, in double precision.
+
+What a step leaves is a texture with bounds, if bounds are asked for: between which numbers those of
+a device are. Of a pixel that is undecided, these are all numbers that its format has, so that the
+pixels which read it are as uncertain as they should be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....compiler.ir.shader import Shader
+from ....compiler.reference.bounds.errors import Errors
+from ....compiler.reference.picture import (
+    Canvas,
+    Expected,
+    RasterRules,
+    Texels,
+    draw_onto,
+    expected_on,
+    formats,
+    written_by,
+)
+from ..kernels import drawable, full_screen_state, has_images
+from ..reference import geometry_for, texels_of, values_for
+from ..reference_kernels import elements_by_reference
+from ..scene_state import CLEAR
+from .host import FrameDraw, FrameHost, Row, halved
+
+Floats = NDArray[np.float64]
+Progress = Callable[[float], None]
+
+DEPTHS = "depth"
+"""What the formats of depths begin with."""
+_ENDS = 3
+"""A value, and between which numbers that of a device is."""
+
+
+@dataclass(eq=False, slots=True)
+class Drawn:
+    """A texture while a frame is drawn."""
+
+    format: str
+    dimension: str
+    levels: list[Floats]
+    """Of each level (3, layers, height, width, lanes): values, and their lower and upper ends."""
+
+    @classmethod
+    def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
+        """Transparent black, or no depth at all."""
+        lanes = 1 if row["format"].startswith(DEPTHS) else 4
+        levels = [
+            np.zeros((_ENDS, row["layers"], *reversed(_halved(size, level)), lanes))
+            for level in range(row["levels"])
+        ]
+        return cls(row["format"], row["dimension"], levels)
+
+    @property
+    def lanes(self) -> int:
+        """How many lanes its format has."""
+        return 1 if self.format.startswith(DEPTHS) else formats.lanes_of(self.format)
+
+    def texels(self) -> Texels:
+        """The texture as a shader reads it."""
+        flat = self.dimension == "2d"
+        value, low, high = (
+            tuple(level[end, 0] if flat else level[end] for level in self.levels)
+            for end in range(_ENDS)
+        )
+        return Texels(value, False, low, high)
+
+    def copy(self) -> Drawn:
+        """The same contents in a texture of its own."""
+        return Drawn(self.format, self.dimension, [level.copy() for level in self.levels])
+
+
+@dataclass(slots=True)
+class ReferenceFrames:
+    """Draws one frame after the other."""
+
+    host: FrameHost
+    rules: RasterRules
+    errors: Errors | None = None
+    shader_of: Callable[[int], Shader] | None = None
+    """What the shader of a number computes, if that is not what it means: what a profile's text
+    does."""
+    frames: int = 0
+    """How many have been drawn."""
+    textures: dict[int, Drawn] = field(default_factory=dict)
+    buffers: dict[str, bytes] = field(default_factory=dict)
+    undecided: dict[tuple[int, int, int], NDArray[np.bool_]] = field(default_factory=dict)
+    """Of what was drawn to a texture's layer and level, the pixels that hang on rounding."""
+
+    def draw(self, progress: Progress | None = None) -> None:
+        """Draw the next frame."""
+        plan = self.host.plan
+        is_first = self.frames == 0
+        self._keep()
+        steps = plan["steps"]
+        for number, step in enumerate(steps):
+            if is_first or not step.get("only_first", False):
+                self._step(step, is_first)
+            if progress is not None:
+                progress((number + 1) / len(steps))
+        for row in plan["kept"]:
+            self._exchange(row)
+        self.frames += 1
+
+    def output(self, name: str) -> Drawn:
+        """What an output of the last frame shows."""
+        row = next(row for row in self.host.plan["outputs"] if row["name"] == name)
+        kept = {row["result"]: row["previous"] for row in self.host.plan["kept"]}
+        return self.textures[kept.get(row["result"], row["texture"])]
+
+    # --- steps -----------------------------------------------------------------------------------
+
+    def _keep(self) -> None:
+        """Make the textures that the first frame finds as the last one would have left them."""
+        for row in self.host.plan["kept"]:
+            previous = row["previous"]
+            if previous is not None and previous not in self.textures:
+                self._make(previous)
+
+    def _exchange(self, row: Row) -> None:
+        if row["texture"] is None:
+            self.buffers[f"previous({row['result']})"] = self.buffers[row["result"]]
+            return
+        one, other = row["texture"], row["previous"]
+        if one in self.textures:
+            self.textures[one], self.textures[other] = self.textures[other], self.textures[one]
+
+    def _make(self, texture: int) -> Drawn:
+        row = self.host.plan["textures"][texture]
+        made = Drawn.empty(row, self.host.size_of(texture))
+        self.textures[texture] = made
+        return made
+
+    def _step(self, step: Row, is_first: bool) -> None:
+        match step["kind"]:
+            case "copy":
+                source, target = step["from"]["texture"], step["to"]["texture"]
+                self.textures[target] = self.textures[source].copy()
+            case "run":
+                self._run(step, self.host.kernel(step, is_first=is_first))
+            case _:
+                self._draw(step, is_first)
+
+    def _draw(self, step: Row, is_first: bool) -> None:
+        draws = list(self.host.draws(step, is_first=is_first))
+        targets = [*step["targets"], *([step["depth"]] if step["depth"] else [])]
+        for target in targets:
+            is_new = target["load"] == "clear" and target["layer"] in (0, None)
+            if target["texture"] not in self.textures or (is_new and target["level"] == 0):
+                self._make(target["texture"])
+        layers = (
+            1
+            if targets[0]["layer"] is not None
+            else (self.host.plan["textures"][targets[0]["texture"]]["layers"])
+        )
+        for layer in range(layers):
+            self._draw_layer(step, draws, layer)
+
+    def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
+        shader = self._shader(step["draws"][0]["uses"][0]["shader"])
+        width, height = self._size_of(step)
+        rules = replace(self.rules, width=width, height=height)
+        written = written_by(shader)
+        canvas = Canvas(
+            width * height, [CLEAR] * len(written), written, rounds=self.errors is not None,
+            has_depth=step["depth"] is not None,
+        )  # fmt: skip
+        self._load(canvas, step, layer)
+        for draw in draws:
+            self._onto(canvas, draw, rules, layer)
+        self._store(canvas, step, layer, rules)
+
+    def _size_of(self, step: Row) -> tuple[int, int]:
+        target = step["targets"][0] if step["targets"] else step["depth"]
+        return _halved(self.host.size_of(target["texture"]), target["level"])
+
+    def _shader(self, number: int) -> Shader:
+        if self.shader_of is not None:
+            return drawable(self.shader_of(number))
+        return drawable(self.host.shaders[number].shader)
+
+    def _onto(self, canvas: Canvas, draw: FrameDraw, rules: RasterRules, layer: int) -> None:
+        """Draw on a canvas; where a shader draws each layer by itself, this one."""
+        state = draw.state.layers[layer] if draw.state.layers else draw.state
+        shader = self._shader(draw.shader)
+        for name, read in draw.reads.items():
+            if read.texture is None:
+                state.instance.set_bytes(name, self.buffers[read.result])
+        draw_onto(
+            canvas, shader, values_for(shader, state.instance), self._texels(draw),
+            geometry_for(shader, state.geometry()), rules, self.errors,
+        )  # fmt: skip
+
+    def _texels(self, draw: FrameDraw) -> Mapping[str, Texels]:
+        found = texels_of(draw.state.instance)
+        for name, read in draw.reads.items():
+            if read.texture is not None:
+                found[name] = self.textures[read.texture].texels()
+        return found
+
+    # --- contents --------------------------------------------------------------------------------
+
+    def _load(self, canvas: Canvas, step: Row, layer: int) -> None:
+        """Put what is there before on a canvas."""
+        for number, target in enumerate(step["targets"]):
+            if target["load"] == "load":
+                canvas.targets[number][:] = self._pixels(target, layer)
+        depth = step["depth"]
+        if depth is not None and depth["load"] == "load":
+            value, low, high = self._pixels(depth, layer)[..., 0]
+            canvas.depth[:] = value
+            canvas.depth_off[:] = np.maximum(high - value, value - low)
+        for target in self._loaded(step):
+            known = self.undecided.get(_place(target, layer))
+            if known is not None:
+                canvas.shaky |= known
+
+    def _loaded(self, step: Row) -> Iterator[Row]:
+        for target in [*step["targets"], *([step["depth"]] if step["depth"] else [])]:
+            if target["load"] == "load":
+                yield target
+
+    def _pixels(self, target: Row, layer: int) -> Floats:
+        """What is there of a layer and level: (3, pixels, lanes)."""
+        texture, at, level = _place(target, layer)
+        found = self.textures[texture].levels[level][:, at]
+        return found.reshape(_ENDS, -1, found.shape[-1])
+
+    def _store(self, canvas: Canvas, step: Row, layer: int, rules: RasterRules) -> None:
+        """Keep what was drawn."""
+        picture = expected_on(canvas, rules)
+        for number, target in enumerate(step["targets"]):
+            ends = np.stack([picture.targets[number], picture.low[number], picture.high[number]])
+            self._keep_pixels(target, layer, ends, picture)
+        if step["depth"] is not None:
+            value = canvas.depth.reshape(rules.height, rules.width, 1)
+            off = canvas.depth_off.reshape(value.shape)
+            ends = np.clip(np.stack([value, value - off, value + off]), 0.0, 1.0)
+            self._keep_pixels(step["depth"], layer, ends, picture)
+
+    def _keep_pixels(self, target: Row, layer: int, ends: Floats, picture: Expected) -> None:
+        place = _place(target, layer)
+        texture, at, level = place
+        drawn = self.textures[texture]
+        format_ = drawn.format
+        is_depth = format_.startswith(DEPTHS)
+        if not is_depth:
+            ends = np.stack([formats.clamped(format_, end) for end in ends])
+        lowest, highest = (0.0, 1.0) if is_depth or not formats.format_of(format_).is_float else (
+            -np.inf, np.inf
+        )  # fmt: skip
+        ends[1][picture.undecided] = lowest
+        ends[2][picture.undecided] = highest
+        drawn.levels[level][:, at] = ends
+        self.undecided[place] = picture.undecided.ravel()
+
+    # --- kernels ---------------------------------------------------------------------------------
+
+    def _run(self, step: Row, draw: FrameDraw) -> None:
+        instance = draw.state.instance
+        for name, read in draw.reads.items():
+            if read.texture is None:
+                instance.set_bytes(name, self.buffers[read.result])
+        if not has_images(instance.reflection):
+            shader = self.host.shaders[draw.shader].shader
+            written = elements_by_reference(shader, instance)
+            self.buffers |= {row["result"]: written[row["name"]] for row in step["buffers"]}
+            return
+        rows = [
+            {"texture": row["texture"], "layer": 0, "level": 0, "load": "clear"}
+            for row in step["images"]
+        ]
+        for row in rows:
+            self._make(row["texture"])
+        drawn = replace(draw, state=full_screen_state(instance))
+        self._draw_layer(
+            {"targets": rows, "depth": None, "draws": [{"uses": [{"shader": draw.shader}]}]},
+            [drawn], 0,
+        )  # fmt: skip
+
+
+def _place(target: Row, layer: int) -> tuple[int, int, int]:
+    at = layer if target["layer"] is None else target["layer"]
+    return target["texture"], at, target["level"]
+
+
+def _halved(size: tuple[int, int], times: int) -> tuple[int, int]:
+    width, height = size
+    return halved(width, times), halved(height, times)

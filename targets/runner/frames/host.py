@@ -1,0 +1,266 @@
+"""The host's side of a plan: values that are set by name, sizes, and what every step draws.
+
+The reference and the drivers execute the same ``FrameDraw`` records, so that a plan is read in one
+place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..instances.instance import FORMAT, Instance
+from ..instances.values import UnknownParameterError
+from ..scene_state import CLEAR, SceneState, drawn_state
+from ..subject import Subject
+from .scenery import Model, Scenery
+
+VERSION = 1
+"""The version of plans that this code executes."""
+
+Row = Mapping[str, Any]
+
+
+class PlanError(ValueError):
+    """A plan cannot be executed; the text tells people why."""
+
+
+class FrameSubject(Protocol):
+    """A compiled frame, as ``burnish.compile`` returns it."""
+
+    @property
+    def name(self) -> str:
+        """The frame's name."""
+
+    @property
+    def plan(self) -> Row:
+        """What a host does."""
+
+    @property
+    def shaders(self) -> Sequence[Subject]:
+        """The shaders, in the order of the plan."""
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """Where a texture or a buffer of a shader comes from, if a step has made it."""
+
+    result: str
+    texture: int | None
+    """The number of the texture; ``None`` for a buffer."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class FrameDraw:
+    """One draw of a step, or the run of a kernel."""
+
+    shader: int
+    state: SceneState
+    """What is drawn; its instance has the values that the host knows. What steps have made is not
+    among its textures and buffers."""
+    reads: Mapping[str, Read]
+    """By the shader's name for a texture or a buffer."""
+
+
+def triangle(instance: Instance, size: tuple[int, int]) -> SceneState:
+    """A triangle whose vertices have nothing but their numbers."""
+    width, height = size
+    clear = (CLEAR,) * len(instance.reflection["targets"])
+    return SceneState(width, height, {}, np.arange(3)[None], instance, clear)
+
+
+class FrameHost:
+    """The values of one frame."""
+
+    def __init__(self, subject: FrameSubject, scenery: Scenery, size: tuple[int, int]) -> None:
+        """Raises ``PlanError`` for a plan of another version."""
+        plan = subject.plan
+        if plan.get("plan") != VERSION:
+            raise PlanError(f"this is no plan of version {VERSION}")
+        self.plan = plan
+        self.shaders = subject.shaders
+        self.scenery = scenery
+        self.values = Instance(_as_reflection(plan))
+        width, height = size
+        scenery.camera.apply(self.values, width / height)
+        self.values.set("size", size)
+        self._instances = [Instance(shader.reflection) for shader in self.shaders]
+        """For each shader the values of its materials that are the same for all models."""
+        self._kernels: dict[str, Instance] = {}
+        """The instances of the kernels of this frame, by step."""
+
+    def set_text(self, name: str, text: str) -> None:
+        """Set something of the frame; or else of all shaders that have it, such as a material's
+        parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
+        unknown = []
+        for instance in (self.values, *self._instances):
+            try:
+                instance.set_text(name, text)
+            except UnknownParameterError as error:
+                unknown.append(error)
+            else:
+                if instance is self.values:
+                    return
+        if len(unknown) == len(self._instances) + 1:
+            raise unknown[0]
+
+    # --- numbers ---------------------------------------------------------------------------------
+
+    def number(self, value: int) -> Any:
+        """One of the plan's values, in the form in which an instance takes it."""
+        return self.values.evaluated(self.plan["values"][value]["steps"])
+
+    def size_of(self, texture: int) -> tuple[int, int]:
+        """The width and the height of a texture's first level."""
+        row = self.plan["textures"][texture]["size"]
+        if row["value"] is None:
+            width, height = self._kernels[row["extent_of"]].image_size()
+        else:
+            width, height = (int(lane) for lane in self.number(row["value"]))
+        if min(width, height) < 1:
+            names = ", ".join(self.plan["textures"][texture]["results"])
+            raise PlanError(f"{names}: the size would be {width} x {height}")
+        return halved(width, row["level"]), halved(height, row["level"])
+
+    # --- draws -----------------------------------------------------------------------------------
+
+    def draws(self, step: Row, *, is_first: bool) -> Iterator[FrameDraw]:
+        """All draws of a step that draws, one behind the other."""
+        target = [*step["targets"], *([step["depth"]] if step["depth"] else [])][0]
+        width, height = self.size_of(target["texture"])
+        size = halved(width, target["level"]), halved(height, target["level"])
+        for drawn in step["draws"]:
+            for light in self._lights(drawn["light"]):
+                yield from self._drawn(drawn, light, size, is_first)
+
+    def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
+        """The run of a kernel."""
+        instance = self._instances[step["shader"]].copied()
+        reads = self._give(instance, step, is_first)
+        self._kernels[step["name"]] = instance
+        return FrameDraw(step["shader"], triangle(instance, (1, 1)), reads)
+
+    def _lights(self, entry: str | None) -> Sequence[tuple[str, int | None] | None]:
+        """Each light of an entry of the rig, by its name and number."""
+        if entry is None:
+            return (None,)
+        row = next(row for row in self.plan["lights"] if row["name"] == entry)
+        if row["capacity"] is None:
+            return ((entry, None),)
+        count = row["capacity"] if row["count"] is None else self.values.get(row["count"])
+        return tuple((entry, number) for number in range(count))
+
+    def _drawn(
+        self,
+        drawn: Row,
+        light: tuple[str, int | None] | None,
+        size: tuple[int, int],
+        is_first: bool,
+    ) -> Iterator[FrameDraw]:
+        uses = {use["material"]: use for use in drawn["uses"]}
+        if drawn["models"] is None:
+            yield self._one(uses[None], None, light, size, is_first)
+            return
+        for model in self.scenery.tagged(drawn["models"]):
+            if model.material not in uses:
+                known = ", ".join(uses)
+                raise PlanError(
+                    f"a model of `{drawn['models']}` has the material {model.material}, and the "
+                    f"frame draws {known}"
+                )
+            yield self._one(uses[model.material], model, light, size, is_first)
+
+    def _one(
+        self,
+        use: Row,
+        model: Model | None,
+        light: tuple[str, int | None] | None,
+        size: tuple[int, int],
+        is_first: bool,
+    ) -> FrameDraw:
+        instance = self._instances[use["shader"]].copied()
+        camera = self.scenery.camera
+        if model is not None:
+            camera = replace(camera, object_to_world=model.placement)
+        camera.apply(instance, size[0] / size[1])
+        self._shine(instance, light)
+        for name, value in ({} if model is None else model.values).items():
+            instance.set(name, value)
+        reads = self._give(instance, use, is_first)
+        state = (
+            triangle(instance, size) if model is None else drawn_state(instance, model.mesh, size)
+        )
+        return FrameDraw(use["shader"], state, reads)
+
+    def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
+        """Give a shader the lights of the frame; of a single one, that of its entry."""
+        for row in instance.reflection["lights"]:
+            own = row["name"].removeprefix(f"{instance.reflection['rig']}.")
+            source = own
+            if light is not None and light[1] is not None and own == light[0]:
+                source = f"{own}[{light[1]}]"
+            if row["capacity"] is None:
+                for name in row["parameters"]:
+                    member = name.removeprefix(f"{row['name']}.")
+                    instance.set(name, self.values.get(f"{source}.{member}"))
+            else:
+                instance.take(row["name"], self.values, own)
+                if row["count"] is not None:
+                    instance.take(row["count"], self.values, f"{own}.count")
+
+    def _give(self, instance: Instance, use: Row, is_first: bool) -> dict[str, Read]:
+        """Give a shader what the frame sets; what steps have made is returned."""
+        reads = {}
+        for row in use["inputs"]:
+            name, source = row["name"], row
+            if is_first and row.get("initially") is not None:
+                source = row["initially"]
+            if "value" in source:
+                instance.set(name, self.number(source["value"]))
+            elif "host" in source:
+                self._bind(instance, name, source["host"])
+            elif "previous" in source:
+                reads[name] = Read(f"previous({source['previous']})", source["texture"])
+            else:
+                reads[name] = Read(source["result"], source["texture"])
+        for name, read in reads.items():
+            if read.texture is not None:
+                instance.bind_own(name, self.size_of(read.texture))
+        return reads
+
+    def _bind(self, instance: Instance, name: str, host: str) -> None:
+        """Give a shader a texture or a buffer of the host."""
+        textures = self.values.textures()
+        if host in textures:
+            instance.set(name, textures[host])
+        else:
+            instance.set_bytes(name, self.values.buffers()[host].data)
+
+
+def halved(side: int, times: int) -> int:
+    """A side of a texture in one of its mip levels."""
+    return max(side >> times, 1)
+
+
+def _as_reflection(plan: Row) -> dict[str, Any]:
+    """What a host sets of a frame, in the form in which it sets the values of a shader."""
+    return {
+        "format": FORMAT,
+        "material": plan["frame"],
+        "rig": plan["rig"],
+        "draw": None,
+        "extent": None,
+        "blocks": [],
+        "parameters": plan["parameters"],
+        "derived": [
+            {"name": f"value {number}", "steps": value["steps"]}
+            for number, value in enumerate(plan["values"])
+        ],
+        "lights": plan["lights"],
+        "buffers": plan["host_buffers"],
+        "results": [],
+        "textures": plan["host_textures"],
+    }
