@@ -11,7 +11,13 @@ import click
 from .console import remark, show
 from .terminal import FAILED
 
-PACKAGES = {"numpy": "NumPy", "PIL": "Pillow"}
+PACKAGES = {
+    "numpy": ("drawing needs NumPy", "render"),
+    "PIL": ("drawing needs Pillow", "render"),
+    "msgspec": ("scenes need msgspec", "scenes"),
+    "OpenImageIO": (".exr and .hdr files need OpenImageIO", "scenes"),
+}
+"""What lacks without a package, by the name that is imported; and the extra that brings it."""
 
 
 def fail(text: str) -> NoReturn:
@@ -66,4 +72,5 @@ def needed(error: ModuleNotFoundError) -> NoReturn:
     package = PACKAGES.get((error.name or "").partition(".")[0])
     if package is None:
         raise error
-    fail(f"drawing needs {package}, which is not installed: pip install 'burnish[render]'")
+    lack, extra = package
+    fail(f"{lack}, which is not installed: pip install 'burnish[{extra}]'")

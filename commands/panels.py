@@ -11,8 +11,6 @@ from .progress import Progress
 from .subjects import Subject, target_number
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
-
     from ..targets.runner.render import Floats
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
@@ -63,7 +61,7 @@ def panels(
                     raise
                 yield Panel(titles, str(error), None, BROKEN)
             else:
-                yield Panel(titles, note, _image(subject, targets, target))
+                yield _panel(titles, note, subject, targets, target)
             tell(1)
 
 
@@ -95,13 +93,21 @@ def _drawn(
     return f"{device.name}, {device.version}", targets
 
 
-def _image(subject: Subject, targets: Sequence[Floats], wanted: str | None) -> Image:
+def _panel(
+    titles: tuple[str, ...],
+    note: str,
+    subject: Subject,
+    targets: Sequence[Floats],
+    wanted: str | None,
+) -> Panel:
     from ..targets.runner.pictures import to_image
+    from ..targets.runner.sheet import Panel
 
     reflection = subject.material.reflection
     number = target_number(reflection, wanted)
     lanes = _LANES[reflection["targets"][number]["representation"]]
-    return to_image(targets[number], lanes=lanes)
+    shown = to_image(targets[number], lanes=lanes)
+    return Panel(titles, note, shown, numbers=targets[number], lanes=lanes)
 
 
 _LANES = {"float": 1, "vec2": 2, "vec4": 4}

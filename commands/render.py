@@ -77,7 +77,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @file_argument
 @click.option(
     "-o", "--output", metavar="PICTURE", required=True, type=click.Path(path_type=Path),
-    help="The file to write: .png, .jpg or another image format.",
+    help="The file to write: .png, .jpg or another image format; .exr and .hdr keep the numbers.",
 )  # fmt: skip
 @click.option(
     "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True, callback=_names,
@@ -197,6 +197,7 @@ def _render(request: Request) -> None:
         found = subjects(request, drivers, progress.tell)
         _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), _largest(found))
+        _check_single(len(found) * len(routes), request.output)
         drawn = list(panels(found, routes, request.target, runner, progress))
     _save(drawn, len(routes), request.output, _largest(found))
     click.echo(f"{'; '.join(subject.label for subject in found)}: {request.output}")
@@ -249,24 +250,38 @@ def _check_total(count: int, size: tuple[int, int]) -> None:
         )
 
 
+def _check_single(count: int, path: Path) -> None:
+    """Refuse a sheet in a format for numbers: its captions and borders have none."""
+    from ..targets.runner.pictures import keeps_numbers
+
+    if count > 1 and keeps_numbers(path):
+        raise click.UsageError(
+            f"`{path}` keeps the numbers of one picture, and there are {count}: name one "
+            "--material, --rig, --pass and route"
+        )
+
+
 def _save(drawn: Sequence[Panel], routes: int, path: Path, size: tuple[int, int]) -> None:
     """Write a single picture, or a sheet.
 
     If there are several subjects and several routes, the sheet is a table with a row for each
     subject; otherwise it is nearly square.
     """
-    from ..targets.runner.pictures import encoded
+    from ..targets.runner.pictures import encoded, encoded_numbers, keeps_numbers
     from ..targets.runner.sheet import sheet
     from .output import write_file
 
-    if len(drawn) == 1 and drawn[0].image is not None:
-        image = drawn[0].image
+    is_table = 1 < routes < len(drawn)
+    first = drawn[0]
+    if len(drawn) == 1 and first.numbers is not None and keeps_numbers(path):
+        content = encoded_numbers(first.numbers, path, lanes=first.lanes)
+    elif len(drawn) == 1 and first.image is not None:
+        content = encoded(first.image, path)
     else:
-        is_table = 1 < routes < len(drawn)
         columns = routes if is_table else math.ceil(math.sqrt(len(drawn)))
-        image = sheet(drawn, columns, size)
+        content = encoded(sheet(drawn, columns, size), path)
     try:
-        write_file(path, encoded(image, path))
+        write_file(path, content)
     except OSError as error:
         fail(f"cannot write `{path}`: {error.strerror or error}")
 

@@ -1,4 +1,7 @@
-"""Writes the contents of a render target as an image file for people."""
+"""Writes the contents of a render target as a file: an image for people, or its numbers.
+
+``burnish render`` calls this module.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from ...compiler.reference.transfer import encode_srgb
+from .textures.high_range import check_installed, encoded_floats, format_of
 from .textures.kinds import PictureError
 
 Floats = NDArray[np.float64]
@@ -31,7 +35,23 @@ def to_image(pixels: Floats, *, lanes: int = 4) -> Image.Image:
 
 def check_format(path: Path) -> None:
     """Raise ``PictureError`` unless the ending of the name is that of a known image format."""
-    _format(path)
+    if keeps_numbers(path):
+        check_installed()
+    else:
+        _format(path)
+
+
+def keeps_numbers(path: Path) -> bool:
+    """Whether files with this ending have a target's numbers, instead of what a screen shows."""
+    return format_of(path) is not None
+
+
+def encoded_numbers(pixels: Floats, path: Path, *, lanes: int = 4) -> bytes:
+    """The file of a target's numbers, of shape (height, width, 4), in linear light; raises
+    ``PictureError``."""
+    form = format_of(path)
+    assert form is not None
+    return encoded_floats(pixels, lanes, path, form)
 
 
 def encoded(image: Image.Image, path: Path, **further: Any) -> bytes:
@@ -52,7 +72,7 @@ def _format(path: Path) -> str:
     Image.init()
     form = Image.EXTENSION.get(path.suffix.lower())
     if form is None or form not in Image.SAVE:
-        raise _unwritable(path, "a picture's name ends in .png, .jpg or another image format")
+        raise _unwritable(path, "a picture's name ends in .png, .jpg, .exr or another image format")
     return form
 
 

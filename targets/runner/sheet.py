@@ -6,6 +6,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 GAP = 16
@@ -31,6 +33,10 @@ class Panel:
     """``None`` if there is no picture."""
     problem: str = ""
     """Two or three words that say why there is no picture; they are written in its place."""
+    numbers: NDArray[np.float64] | None = None
+    """What the image shows, of shape (height, width, 4): linear, and not limited to 0..1."""
+    lanes: int = 4
+    """How many lanes of the numbers the render target has."""
 
 
 def sheet(panels: Sequence[Panel], columns: int, size: tuple[int, int]) -> Image.Image:

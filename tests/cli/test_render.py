@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
+from burnish import Texture
 from burnish.commands.render import MESHES
 
 from .kit import invoke, tree
@@ -344,3 +345,24 @@ def test_native_stages(tmp_path: Path) -> None:
     refused = invoke("render", str(source), "-o", str(tmp_path / "r.png"), "--native-stages")
     assert refused.exit_code == 2
     assert "--native-stages is for routes" in refused.stderr
+
+
+def test_numbers_instead_of_colours(tmp_path: Path) -> None:
+    """Lights brighter than white, and numbers below zero, as the material computed them."""
+    (tmp_path / "m.burnish").write_text("material Bright { color = vec3(12, 0.25, -1) }")
+    whole = tmp_path / "m.exr"
+    result = invoke("render", tmp_path / "m.burnish", "-o", whole, "--size", 16)
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert Texture.load(whole).linear()[0][8, 8].tolist() == [12, 0.25, -1, 1]
+
+    given = f"paint={whole}"
+    picture = draw("material M { map paint : texture2d color = paint(vec2(0.5)).rgb / 12 }",
+                   tmp_path, "--set", given)  # fmt: skip
+    assert middle(picture) == (255, 40, 0)
+
+
+def test_a_sheet_has_no_numbers(tmp_path: Path) -> None:
+    (tmp_path / "m.burnish").write_text("material A { }\nmaterial B { }")
+    result = invoke("render", tmp_path / "m.burnish", "-o", "sheet.exr", "--size", 4)
+    assert result.exit_code == 2
+    assert "`sheet.exr` keeps the numbers of one picture, and there are 2" in result.stderr

@@ -155,8 +155,8 @@ def test_unknown_target(name: str, hint: str, folder: Path) -> None:
 
 
 OUTPUTS = {
-    "x": "a picture's name ends in .png, .jpg or another image format",
-    "x.burnish": "a picture's name ends in .png, .jpg or another image format",
+    "x": "a picture's name ends in .png, .jpg, .exr or another image format",
+    "x.burnish": "a picture's name ends in .png, .jpg, .exr or another image format",
     "folder.png": "it is a folder",
     "whole.png/x.png": "`whole.png` is a file, not a folder",
     "whole.png/deep/x.png": "`{folder}/whole.png` is a file, not a folder",
@@ -306,21 +306,28 @@ def test_a_driver_that_breaks_down(deed: str, said: str, monkeypatch: pytest.Mon
     assert Path("sheet.png").exists()
 
 
+FLOATS = ".exr and .hdr files need OpenImageIO"
+
+
 @pytest.mark.parametrize(
-    ("module", "package", "command"),
+    ("module", "lack", "command"),
     [
-        ("numpy", "NumPy", "render m.burnish -o x.png"),
-        ("numpy", "NumPy", "conform m.burnish"),
-        ("PIL", "Pillow", "render m.burnish -o x.png"),
+        ("numpy", "drawing needs NumPy", "render m.burnish -o x.png"),
+        ("numpy", "drawing needs NumPy", "conform m.burnish"),
+        ("PIL", "drawing needs Pillow", "render m.burnish -o x.png"),
+        ("OpenImageIO", FLOATS, "render m.burnish -o x.exr"),
+        ("OpenImageIO", FLOATS, "render m.burnish -o x.png --set paint=light.hdr"),
     ],
 )
-def test_missing_packages(module: str, package: str, command: str, folder: Path) -> None:
-    """Pillow only where a picture is read or written."""
+def test_missing_packages(module: str, lack: str, command: str, folder: Path) -> None:
+    """Pillow only where a picture is read or written, OpenImageIO only for those of floats."""
+    Path("light.hdr").write_bytes(b"#?RADIANCE\n")
     before = tree(folder)
     run = without(module, *command.split())
     assert (run.returncode, run.stdout) == (1, "")
+    extra = "scenes" if lack == FLOATS else "render"
     assert run.stderr == (
-        f"error: drawing needs {package}, which is not installed: pip install 'burnish[render]'\n"
+        f"error: {lack}, which is not installed: pip install 'burnish[{extra}]'\n"
     )
     assert tree(folder) == before
     assert without(module, "compile", "m.burnish", "-o", "out").returncode == 0

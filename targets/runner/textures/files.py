@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,7 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 
 from ..drivers.draw import Dimension
 from .arrays import MAX_SIDE, check_sides
+from .high_range import format_of, read_floats
 from .kinds import FACES, Kind, PictureError
 
 
@@ -29,33 +32,55 @@ def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> 
     for path, array in zip(paths[1:], arrays[1:], strict=True):
         if array.shape != arrays[0].shape or array.dtype != arrays[0].dtype:
             raise PictureError(
-                f"the pictures of one texture are alike, and {path} is {_told(array)}"
-                f" where {paths[0]} is {_told(arrays[0])}"
+                f"the pictures of one texture are alike, and {path} is {_size_of(array)}"
+                f" where {paths[0]} is {_size_of(arrays[0])}"
             )
     return np.stack(arrays)
 
 
 def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
     """The array of the picture in a file, for ``texel_array``. Raises ``PictureError``."""
-    try:
+    with _told(str(path)):
         if path.exists() and not (path.is_file() or path.is_dir()):
             raise PictureError(f"cannot read {path}: it is a pipe or a device")
-        with warnings.catch_warnings():
-            # The size is checked below, before anything is decoded, and more strictly.
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            with Image.open(path) as picture:
-                check_sides(*picture.size, str(path))
-                return _LANES[sample](ImageOps.exif_transpose(picture))
-    except PictureError:
+        if form := format_of(path):
+            return read_floats(path, form)
+        return _decoded(path, str(path), sample)
+
+
+def picture_in(data: bytes, name: str, formats: tuple[str, ...]) -> NDArray[Any]:
+    """The array of the picture that some bytes are, in one of these formats of Pillow; errors call
+    it ``name``. Raises ``PictureError``."""
+    with _told(name):
+        return _decoded(BytesIO(data), name, "float", formats)
+
+
+def _decoded(
+    source: Path | BytesIO, name: str, sample: Kind, formats: tuple[str, ...] | None = None
+) -> NDArray[Any]:
+    with warnings.catch_warnings():
+        # The size is checked below, before anything is decoded, and more strictly.
+        warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+        with Image.open(source, formats=formats) as picture:
+            check_sides(*picture.size, name)
+            return _LANES[sample](ImageOps.exif_transpose(picture))
+
+
+@contextmanager
+def _told(name: str) -> Iterator[None]:
+    """Turn whatever goes wrong with a picture into a ``PictureError``."""
+    try:
+        yield
+    except (PictureError, MemoryError, ModuleNotFoundError):
         raise
     except UnidentifiedImageError:
-        raise PictureError(f"{path} is not a picture of a known format") from None
+        raise PictureError(f"{name} is not a picture of a known format") from None
     except Image.DecompressionBombError:
-        raise PictureError(f"{path} is too large: no side may have over {MAX_SIDE}") from None
+        raise PictureError(f"{name} is too large: no side may have over {MAX_SIDE}") from None
     except OSError as error:
-        raise PictureError(f"cannot read {path}: {error.strerror or error}") from None
+        raise PictureError(f"cannot read {name}: {error.strerror or error}") from None
     except Exception as error:  # Of a damaged file, decoders raise whatever they come upon.
-        raise PictureError(f"{path} is damaged: {error}") from None
+        raise PictureError(f"{name} is damaged: {error}") from None
 
 
 def _colors(picture: Image.Image) -> NDArray[Any]:
@@ -93,7 +118,7 @@ def _sixteen_bits(picture: Image.Image) -> NDArray[np.uint16]:
     return clipped
 
 
-def _told(array: NDArray[Any]) -> str:
+def _size_of(array: NDArray[Any]) -> str:
     lanes = f" of {array.shape[2]} lanes" if array.ndim == 3 else ""
     return f"{array.shape[1]} x {array.shape[0]} {array.dtype}{lanes}"
 

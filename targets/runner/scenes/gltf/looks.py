@@ -1,0 +1,108 @@
+"""Makes looks of the materials of a glTF file: their numbers and their pictures.
+
+The words are those by which ``stdlib/scene.toml`` finds parameters and textures of a material that
+draws them.
+"""
+
+from __future__ import annotations
+
+from ...textures.files import picture_in
+from ...textures.kinds import PictureError
+from ...textures.texture import Texture
+from ..records import PLAIN, Look, SceneError
+from .accessors import Accessors
+from .folder import Folder
+from .schema import File, Image, Material, TextureInfo
+
+MAX_TEXELS = 2**27
+"""The most texels of all pictures of a file together: 512 MB."""
+
+_FORMATS = {"image/png": "PNG", "image/jpeg": "JPEG"}
+
+
+class Looks:
+    """The looks of one file. Each, and each picture, is made when it is first asked for."""
+
+    def __init__(self, file: File, folder: Folder, accessors: Accessors) -> None:
+        self._file = file
+        self._folder = folder
+        self._accessors = accessors
+        self._looks: dict[int, Look] = {}
+        self._textures: dict[tuple[int, bool], Texture] = {}
+        self._left = MAX_TEXELS
+        self.notes: list[str] = []
+
+    def look(self, index: int | None, what: str) -> Look:
+        """The look of a material. Raises ``SceneError``; ``what`` says in it who has the look."""
+        if index is None:
+            return PLAIN
+        if index >= len(self._file.materials):
+            raise SceneError(f"{what}: there is no material {index}")
+        if index not in self._looks:
+            self._looks[index] = self._made(self._file.materials[index], f"material {index}")
+        return self._looks[index]
+
+    def _made(self, material: Material, what: str) -> Look:
+        base = material.pbr_metallic_roughness
+        normal, occlusion = material.normal_texture, material.occlusion_texture
+        strength = material.extensions.emissive_strength
+        shining = strength.emissive_strength if strength else 1.0
+        red, green, blue = material.emissive_factor
+        masked = material.alpha_mode == "MASK"
+        pictures = {
+            "base_color_map": (base.base_color_texture, True),
+            "metallic_roughness_map": (base.metallic_roughness_texture, False),
+            "normal_map": (normal, False),
+            "occlusion_map": (occlusion, False),
+            "emissive_map": (material.emissive_texture, True),
+        }
+        return Look(
+            material.name,
+            {
+                "base_color": base.base_color_factor,
+                "metallic": base.metallic_factor,
+                "roughness": base.roughness_factor,
+                "normal_scale": normal.scale if normal else 1.0,
+                "occlusion_strength": occlusion.strength if occlusion else 1.0,
+                "emissive": (red * shining, green * shining, blue * shining),
+                "is_opaque": material.alpha_mode == "OPAQUE",
+                "alpha_cutoff": min(material.alpha_cutoff, 1.0) if masked else 0.0,
+            },
+            {
+                word: self._texture(info, is_color, f"{what}, {word}")
+                for word, (info, is_color) in pictures.items()
+                if info is not None
+            },
+        )
+
+    def _texture(self, info: TextureInfo, is_color: bool, what: str) -> Texture:
+        if info.tex_coord:
+            self.notes.append(f"{what}: it is read with the first texture coordinates")
+        if info.index >= len(self._file.textures):
+            raise SceneError(f"{what}: there is no texture {info.index}")
+        source = self._file.textures[info.index].source
+        if source is None or source >= len(self._file.images):
+            raise SceneError(f"{what}: texture {info.index} has no picture")
+        key = source, is_color
+        if key not in self._textures:
+            image = self._file.images[source]
+            self._textures[key] = self._read(image, is_color, f"image {source}")
+        return self._textures[key]
+
+    def _read(self, image: Image, is_color: bool, what: str) -> Texture:
+        try:
+            array = picture_in(self._bytes(image, what), what, tuple(_FORMATS.values()))
+            self._left -= array.shape[0] * array.shape[1]
+            if self._left < 0:
+                raise SceneError(f"{what}: all pictures have more than {MAX_TEXELS} texels")
+            return Texture.of_array(array, srgb=is_color)
+        except PictureError as error:
+            raise SceneError(str(error)) from None
+
+    def _bytes(self, image: Image, what: str) -> bytes:
+        if (image.uri is None) == (image.buffer_view is None):
+            raise SceneError(f"{what}: it has either a URI or a buffer view")
+        if image.buffer_view is not None:
+            return self._accessors.bytes_of_view(image.buffer_view, what)
+        assert image.uri is not None
+        return self._folder.read(image.uri, what)

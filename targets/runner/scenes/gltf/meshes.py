@@ -1,0 +1,232 @@
+"""Makes meshes of the primitives of a glTF file: with triangles, normals and tangents, as drawing
+needs them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...meshes import Mesh, MeshError
+from ..records import SceneError
+from .accessors import Accessors
+from .schema import Primitive
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Channels = dict[str, NDArray[Any]]
+
+MAX_VERTICES = 2**21
+"""The most vertices of all meshes of a scene together. Each has 26 numbers: 436 MB."""
+
+_POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
+_LINES = {1, 2, 3}
+
+
+def is_drawn(primitive: Primitive) -> bool:
+    """Whether a mesh can be made of a primitive; lines have no surface."""
+    return primitive.mode not in _LINES
+
+
+def mesh_of(
+    primitive: Primitive, accessors: Accessors, weights: Sequence[float], what: str
+) -> Mesh:
+    """The mesh of a primitive. The channels ``morph_…`` lead to the shape that its targets make
+    together with these weights. Raises ``SceneError``; ``what`` names the primitive in it."""
+    with np.errstate(all="ignore"):  # What is not finite then, is refused below.
+        channels, triangles = _made(primitive, accessors, weights, what)
+        rounded = {name: _single(values) for name, values in channels.items()}
+    try:
+        return Mesh(rounded, triangles)
+    except MeshError as error:
+        raise SceneError(f"{what}: {error}") from None
+
+
+def _made(
+    primitive: Primitive, accessors: Accessors, weights: Sequence[float], what: str
+) -> tuple[Channels, Indices]:
+    """The channels and triangles, complete."""
+    count = _check_counts(primitive, accessors, what)
+    channels = _channels(primitive, accessors, what)
+    corners = _corners(primitive, accessors, count, what)
+    triangles = _triangles(primitive.mode, corners, what)
+    if triangles.size and triangles.max() >= count:
+        raise SceneError(f"{what}: an index is {triangles.max()}, and there are {count} vertices")
+    if primitive.targets:
+        channels |= _morphs(primitive, accessors, weights, count, what)
+    if "normal" not in channels:
+        channels, triangles = _flat(channels, triangles)
+    _fill(channels, triangles)
+    return channels, triangles
+
+
+def _single(values: NDArray[Any]) -> NDArray[Any]:
+    """The numbers as a GPU gets them."""
+    return values.astype(np.float32).astype(np.float64) if values.dtype.kind == "f" else values
+
+
+def _check_counts(primitive: Primitive, accessors: Accessors, what: str) -> int:
+    """The number of vertices, which is that of every attribute."""
+    if "POSITION" not in primitive.attributes:
+        raise SceneError(f"{what}: it has no positions")
+    counts = {name: accessors.count_of(index, what) for name, index in primitive.attributes.items()}
+    count = counts["POSITION"]
+    for name, other in counts.items():
+        if other != count:
+            raise SceneError(f"{what}: it has {count} positions, and {other} of {name}")
+    if count > MAX_VERTICES:
+        raise SceneError(f"{what}: it has {count} vertices, and may have {MAX_VERTICES}")
+    return count
+
+
+def _channels(primitive: Primitive, accessors: Accessors, what: str) -> Channels:
+    """The channels of the attributes that a mesh has a channel for."""
+    found: Channels = {}
+    for attribute, index in primitive.attributes.items():
+        place = f"{what}, {attribute}"
+        match attribute:
+            case "POSITION" | "NORMAL":
+                found[attribute.lower()] = accessors.floats(index, "VEC3", place)
+            case "TANGENT" | "WEIGHTS_0":
+                name = "tangent" if attribute == "TANGENT" else "weights"
+                found[name] = accessors.floats(index, "VEC4", place)
+            case "TEXCOORD_0" | "TEXCOORD_1":
+                name = "uv" if attribute == "TEXCOORD_0" else "uv2"
+                found[name] = accessors.floats(index, "VEC2", place)
+            case "JOINTS_0":
+                found["joints"] = accessors.integers(index, "VEC4", place)
+            case "COLOR_0":
+                found["color"] = _color(index, accessors, place)
+            case _:
+                _check_name(attribute, what)
+    return found
+
+
+def _check_name(attribute: str, what: str) -> None:
+    """Refuse an attribute that the specification does not allow; others are left out."""
+    if not re.fullmatch(r"_.*|(TEXCOORD|COLOR|JOINTS|WEIGHTS)_[0-9]+", attribute):
+        raise SceneError(f"{what}: there is no attribute {attribute[:60]!r}")
+
+
+def _color(index: int, accessors: Accessors, what: str) -> Floats:
+    if accessors.type_of(index, what) == "VEC4":
+        return accessors.floats(index, "VEC4", what)
+    color = accessors.floats(index, "VEC3", what)
+    return np.concatenate([color, np.ones((len(color), 1))], 1)
+
+
+def _corners(primitive: Primitive, accessors: Accessors, count: int, what: str) -> Indices:
+    """The vertices in the order in which they are drawn."""
+    if primitive.indices is None:
+        return np.arange(count)
+    if accessors.count_of(primitive.indices, what) > 3 * MAX_VERTICES:
+        raise SceneError(f"{what}: it has more than {3 * MAX_VERTICES} indices")
+    return accessors.integers(primitive.indices, "SCALAR", f"{what}, indices").ravel()
+
+
+def _triangles(mode: int, corners: Indices, what: str) -> Indices:
+    """Three vertices for each triangle, counter-clockwise; none for points."""
+    if mode == _POINTS:
+        return np.zeros((0, 3), np.int64)
+    if mode == _TRIANGLES:
+        if len(corners) % 3:
+            raise SceneError(f"{what}: {len(corners)} corners do not make triangles")
+        return corners.reshape(-1, 3)
+    first = np.arange(max(len(corners) - 2, 0))
+    if mode == _FAN:
+        return np.stack([corners[first + 1], corners[first + 2], corners[0 * first]], 1)
+    odd = first % 2
+    return np.stack([corners[first], corners[first + 1 + odd], corners[first + 2 - odd]], 1)
+
+
+def _morphs(
+    primitive: Primitive, accessors: Accessors, weights: Sequence[float], count: int, what: str
+) -> Channels:
+    """What leads to the shape of all targets together: differences of positions and normals."""
+    if len(weights) != len(primitive.targets):
+        raise SceneError(
+            f"{what}: it has {len(primitive.targets)} morph targets, and {len(weights)} weights"
+        )
+    found: Channels = {name: np.zeros((count, 3)) for name in ("morph_position", "morph_normal")}
+    for number, (target, weight) in enumerate(zip(primitive.targets, weights, strict=True)):
+        for attribute, channel in (("POSITION", "morph_position"), ("NORMAL", "morph_normal")):
+            if attribute in target:
+                place = f"{what}, {attribute} of morph target {number}"
+                moved = accessors.floats(target[attribute], "VEC3", place)
+                if len(moved) != count:
+                    raise SceneError(f"{place}: it moves {len(moved)} of {count} vertices")
+                found[channel] += weight * moved
+    return found
+
+
+def _flat(channels: Channels, triangles: Indices) -> tuple[Channels, Indices]:
+    """Vertices of their own for each triangle, with its normal, as glTF wants it where there are
+    none. Points look upwards."""
+    if not len(triangles):
+        return channels | {"normal": _all_alike((0, 1, 0), len(channels["position"]))}, triangles
+    corners = triangles.ravel()
+    split = {name: values[corners] for name, values in channels.items()}
+    a, b, c = (split["position"][side::3] for side in range(3))
+    split["normal"] = np.repeat(_unit(np.cross(b - a, c - a), (0, 1, 0)), 3, axis=0)
+    return split, np.arange(len(corners)).reshape(-1, 3)
+
+
+def _fill(channels: Channels, triangles: Indices) -> None:
+    """What materials may read and the file does not have: neutral values, and tangents."""
+    count = len(channels["position"])
+    for name, neutral in _NEUTRAL.items():
+        if name not in channels:
+            channels[name] = neutral(count)
+    channels["normal"] = _unit(channels["normal"], (0, 1, 0))
+    if "tangent" not in channels:
+        channels["tangent"] = _tangents(channels, triangles)
+
+
+def _all_alike(value: Sequence[float], count: int) -> Floats:
+    return np.tile(np.array(value, np.float64), (count, 1))
+
+
+_NEUTRAL: Mapping[str, Callable[[int], NDArray[Any]]] = {
+    "uv": lambda count: _all_alike((0, 0), count),
+    "uv2": lambda count: _all_alike((0, 0), count),
+    "color": lambda count: _all_alike((1, 1, 1, 1), count),
+    "joints": lambda count: np.zeros((count, 4), np.int64),
+    "weights": lambda count: _all_alike((1, 0, 0, 0), count),
+}
+
+
+def _tangents(channels: Channels, triangles: Indices) -> Floats:
+    """Tangents along u (Lengyel): of each triangle by its size on the surface, then perpendicular
+    to the normal; the sign says whether v runs against or along the third axis."""
+    position, normal, uv = channels["position"], channels["normal"], channels["uv"]
+    along_u, along_v = np.zeros_like(position), np.zeros_like(position)
+    a, b, c = triangles.T
+    edge1, edge2 = position[b] - position[a], position[c] - position[a]
+    (u1, v1), (u2, v2) = (uv[b] - uv[a]).T, (uv[c] - uv[a]).T
+    turn = np.sign(u1 * v2 - u2 * v1)[:, None]
+    for corner in (a, b, c):
+        np.add.at(along_u, corner, turn * (edge1 * v2[:, None] - edge2 * v1[:, None]))
+        np.add.at(along_v, corner, turn * (edge2 * u1[:, None] - edge1 * u2[:, None]))
+    tangent = along_u - normal * np.sum(normal * along_u, axis=1, keepdims=True)
+    tangent = _unit(tangent, (0, 0, 0))
+    lost = ~tangent.any(axis=1)
+    tangent[lost] = _perpendicular(normal[lost])
+    upwards = np.sum(np.cross(normal, tangent) * -along_v, axis=1)
+    return np.concatenate([tangent, np.where(upwards < 0, -1.0, 1.0)[:, None]], 1)
+
+
+def _perpendicular(normal: Floats) -> Floats:
+    """Any direction at a right angle to each normal."""
+    axis = np.eye(3)[np.argmin(np.abs(normal), axis=1)]
+    return _unit(np.cross(axis, normal), (1, 0, 0))
+
+
+def _unit(vectors: Floats, otherwise: Sequence[float]) -> Floats:
+    """The vectors with length one; ``otherwise`` for those without a direction."""
+    largest = np.max(np.abs(vectors), axis=1, keepdims=True)
+    scaled = vectors / np.where(largest > 0, largest, 1)
+    length = np.linalg.norm(scaled, axis=1, keepdims=True)
+    return np.where(length > 0, scaled / np.where(length > 0, length, 1), otherwise)

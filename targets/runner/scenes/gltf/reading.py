@@ -1,0 +1,191 @@
+"""Reads a scene from a glTF 2.0 file; ``burnish render --scene`` calls ``read_gltf``.
+
+The modules of this folder are its steps: ``container.py`` takes the file apart into the records of
+``schema.py``; ``folder.py`` reads what else it names; ``accessors.py`` decodes arrays, of which
+``meshes.py`` makes meshes; ``nodes.py`` places them, and ``looks.py`` reads materials. Whatever is
+wrong with a file becomes a ``SceneError``, before much time or memory is spent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from ...meshes import Mesh
+from ..records import Camera, Lamp, Matrix, Model, SceneError, Scenery, Vector
+from . import schema
+from .accessors import Accessors
+from .container import SUPPORTED, open_file
+from .folder import Folder
+from .looks import Looks
+from .meshes import MAX_VERTICES, is_drawn, mesh_of
+from .nodes import Placed, placed_nodes
+
+MAX_MODELS = 2**16
+"""The most models of a scene."""
+
+
+def read_gltf(path: Path) -> Scenery:
+    """What the scene of a ``.gltf`` or ``.glb`` file shows. Raises ``SceneError``."""
+    file, binary = open_file(path)
+    folder = Folder(path)
+    accessors = Accessors(file, folder, binary)
+    return _Reader(file, accessors, Looks(file, folder, accessors)).scenery()
+
+
+class _Reader:
+    """What is read of one file."""
+
+    def __init__(self, file: schema.File, accessors: Accessors, looks: Looks) -> None:
+        self._file = file
+        self._accessors = accessors
+        self._looks = looks
+        self._nodes = placed_nodes(file)
+        self._places = {each.number: each.to_world for each in self._nodes}
+        self._skins: dict[int, Matrix] = {}
+        self._meshes: dict[tuple[int, int, tuple[float, ...]], Mesh] = {}
+        self._vertices = 0
+        self._notes = self._left_out()
+
+    def scenery(self) -> Scenery:
+        models: list[Model] = []
+        for placed in self._nodes:
+            for model in self._models(placed):
+                models.append(model)
+                if len(models) > MAX_MODELS:
+                    raise SceneError(f"the scene has more than {MAX_MODELS} models")
+        cameras = [self._camera(placed) for placed in self._nodes if placed.node.camera is not None]
+        lights = [self._light(placed) for placed in self._nodes if placed.node.extensions.light]
+        notes = dict.fromkeys([*self._notes, *self._looks.notes])
+        return Scenery(tuple(models), tuple(cameras), tuple(lights), tuple(notes))
+
+    def _left_out(self) -> list[str]:
+        """What the file has, and the scene has not."""
+        unknown = sorted(set(self._file.extensions_used) - SUPPORTED)
+        notes = [f"the extension {name} is left out" for name in unknown]
+        return [*notes, *(["animations are left out"] if self._file.animations else [])]
+
+    def _models(self, placed: Placed) -> Iterator[Model]:
+        """A model for each primitive of a node's mesh."""
+        number, node = placed.node.mesh, placed.node
+        if number is None:
+            return
+        if number >= len(self._file.meshes):
+            raise SceneError(f"node {placed.number}: there is no mesh {number}")
+        mesh = self._file.meshes[number]
+        bones = None if node.skin is None else self._bones(node.skin, placed)
+        for index, primitive in enumerate(mesh.primitives):
+            what = f"mesh {number}, primitive {index}"
+            if not is_drawn(primitive):
+                self._notes.append(f"{what}: it consists of lines, and is left out")
+                continue
+            weights = _weights(node, mesh, primitive)
+            yield Model(
+                placed.name,
+                self._mesh(primitive, (number, index, weights), what),
+                placed.to_world if bones is None else np.eye(4),
+                self._looks.look(primitive.material, what),
+                placed.tags,
+                bones,
+                1.0 if primitive.targets else 0.0,
+            )
+
+    def _mesh(
+        self, primitive: schema.Primitive, key: tuple[int, int, tuple[float, ...]], what: str
+    ) -> Mesh:
+        if key not in self._meshes:
+            made = mesh_of(primitive, self._accessors, key[2], what)
+            self._vertices += len(made)
+            if self._vertices > MAX_VERTICES:
+                raise SceneError(f"{what}: all meshes have more than {MAX_VERTICES} vertices")
+            self._meshes[key] = made
+        return self._meshes[key]
+
+    def _bones(self, number: int, placed: Placed) -> Matrix:
+        """The transforms of a skin's joints, from where the mesh rests to the world."""
+        if number >= len(self._file.skins):
+            raise SceneError(f"node {placed.number}: there is no skin {number}")
+        if number not in self._skins:
+            self._skins[number] = self._moved(self._file.skins[number], f"skin {number}")
+        return self._skins[number]
+
+    def _moved(self, skin: schema.Skin, what: str) -> Matrix:
+        for joint in skin.joints:
+            if joint not in self._places:
+                raise SceneError(f"{what}: joint {joint} is no node of the scene")
+        joints = np.stack([self._places[joint] for joint in skin.joints])
+        if skin.inverse_bind_matrices is None:
+            return joints
+        resting = self._accessors.floats(skin.inverse_bind_matrices, "MAT4", what)
+        if len(resting) < len(joints):
+            raise SceneError(f"{what}: it has {len(joints)} joints, and {len(resting)} matrices")
+        moved: Matrix = joints @ np.swapaxes(resting[: len(joints)], 1, 2)
+        return moved
+
+    def _camera(self, placed: Placed) -> Camera:
+        number = placed.node.camera
+        assert number is not None
+        if number >= len(self._file.cameras):
+            raise SceneError(f"node {placed.number}: there is no camera {number}")
+        camera = self._file.cameras[number]
+        name, to_world = camera.name or placed.name, _upright(placed)
+        if camera.type == "perspective" and (lens := camera.perspective):
+            far = np.inf if lens.zfar is None else lens.zfar
+            _check_depths(lens.znear, far, number)
+            return Camera(name, to_world, lens.znear, float(far), lens.yfov)
+        if camera.type == "orthographic" and (flat := camera.orthographic):
+            _check_depths(flat.znear, flat.zfar, number)
+            return Camera(name, to_world, flat.znear, flat.zfar, None, 2 * flat.ymag)
+        raise SceneError(f"camera {number}: it does not say what it sees")
+
+    def _light(self, placed: Placed) -> Lamp:
+        named = placed.node.extensions.light
+        assert named is not None
+        lights = self._file.extensions.punctual.lights
+        if named.light >= len(lights):
+            raise SceneError(f"node {placed.number}: there is no light {named.light}")
+        light = lights[named.light]
+        red, green, blue = (light.intensity * lane for lane in light.color)
+        if light.spot.inner_cone_angle >= light.spot.outer_cone_angle:
+            raise SceneError(f"light {named.light}: its inner cone is not inside the outer one")
+        return Lamp(
+            light.name or placed.name,
+            light.type,
+            (red, green, blue),
+            _vector(placed.to_world[:3, 3]),
+            _vector(-_upright(placed)[:3, 2]),
+            light.spot.inner_cone_angle,
+            light.spot.outer_cone_angle,
+            light.range if light.range is not None else np.inf,
+        )
+
+
+def _weights(
+    node: schema.Node, mesh: schema.Mesh, primitive: schema.Primitive
+) -> tuple[float, ...]:
+    """How far a mesh has gone to each morph target: as its node says, or as it says itself."""
+    return node.weights or mesh.weights or (0.0,) * len(primitive.targets)
+
+
+def _check_depths(near: float, far: float, number: int) -> None:
+    if not near < far:
+        raise SceneError(f"camera {number}: what is near is farther away than what is far")
+
+
+def _upright(placed: Placed) -> Matrix:
+    """Where a camera or a light stands, without the scale of the nodes above it."""
+    to_world = placed.to_world.copy()
+    lengths = np.linalg.norm(to_world[:3, :3], axis=0)
+    if not lengths.all():
+        raise SceneError(f"node {placed.number}: its axes have no direction")
+    to_world[:3, :3] /= lengths
+    if abs(np.linalg.det(to_world[:3, :3])) < 1e-6:
+        raise SceneError(f"node {placed.number}: its axes lie in a plane")
+    return to_world
+
+
+def _vector(lanes: Matrix) -> Vector:
+    x, y, z = lanes.tolist()
+    return x, y, z

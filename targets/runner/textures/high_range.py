@@ -1,0 +1,150 @@
+"""Reads and writes pictures of high dynamic range: ``.exr`` (OpenEXR) and ``.hdr`` (Radiance).
+
+``files.py`` reads the textures in such files by this module, and ``pictures.py`` writes them. Their
+numbers are linear light, and may be larger than 1. OpenImageIO decodes and encodes them.
+
+A file may come from anywhere, so its first bytes and its header are checked before any texel is
+decoded: how large it is, and that its channels are those of a picture.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .arrays import check_sides
+from .kinds import PictureError
+
+if TYPE_CHECKING:
+    from OpenImageIO import ImageInput
+
+MAX_TEXELS = 2**25
+"""The most texels of such a picture: 8192 x 4096, as a panorama has them, are 512 MB of floats."""
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """A format of files whose texels are floats."""
+
+    name: str
+    """OpenImageIO's name."""
+    begins: bytes
+    """The first bytes of each file."""
+    has_alpha: bool
+    """Whether it stores other channels than red, green and blue, and any float."""
+
+
+FORMATS = {
+    ".exr": Format("openexr", b"\x76\x2f\x31\x01", has_alpha=True),
+    ".hdr": Format("hdr", b"#?", has_alpha=False),
+}
+"""By the ending of a file's name, in small letters."""
+
+
+def format_of(path: Path) -> Format | None:
+    """The format that the ending of a name says, if it is one of these."""
+    return FORMATS.get(path.suffix.lower())
+
+
+def check_installed() -> None:
+    """Raise ``ModuleNotFoundError`` where OpenImageIO is not installed, before work that takes
+    long."""
+    import_module("OpenImageIO")
+
+
+def read_floats(path: Path, form: Format) -> NDArray[np.float32]:
+    """The texels of a file: (height, width), or (height, width, lanes) with 3 or 4 lanes.
+
+    Raises ``PictureError`` for what is no such file, or is damaged or too large, and ``OSError`` if
+    it cannot be read at all.
+    """
+    with path.open("rb") as file:
+        if file.read(len(form.begins)) != form.begins:
+            raise PictureError(f"{path} is no file of the format that its name says")
+    import OpenImageIO
+
+    source = OpenImageIO.ImageInput.open(str(path))
+    if source is None:
+        raise _damaged(path, OpenImageIO.geterror())
+    try:
+        if source.format_name() != form.name:
+            raise _damaged(path, "")
+        return _texels(source, path)
+    finally:
+        source.close()
+
+
+def _texels(source: ImageInput, path: Path) -> NDArray[np.float32]:
+    spec = source.spec()
+    check_sides(spec.width, spec.height, str(path))
+    if spec.width * spec.height > MAX_TEXELS:
+        size = f"{spec.width} x {spec.height}"
+        raise PictureError(f"{path} has {size} texels, and may have {MAX_TEXELS} of floats")
+    if spec.deep or spec.depth > 1:
+        raise PictureError(f"{path} is no flat picture: it has several values behind a texel")
+    channels = _channels(spec.channelnames, path)
+    texels = source.read_image(0, 0, 0, spec.nchannels, "float")
+    if texels is None:
+        raise _damaged(path, source.geterror())
+    found: NDArray[np.float32] = texels.reshape(spec.height, spec.width, -1)[..., channels]
+    return found[..., 0] if len(channels) == 1 else found
+
+
+def _channels(names: Sequence[str], path: Path) -> list[int]:
+    """The numbers of the channels that make the picture: colours, or the only one."""
+    for wanted in (("R", "G", "B", "A"), ("R", "G", "B")):
+        if set(wanted) <= set(names):
+            return [names.index(name) for name in wanted]
+    if len(names) == 1:
+        return [0]
+    listed = ", ".join(names[:8]) + (", …" if len(names) > 8 else "")
+    raise PictureError(f"{path} has the channels {listed}: a picture has R, G and B, or only one")
+
+
+def _damaged(path: Path, reason: str) -> PictureError:
+    """The error for a file of which not all can be read; decoders may say more than one line."""
+    first = reason.strip().partition("\n")[0]
+    return PictureError(f"{path} is damaged" + (f": {first}" if first else ""))
+
+
+def encoded_floats(pixels: NDArray[np.float64], lanes: int, path: Path, form: Format) -> bytes:
+    """The file of a render target's contents, of shape (height, width, 4), of which so many lanes
+    count. Raises ``PictureError``."""
+    shown = np.ascontiguousarray(_stored(pixels, lanes, path, form), np.float32)
+    height, width, count = shown.shape
+    import OpenImageIO
+
+    spec = OpenImageIO.ImageSpec(width, height, count, "float")
+    spec.channelnames = ("Y",) if count == 1 else tuple("RGBA"[:count])
+    # Without a date of its own, a file would have the present one, and no two would be equal.
+    spec.attribute("DateTime", "1970:01:01 00:00:00")
+    with TemporaryDirectory(prefix="burnish-") as folder:
+        written = Path(folder) / f"picture{path.suffix.lower()}"
+        sink = OpenImageIO.ImageOutput.create(form.name)
+        if sink is None:
+            raise PictureError(f"cannot write `{path}`: {OpenImageIO.geterror()}")
+        if not (sink.open(str(written), spec) and sink.write_image(shown) and sink.close()):
+            raise PictureError(f"cannot write `{path}`: {sink.geterror()}")
+        return written.read_bytes()
+
+
+def _stored(
+    pixels: NDArray[np.float64], lanes: int, path: Path, form: Format
+) -> NDArray[np.float64]:
+    """The lanes that a file gets."""
+    if form.has_alpha:
+        return pixels[..., :lanes]
+    if not np.isfinite(pixels[..., :lanes]).all():
+        raise PictureError(
+            f"cannot write `{path}`: some numbers are not finite, which only .exr can store"
+        )
+    rgb = np.zeros((*pixels.shape[:2], 3))
+    rgb[..., : min(lanes, 3)] = pixels[..., : min(lanes, 3)]
+    return np.repeat(rgb[..., :1], 3, axis=2) if lanes == 1 else rgb
