@@ -79,7 +79,7 @@ class _Frame:
     def _program(self, number: int) -> Any:
         if number not in self._programs:
             pipeline = self._job.pipelines[number]
-            make = link_kernel if pipeline.images or not pipeline.targets else link
+            make = link_kernel if "compute" in pipeline.stages else link
             program = make(self._context, self._functions, pipeline)
             self._owned.callback(program.release)
             self._programs[number] = program
