@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import show
+from .console import remark, show
 from .failures import fail
 from .progress import Progress
 from .subjects import Request
@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from ..api import CompiledFrame
-    from ..targets.runner.frames.by_reference import Drawn, ReferenceFrames
+    from ..targets.runner.frames.host import FrameHost
+    from ..targets.runner.render import Floats
+    from ..targets.runner.routes import Route
 
 MOVING = frozenset((".gif", ".webp", ".apng"))
 """The endings of files that hold many pictures."""
@@ -35,31 +37,89 @@ def has_frames(request: Request) -> bool:
     return api.has_frames(request.file, material=request.material, search_path=request.search_path)
 
 
-def render_frames(request: Request) -> None:
-    """Draw every frame of the file, or the one that ``--material`` names."""
+def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
+    """Draw the frame of the file, or the one that ``--material`` names; the route ``None`` is the
+    reference."""
+    routes = _those_that_draw(chosen, request)
+    frame = _compiled(request, routes)
+    outputs = _outputs(frame, request.target)
+    with Progress("drawing") as progress:
+        rows = [
+            _beside([_image(each) for each in pictures])
+            for pictures in zip(*_columns(frame, request, routes, outputs, progress), strict=True)
+        ]
+    written = _save(rows, request.output)
+    further = f" to {written[-1].name}" if len(written) > 1 else ""
+    click.echo(f"{frame.name}: {written[0]}{further}")
+
+
+def _compiled(request: Request, routes: Sequence[Route | None]) -> CompiledFrame:
+    """The only frame of the file, with texts for the routes."""
     from .. import api
 
+    profiles = sorted({route.profile for route in routes if route is not None})
     result = api.compile(
-        request.file, (), material=request.material, rig=request.rig,
+        request.file, profiles, material=request.material, rig=request.rig,
         search_path=request.search_path, hoist=request.hoist,
     )  # fmt: skip
     show(result.diagnostics)
     if len(result.frames) > 1:
         known = ", ".join(frame.name for frame in result.frames)
         fail(f"the file has several frames: choose one of {known} by --material")
-    (frame,) = result.frames
-    with Progress("drawing") as progress:
-        drawing = _drawing(frame, request)
-        pictures = list(_pictures(drawing, _outputs(frame, request.target), request, progress))
-    written = _save(pictures, request.output)
-    further = f" to {written[-1].name}" if len(written) > 1 else ""
-    click.echo(f"{frame.name}: {written[0]}{further}")
+    return result.frames[0]
 
 
-def _drawing(frame: CompiledFrame, request: Request) -> ReferenceFrames:
-    """The frame with a scene and all values set."""
-    from ..compiler.reference.picture import RasterRules
+def _columns(
+    frame: CompiledFrame,
+    request: Request,
+    routes: Sequence[Route | None],
+    outputs: Sequence[str],
+    progress: Progress,
+) -> Iterator[list[Floats]]:
+    """For each route and output what it shows, frame after frame."""
+    from ..targets.runner.frames.by_route import draw_frames
+    from ..targets.runner.runner import Runner
+    from ..targets.toolchain import Toolchain
+    from .lacking import tell_lacking_tools
+
+    drivers = [route for route in routes if route is not None]
+    with Runner(drivers, device=request.device) as runner, Toolchain() as toolchain:
+        tell_lacking_tools(drivers, runner, fatal=True)
+        for done, route in enumerate(routes):
+            if route is None:
+                drawn = list(_by_reference(frame, request, outputs, progress))
+            else:
+                drawn = draw_frames(_host(frame, request), route, runner, toolchain, request.frames)
+            progress.tell((done + 1) / len(routes))
+            yield from ([pictures[name] for pictures in drawn] for name in outputs)
+
+
+def _those_that_draw(routes: Sequence[Route | None], request: Request) -> Sequence[Route | None]:
+    """The routes without those whose drivers draw no frames; ends the command if one was named."""
+    from ..targets.runner.routes import EVERY_DRIVER
+
+    others = [r for r in routes if r is not None and not EVERY_DRIVER[r.driver].draws_frames]
+    if others:
+        said = f"frames are not drawn by {', '.join(route.name for route in others)}"
+        if not request.draws_everything:
+            fail(said)
+        remark("note", said)
+    return [route for route in routes if route not in others]
+
+
+def _by_reference(
+    frame: CompiledFrame, request: Request, outputs: Sequence[str], progress: Progress
+) -> Iterator[dict[str, Floats]]:
     from ..targets.runner.frames.by_reference import ReferenceFrames
+
+    drawing = ReferenceFrames(_host(frame, request))
+    for number in range(request.frames):
+        drawing.draw(_within(progress, number, request.frames))
+        yield {name: drawing.output(name).levels[0][0] for name in outputs}
+
+
+def _host(frame: CompiledFrame, request: Request) -> FrameHost:
+    """The frame with a scene and all values set."""
     from ..targets.runner.frames.host import FrameHost
     from ..targets.runner.frames.scenery import in_a_row
 
@@ -68,7 +128,7 @@ def _drawing(frame: CompiledFrame, request: Request) -> ReferenceFrames:
     host = FrameHost(frame, in_a_row(materials, tags, request.mesh), request.size)
     for name, text in request.values:
         host.set_text(name, text)
-    return ReferenceFrames(host, RasterRules(*request.size))
+    return host
 
 
 def _outputs(frame: CompiledFrame, wanted: str | None) -> list[str]:
@@ -86,26 +146,17 @@ def _outputs(frame: CompiledFrame, wanted: str | None) -> list[str]:
     return [wanted]
 
 
-def _pictures(
-    drawing: ReferenceFrames, outputs: Sequence[str], request: Request, progress: Progress
-) -> Iterator[Image]:
-    for number in range(request.frames):
-        drawing.draw(_within(progress, number, request.frames))
-        yield _beside([_image(drawing.output(name)) for name in outputs])
-
-
 def _within(progress: Progress, number: int, total: int) -> Callable[[float], None]:
     return lambda share: progress.tell((number + share) / total)
 
 
-def _image(drawn: Drawn) -> Image:
+def _image(layers: Floats) -> Image:
     """The first level of a texture: its layers, or faces, side by side."""
     import numpy as np
 
     from ..targets.runner.pictures import to_image
 
-    layers = drawn.levels[0][0]
-    return to_image(np.concatenate(list(layers), axis=1), lanes=drawn.lanes)
+    return to_image(np.concatenate(list(layers), axis=1), lanes=layers.shape[-1])
 
 
 def _beside(images: Sequence[Image]) -> Image:

@@ -28,7 +28,6 @@ from .terminal import FAILED
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
-    from ..targets.runner.runner import Runner
     from ..targets.runner.sheet import Panel
 
 REFERENCE = "reference"
@@ -176,6 +175,7 @@ def render(**chosen: Any) -> None:
 def _render(request: Request) -> None:
     from ..targets.runner.runner import Runner
     from .frames import has_frames, render_frames
+    from .lacking import tell_lacking_tools
     from .panels import panels
     from .progress import Progress
     from .subjects import subjects
@@ -183,9 +183,7 @@ def _render(request: Request) -> None:
     _check_output(request.output)
     routes = _routes(request.on)
     if has_frames(request):
-        if routes != [None]:
-            raise click.UsageError("frames are drawn by the reference only, as yet")
-        render_frames(request)
+        render_frames(request, routes)
         return
     if request.native_stages and None in routes:
         raise click.UsageError(
@@ -195,7 +193,7 @@ def _render(request: Request) -> None:
     drivers = [route for route in routes if route is not None]
     check_device(request.device, drivers)
     with Progress("drawing") as progress, Runner(drivers, device=request.device) as runner:
-        _tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
+        tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
         found = subjects(request, drivers, progress.tell)
         _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), _largest(found))
@@ -228,18 +226,6 @@ def _routes(names: Sequence[str]) -> list[Route | None]:
     if not own and not others:
         raise click.UsageError("--on names no route")
     return [*own, *others]
-
-
-def _tell_lacking_tools(routes: Sequence[Route], runner: Runner, *, fatal: bool) -> None:
-    """Report routes that cannot draw on this machine, and why; if ``fatal``, end the command."""
-    lacking: dict[str, list[str]] = {}
-    for route in routes:
-        if problem := runner.problem(route):
-            lacking.setdefault(problem, []).append(route.name)
-    for problem, names in lacking.items():
-        remark("error" if fatal else "note", f"nothing is drawn by {', '.join(names)}: {problem}")
-    if lacking and fatal:
-        click.get_current_context().exit(FAILED)
 
 
 def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route]) -> None:

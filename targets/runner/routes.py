@@ -35,6 +35,11 @@ class DriverRow:
     any_device: bool = False
     """Whether it draws with any device of the machine, which ``--device`` names."""
 
+    @property
+    def draws_frames(self) -> bool:
+        """Whether it executes whole frames, and not single draws only."""
+        return self.module in _FRAME_MODULES
+
     def command(self, states: Mapping[str, ToolState], device: str = "") -> list[str]:
         """The command that starts a worker; ``states`` has all the tools that it needs."""
         paths = {name: state.paths[0] for name, state in states.items() if state.paths}
@@ -42,6 +47,10 @@ class DriverRow:
         if self.any_device:
             arguments.append(device)
         return [sys.executable, "-m", f"{_PACKAGE}.drivers.{self.module}", *arguments]
+
+
+_FRAME_MODULES = ("vulkan", "opengl")
+"""The workers that take frame jobs."""
 
 
 @dataclass(frozen=True, slots=True)

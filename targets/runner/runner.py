@@ -27,6 +27,7 @@ from .drivers.draw import (
     Picture,
     Written,
 )
+from .drivers.frame_job import FrameJob, FrameTexels
 from .drivers.wire import from_json, to_json
 from .layers import single_draws, stacked
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
@@ -125,6 +126,11 @@ class Runner(Closing):
         """The vertices that each draw of the job captures. Raises ``DriverError``."""
         answer = self._ask(route.driver, {"capture": to_json(job)})
         return tuple(from_json(Captured, captured) for captured in answer["captured"])
+
+    def draw_frame(self, route: Route, job: FrameJob) -> tuple[FrameTexels, ...]:
+        """What a frame job keeps of its textures. Raises ``DriverError``."""
+        answer = self._ask(route.driver, {"frame": to_json(job)})
+        return tuple(from_json(FrameTexels, texels) for texels in answer["texels"])
 
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(

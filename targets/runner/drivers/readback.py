@@ -48,6 +48,14 @@ def to_float(
     return (picture[::-1] if first_row == "bottom" else picture).tobytes()
 
 
+def depths_to_float(texels: bytes) -> bytes:
+    """Tightly packed depths as float32 RGBA, in the first lane."""
+    picture = np.zeros((len(texels) // 4, 4), np.float32)
+    picture[:, 3] = 1.0
+    picture[:, 0] = np.frombuffer(texels, "<f4")
+    return picture.tobytes()
+
+
 def arrays(picture: Picture) -> tuple[NDArray[np.float64], ...]:
     """The targets of a picture, each of shape (height, width, 4)."""
     shape = (picture.height, picture.width, 4)

@@ -11,9 +11,10 @@ import json
 import os
 import sys
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from .draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from .frame_job import FrameJob, FrameTexels
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0
@@ -37,6 +38,14 @@ class Driver(Protocol):
         """The vertices that each draw of the job captures. Raises ``DriverError``."""
 
 
+@runtime_checkable
+class FrameDriver(Protocol):
+    """A driver that draws frames, too."""
+
+    def draw_frame(self, job: FrameJob) -> Sequence[FrameTexels]:
+        """What the job keeps. Raises ``DriverError``."""
+
+
 def serve(driver: Driver) -> None:
     """Answer requests until the input ends. Whatever libraries print goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
@@ -50,9 +59,14 @@ def serve(driver: Driver) -> None:
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
     """The answer to ``{"job": …}`` has ``pictures``, that to ``{"kernel": …}`` has ``written``,
-    that to ``{"capture": …}`` has ``captured``, and that to ``{}`` has ``device``; or it has
-    ``error``."""
+    that to ``{"capture": …}`` has ``captured``, that to ``{"frame": …}`` has ``texels``, and that
+    to ``{}`` has ``device``; or it has ``error``."""
     try:
+        if "frame" in request:
+            if not isinstance(driver, FrameDriver):
+                return {"error": "this driver draws no frames"}
+            frame = from_json(FrameJob, request["frame"])
+            return {"texels": to_json(tuple(driver.draw_frame(frame)))}
         if "capture" in request:
             capturing = from_json(CaptureJob, request["capture"])
             return {"captured": to_json(tuple(driver.capture(capturing)))}

@@ -83,7 +83,8 @@ class ReferenceFrames:
     """Draws one frame after the other."""
 
     host: FrameHost
-    rules: RasterRules
+    rules: RasterRules = RasterRules(1, 1)
+    """But for the sizes, which are those of the steps."""
     errors: Errors | None = None
     shader_of: Callable[[int], Shader] | None = None
     """What the shader of a number computes, if that is not what it means: what a profile's text

@@ -2,34 +2,58 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from typing import Protocol
 
 import moderngl
 
-from ..draw import Dispatch, Draw, Pipeline, Place
+from ..draw import Dispatch, Draw, Image, Pipeline, Place, TextureSlot
 from .context import Functions
 from .texture_units import bound_texture
 
 
+class Bindable(Protocol):
+    """A texture that is on the device already."""
+
+    def bind(self, slot: TextureSlot, unit: int) -> None:
+        """Bind it to a unit, with the state of a slot's sampler."""
+
+
 @contextmanager
-def bound(
+def all_bound(
     context: moderngl.Context, functions: Functions, pipeline: Pipeline, values: Draw | Dispatch
 ) -> Iterator[list[moderngl.Buffer]]:
     """Bind blocks, storage buffers and textures for a while; yields the storage buffers."""
-    blocks = [context.buffer(data) for data in values.blocks]
+    storage = [context.buffer(data) for data in values.buffers]
+    with bound(context, functions, pipeline, values.blocks, values.textures, storage):
+        yield storage
+
+
+@contextmanager
+def bound(
+    context: moderngl.Context,
+    functions: Functions,
+    pipeline: Pipeline,
+    contents: Sequence[bytes],
+    textures: Sequence[Image | Bindable],
+    storage: Sequence[moderngl.Buffer],
+) -> Iterator[None]:
+    """Bind the contents of blocks, storage buffers, and textures, some of which are on the device
+    already, for a while."""
+    blocks = [context.buffer(data) for data in contents]
     for number, (block, buffer) in enumerate(zip(pipeline.blocks, blocks, strict=True)):
         buffer.bind_to_uniform_block(bound_at(block.place, number))
-    storage = [context.buffer(data) for data in values.buffers]
     for number, (slot, buffer) in enumerate(zip(pipeline.buffers, storage, strict=True)):
         buffer.bind_to_storage_buffer(bound_at(slot.place, number))
-    with ExitStack() as textures:
-        for number, (texture, image) in enumerate(
-            zip(pipeline.textures, values.textures, strict=True)
-        ):
+    with ExitStack() as owned:
+        for number, (texture, given) in enumerate(zip(pipeline.textures, textures, strict=True)):
             unit = bound_at(texture.texture, number)
-            textures.enter_context(bound_texture(functions, texture, image, unit))
-        yield storage
+            if isinstance(given, Image):
+                owned.enter_context(bound_texture(functions, texture, given, unit))
+            else:
+                given.bind(texture, unit)
+        yield
 
 
 def bound_at(place: Place, number: int) -> int:

@@ -10,7 +10,7 @@ import moderngl
 from ..draw import CORNERS, Captured, CaptureJob, Draw, DriverError, Pipeline, StreamOutput
 from .context import Functions
 from .program import link
-from .vertices import MODES, vertices
+from .vertices import MODES, bound_vertices
 
 GL_TRANSFORM_FEEDBACK_BUFFER = 0x8C8E
 GL_RASTERIZER_DISCARD = 0x8C89
@@ -51,7 +51,7 @@ def _captured(
     counting = context.query(primitives=True)
     if pipeline.patch_points:
         context.patch_vertices = pipeline.patch_points
-    with vertices(context, functions, program, pipeline, draw) as array, counting:
+    with bound_vertices(context, functions, program, pipeline, draw) as array, counting:
         functions.glUseProgram(program.glo)
         functions.glBindVertexArray(array.glo)
         with _recording(functions, stream, buffer):

@@ -6,7 +6,7 @@ import moderngl
 
 from ..checks import check_groups
 from ..draw import Dispatch, DriverError, KernelJob, Written
-from .bindings import bound
+from .bindings import all_bound
 from .context import Functions
 from .program import link_kernel
 from .written_images import texels, written_images
@@ -35,7 +35,7 @@ def _run(
 ) -> Written:
     slots = job.pipeline.images
     with (
-        bound(context, functions, job.pipeline, dispatch) as storage,
+        all_bound(context, functions, job.pipeline, dispatch) as storage,
         written_images(context, slots, dispatch.extent) as images,
     ):
         if all(groups := job.groups(dispatch)):

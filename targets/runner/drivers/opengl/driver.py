@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ....toolchain.tools import tool_named
 from ..checks import check, check_capture, check_kernel, check_names
 from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from ..frame_job import FrameJob, FrameTexels
 
 if TYPE_CHECKING:
     from .renderer import Renderer
@@ -39,6 +40,10 @@ class OpenGL:
         check_capture(job)
         check_names(job.pipeline)
         return self._start().capture(job)
+
+    def draw_frame(self, job: FrameJob) -> Sequence[FrameTexels]:
+        """What a frame job reads back. Raises ``DriverError``."""
+        return self._start().draw_frame(job)
 
     def _start(self) -> Renderer:
         if self._renderer is None:

@@ -18,16 +18,16 @@ from ..draw import (
     Pipeline,
     Written,
 )
+from ..frame_job import FrameJob, FrameTexels
 from .capture import capture_job
 from .compute import compute_job
-from .context import CLIP_CONTROL, GL_FRAMEBUFFER_SRGB, Functions, create_context
+from .context import Functions, create_context
+from .frame import draw_frame
 from .layered_screen import LayeredScreen
 from .program import link
 from .screen import Screen
-from .vertices import MODES, vertices
-
-OWN_CLIP_CONTROL = ("GL_LOWER_LEFT", "GL_NEGATIVE_ONE_TO_ONE")
-"""OpenGL's own clip space, which texts have that are for older versions, too."""
+from .state import set_state
+from .vertices import MODES, bound_vertices
 
 
 class Renderer:
@@ -71,6 +71,14 @@ class Renderer:
         self._nowhere.use()
         return capture_job(self._context, self._functions, job)
 
+    def draw_frame(self, job: FrameJob) -> Sequence[FrameTexels]:
+        """Link the job's programs and do its steps. Raises ``DriverError``."""
+        self._context.clear_errors()  # of a job that broke off
+        try:
+            return draw_frame(self._context, self._functions, job)
+        finally:
+            self._nowhere.use()
+
     def compute(self, job: KernelJob) -> Sequence[Written]:
         """Link the job's kernel and run it. Raises ``DriverError``."""
         self._context.clear_errors()  # of a job that broke off
@@ -91,11 +99,11 @@ def _picture(
         else Screen(context, functions, pipeline.targets, size)
     )
     try:
-        _set_state(context, functions, pipeline)
+        set_state(context, functions, pipeline)
         screen.clear(draw.clear)
         screen.set_blending()
         if draw.indices:  # a buffer of no bytes cannot be made
-            with vertices(context, functions, program, pipeline, draw) as array:
+            with bound_vertices(context, functions, program, pipeline, draw) as array:
                 array.render(MODES[pipeline.primitive], instances=draw.instance_count)
         picture = Picture(draw.width, draw.height * (layers or 1), screen.read(pipeline))
     finally:
@@ -103,17 +111,3 @@ def _picture(
     if (error := context.error) != "GL_NO_ERROR":
         raise DriverError(f"OpenGL reports {error}")
     return picture
-
-
-def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeline) -> None:
-    culling = 0 if pipeline.cull == "none" else context.CULL_FACE
-    context.enable_only(context.DEPTH_TEST | culling)
-    context.depth_func = "<"
-    context.front_face = pipeline.front_face
-    context.cull_face = "front" if pipeline.cull == "front" else "back"
-    context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
-    if pipeline.patch_points:
-        context.patch_vertices = pipeline.patch_points
-    functions.glEnable(GL_FRAMEBUFFER_SRGB)
-    names = pipeline.clip_control or OWN_CLIP_CONTROL
-    functions.glClipControl(*(CLIP_CONTROL[name] for name in names))

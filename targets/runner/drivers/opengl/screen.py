@@ -83,12 +83,7 @@ class Screen:
 
     def set_blending(self) -> None:
         """Set the blend mode of each target."""
-        for number, target in enumerate(self._targets):
-            if target.blend == "none":
-                self._functions.glDisablei(GL_BLEND, number)
-                continue
-            self._functions.glEnablei(GL_BLEND, number)
-            self._functions.glBlendFuncSeparatei(number, *BLEND_FACTORS[target.blend])
+        set_blending(self._functions, self._targets)
 
     def read(self, pipeline: Pipeline) -> tuple[bytes, ...]:
         """Each target in the form of a ``Picture``."""
@@ -108,6 +103,16 @@ class Screen:
         for attachment in self._framebuffer.color_attachments:
             attachment.release()
         self._framebuffer.release()
+
+
+def set_blending(functions: Functions, targets: Sequence[RenderTarget]) -> None:
+    """Set the blend mode of each target of the framebuffer that is bound."""
+    for number, target in enumerate(targets):
+        if target.blend == "none":
+            functions.glDisablei(GL_BLEND, number)
+            continue
+        functions.glEnablei(GL_BLEND, number)
+        functions.glBlendFuncSeparatei(number, *BLEND_FACTORS[target.blend])
 
 
 def widened_format(encoded: TargetFormat) -> TargetFormat:

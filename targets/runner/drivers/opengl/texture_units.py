@@ -40,7 +40,7 @@ GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER = 0x2800, 0x2801
 GL_TEXTURE_MAX_LOD, GL_TEXTURE_MAX_LEVEL, MOST_LEVELS = 0x813B, 0x813D, 1000
 GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R = 0x2802, 0x2803, 0x8072
 GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC = 0x884C, 0x884D
-GL_COMPARE_REF_TO_TEXTURE = 0x884E
+GL_COMPARE_REF_TO_TEXTURE, GL_NONE = 0x884E, 0
 WRAPS: dict[Wrap, int] = {"repeat": 0x2901, "clamp": 0x812F, "mirror": 0x8370}
 MAGNIFY: dict[Filter, int] = {"linear": 0x2601, "nearest": 0x2600}
 MINIFY: dict[tuple[Filter, Mip], int] = {
@@ -74,7 +74,7 @@ def bound_texture(
     functions.glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
     for level in range(len(image.levels)):
         _upload(functions, image, level)
-    for key, value in _state(slot, len(image.levels)).items():
+    for key, value in state_of(slot, len(image.levels)).items():
         functions.glTexParameteri(target, key, value)
     try:
         yield
@@ -101,7 +101,7 @@ def _upload(functions: Functions, image: Image, level: int) -> None:
         )  # fmt: skip
 
 
-def _state(slot: TextureSlot, levels: int) -> dict[int, int]:
+def state_of(slot: TextureSlot, levels: int) -> dict[int, int]:
     """The parameters of the texture; one without a sampler must not use any filter."""
     minify: tuple[Filter, Mip] = (
         ("nearest", "nearest") if slot.sampling is None else (slot.filter, slot.mip)
@@ -115,6 +115,7 @@ def _state(slot: TextureSlot, levels: int) -> dict[int, int]:
             (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R), WRAPS[slot.wrap]
         ),
     }
+    state[GL_TEXTURE_COMPARE_MODE] = GL_NONE
     if slot.compare is not None:
         state[GL_TEXTURE_COMPARE_MODE] = GL_COMPARE_REF_TO_TEXTURE
         state[GL_TEXTURE_COMPARE_FUNC] = COMPARES[slot.compare]

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 import moderngl
 
 from ..draw import Draw, Pipeline, Primitive, StepMode
-from .bindings import bound
+from .bindings import all_bound
 from .context import Functions
 from .program import attribute_layout
 
@@ -26,7 +26,7 @@ MODES: Mapping[Primitive, int] = {
 
 
 @contextmanager
-def vertices(
+def bound_vertices(
     context: moderngl.Context,
     functions: Functions,
     program: moderngl.Program,
@@ -34,6 +34,18 @@ def vertices(
     draw: Draw,
 ) -> Iterator[moderngl.VertexArray]:
     """The vertices of a draw, while everything is bound that the program reads."""
+    with (
+        vertices(context, program, pipeline, draw) as array,
+        all_bound(context, functions, pipeline, draw),
+    ):
+        yield array
+
+
+@contextmanager
+def vertices(
+    context: moderngl.Context, program: moderngl.Program, pipeline: Pipeline, draw: Draw
+) -> Iterator[moderngl.VertexArray]:
+    """The vertices of a draw; its blocks, textures and buffers are bound elsewhere."""
     for name in pipeline.host_uniforms:
         uniform = program.get(name, None)
         if isinstance(uniform, moderngl.Uniform):
@@ -49,5 +61,4 @@ def vertices(
     ]
     indices = context.buffer(draw.indices)
     array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
-    with bound(context, functions, pipeline, draw):
-        yield array
+    yield array

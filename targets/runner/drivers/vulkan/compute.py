@@ -28,11 +28,12 @@ def compute_job(gpu: Gpu, job: KernelJob) -> list[Written]:
     with ExitStack() as owned:
         bindings = make_descriptor_sets(owned, gpu, job.pipeline)
         layout = make_layout(owned, gpu, bindings.layouts)
-        pipeline = _pipeline(owned, gpu, job.pipeline, layout)
+        pipeline = make_compute_pipeline(owned, gpu, job.pipeline, layout)
         return [_run(gpu, job, bindings, layout, pipeline, d) for d in job.dispatches]
 
 
-def _pipeline(owned: ExitStack, gpu: Gpu, description: Pipeline, layout: Any) -> Any:
+def make_compute_pipeline(owned: ExitStack, gpu: Gpu, description: Pipeline, layout: Any) -> Any:
+    """The pipeline of a kernel."""
     with ExitStack() as modules:
         (code,) = description.stages.values()
         stage = make_stage(modules, gpu, vk.VK_SHADER_STAGE_COMPUTE_BIT, code)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from ....closing import Closing
 from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from ..frame_job import FrameJob, FrameTexels
 
 if TYPE_CHECKING:
     from .device import Gpu
@@ -85,6 +86,19 @@ class VulkanDriver(Closing):
         try:
             with errors.explained(gpu.messages):
                 return capture_job(gpu, job)
+        except errors.DeviceLostError:
+            self.close()
+            raise
+
+    def draw_frame(self, job: FrameJob) -> Sequence[FrameTexels]:
+        """What a frame job keeps. Raises ``DriverError`` as ``draw`` does."""
+        gpu = self._opened()
+        from . import errors
+        from .frame import draw_frame
+
+        try:
+            with errors.explained(gpu.messages):
+                return draw_frame(gpu, job)
         except errors.DeviceLostError:
             self.close()
             raise

@@ -1,0 +1,137 @@
+"""Frame jobs: many draws and kernels over textures and buffers that stay on the device.
+
+``targets/runner/frames`` makes a job of a plan. Where ``draw.Job`` has one pipeline, and each draw
+a picture of its own, a frame job has as many as it likes, and its steps draw into textures that
+later steps read. Only what is asked for comes back.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from .draw import Dispatch, Draw, KernelJob, Pipeline, Sides, TargetFormat
+
+DepthFormat = Literal["depth32float"]
+
+TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
+"""What a texture is used as; at first it has no contents."""
+
+BLACK = (0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class FrameTexture:
+    """A texture that the job makes."""
+
+    format: TargetFormat | DepthFormat
+    width: int
+    height: int
+    layers: int = 1
+    """How many; 6 of a cube."""
+    levels: int = 1
+    dimension: Literal["2d", "2d_array", "cube"] = "2d"
+    is_black: bool = False
+    """Whether it is read before a step draws to it: it is transparent black then, or as far away as
+    can be."""
+
+    @property
+    def is_depth(self) -> bool:
+        """Whether it holds depths."""
+        return self.format.startswith("depth")
+
+
+@dataclass(frozen=True, slots=True)
+class Barrier:
+    """From here on, a texture is used in another way."""
+
+    texture: int
+    before: TextureUse
+    after: TextureUse
+
+
+@dataclass(frozen=True, slots=True)
+class Attachment:
+    """What a target, or the depths, are drawn to."""
+
+    texture: int
+    layer: int = 0
+    layers: int = 1
+    """To how many layers a geometry stage draws at once, from ``layer`` on."""
+    level: int = 0
+    loads: bool = False
+    """Whether what is there is kept; else it is cleared."""
+    stores: bool = True
+    clear: tuple[float, float, float, float] = BLACK
+    """A colour; of depths, the first number."""
+
+
+@dataclass(frozen=True, slots=True)
+class FrameDraw:
+    """One draw, or one dispatch, of a step."""
+
+    pipeline: int
+    textures: tuple[int, ...]
+    """For each texture of the pipeline the number of one of the frame's; -1 for the next one of
+    the draw's own."""
+    buffers: tuple[int, ...]
+    """Likewise for its storage buffers, and those of the frame."""
+    draw: Draw | None = None
+    dispatch: Dispatch | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FrameStep:
+    """Something that the device does: it draws, runs a kernel, copies a texture, or brings texels
+    back; or nothing but to wait at barriers."""
+
+    barriers: tuple[Barrier, ...] = ()
+    targets: tuple[Attachment, ...] = ()
+    depth: Attachment | None = None
+    draws: tuple[FrameDraw, ...] = ()
+    """In one render pass; of a kernel, only one."""
+    images: tuple[int, ...] = ()
+    """The textures that a kernel writes, in the order of its pipeline."""
+    groups: Sides = (0, 0, 0)
+    """How many work groups a kernel runs in."""
+    copied: tuple[int, ...] = ()
+    """From which texture to which other one, if it is a copy."""
+    read: tuple[int, ...] = ()
+    """The textures whose first level is read back."""
+
+
+@dataclass(frozen=True, slots=True)
+class FrameBuffer:
+    """A storage buffer that the job makes."""
+
+    words: int
+    """How many words of four bytes it has."""
+    initial: int = 0
+    """What each of them is at first."""
+
+
+@dataclass(frozen=True, slots=True)
+class FrameJob:
+    """Steps in order, and what they share."""
+
+    textures: tuple[FrameTexture, ...]
+    buffers: tuple[FrameBuffer, ...]
+    pipelines: tuple[Pipeline, ...]
+    steps: tuple[FrameStep, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FrameTexels:
+    """What was read back of a texture's first level."""
+
+    width: int
+    height: int
+    layers: int
+    texels: bytes
+    """float32 RGBA, layer by layer and row by row from the top; lanes that the format lacks are 0,
+    0, 1. Depths are in the first lane."""
+
+
+def groups_of(pipeline: Pipeline, dispatch: Dispatch, work_group: Sides) -> Sides:
+    """How many work groups a dispatch takes."""
+    return KernelJob(pipeline, work_group, (dispatch,)).groups(dispatch)

@@ -1,0 +1,167 @@
+"""Executes a frame job with OpenGL, step by step. OpenGL itself waits where a barrier stands."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from typing import Any
+
+import moderngl
+
+from ..draw import Dispatch, Draw, DriverError, Pipeline
+from ..frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
+from .bindings import bound, bound_at
+from .context import (
+    GL_COLOR,
+    GL_COLOR_ATTACHMENT0,
+    GL_DEPTH,
+    GL_FRAMEBUFFER,
+    Functions,
+)
+from .frame_textures import make_frame_texture
+from .program import link, link_kernel
+from .screen import set_blending
+from .state import set_state
+from .vertices import MODES, vertices
+
+
+def draw_frame(context: moderngl.Context, functions: Functions, job: FrameJob) -> list[FrameTexels]:
+    """What is read back, step by step. Raises ``DriverError``."""
+    with ExitStack() as owned:
+        try:
+            found = _Frame(owned, context, functions, job).texels()
+        except moderngl.Error as error:
+            raise DriverError(f"OpenGL: {error}") from None
+    if (reported := context.error) != "GL_NO_ERROR":
+        raise DriverError(f"OpenGL reports {reported}")
+    return found
+
+
+class _Frame:
+    """Everything that a frame job makes."""
+
+    def __init__(
+        self, owned: ExitStack, context: moderngl.Context, functions: Functions, job: FrameJob
+    ) -> None:
+        self._owned = owned
+        self._context = context
+        self._functions = functions
+        self._job = job
+        self._textures = [make_frame_texture(functions, texture) for texture in job.textures]
+        for texture in self._textures:
+            owned.callback(texture.release)
+        self._buffers = [
+            context.buffer(each.initial.to_bytes(4, "little") * each.words) for each in job.buffers
+        ]
+        self._programs: dict[int, Any] = {}
+
+    def texels(self) -> list[FrameTexels]:
+        """Do all steps."""
+        for texture in self._textures:
+            if texture.description.is_black:
+                texture.clear()
+        found = []
+        for step in self._job.steps:
+            self._do(step)
+            found += [self._textures[number].read() for number in step.read]
+        return found
+
+    def _do(self, step: FrameStep) -> None:
+        if step.copied:
+            source, target = (self._textures[number] for number in step.copied)
+            source.copy_to(target)
+        elif step.targets or step.depth is not None:
+            self._draw(step)
+        elif step.draws:
+            self._run(step)
+
+    def _program(self, number: int) -> Any:
+        if number not in self._programs:
+            pipeline = self._job.pipelines[number]
+            make = link_kernel if pipeline.images or not pipeline.targets else link
+            program = make(self._context, self._functions, pipeline)
+            self._owned.callback(program.release)
+            self._programs[number] = program
+        return self._programs[number]
+
+    def _draw(self, step: FrameStep) -> None:
+        attachments = [*step.targets, *([step.depth] if step.depth is not None else [])]
+        width, height = self._textures[attachments[0].texture].size(attachments[0].level)
+        for drawn in step.draws:
+            self._program(drawn.pipeline)  # moderngl may bind a framebuffer when it links
+        with self._framebuffer(step):
+            self._functions.glViewport(0, 0, width, height)
+            for number, target in enumerate(step.targets):
+                self._clear(target, GL_COLOR, number)
+            if step.depth is not None:
+                self._clear(step.depth, GL_DEPTH, 0)
+            for drawn in step.draws:
+                self._draw_one(step, drawn)
+
+    @contextmanager
+    def _framebuffer(self, step: FrameStep) -> Iterator[None]:
+        functions, name = self._functions, ctypes.c_uint()
+        functions.glGenFramebuffers(1, ctypes.byref(name))
+        functions.glBindFramebuffer(GL_FRAMEBUFFER, name)
+        for number, target in enumerate(step.targets):
+            self._textures[target.texture].attach(target, number)
+        if step.depth is not None:
+            self._textures[step.depth.texture].attach(step.depth, 0)
+        drawn = [GL_COLOR_ATTACHMENT0 + number for number in range(len(step.targets))] or [0]
+        functions.glDrawBuffers(len(drawn), (ctypes.c_uint * len(drawn))(*drawn))
+        try:
+            yield
+        finally:
+            functions.glBindFramebuffer(GL_FRAMEBUFFER, 0)
+            functions.glDeleteFramebuffers(1, ctypes.byref(name))
+
+    def _clear(self, attachment: Attachment, part: int, number: int) -> None:
+        if attachment.loads:
+            return
+        self._functions.glDepthMask(1)
+        count = 1 if part == GL_DEPTH else len(attachment.clear)
+        lanes = (ctypes.c_float * count)(*attachment.clear[:count])
+        self._functions.glClearBufferfv(part, number, lanes)
+
+    def _draw_one(self, step: FrameStep, drawn: FrameDraw) -> None:
+        draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]
+        assert draw is not None
+        if not draw.indices:
+            return
+        set_state(self._context, self._functions, pipeline, has_depth=step.depth is not None)
+        set_blending(self._functions, pipeline.targets)
+        program = self._program(drawn.pipeline)
+        with (
+            vertices(self._context, program, pipeline, draw) as array,
+            self._bound(pipeline, drawn, draw),
+        ):
+            array.render(MODES[pipeline.primitive], instances=draw.instance_count)
+
+    def _run(self, step: FrameStep) -> None:
+        (drawn,) = step.draws
+        pipeline, dispatch = self._job.pipelines[drawn.pipeline], drawn.dispatch
+        assert dispatch is not None
+        program = self._program(drawn.pipeline)
+        with self._bound(pipeline, drawn, dispatch):
+            for number, (slot, image) in enumerate(zip(pipeline.images, step.images, strict=True)):
+                self._textures[image].bind_image(bound_at(slot.place, number))
+            if all(step.groups):
+                program.run(*step.groups)
+            self._context.memory_barrier()
+
+    @contextmanager
+    def _bound(
+        self, pipeline: Pipeline, drawn: FrameDraw, values: Draw | Dispatch
+    ) -> Iterator[None]:
+        """Bind what a draw brings along, and what the frame has."""
+        images, contents = iter(values.textures), iter(values.buffers)
+        textures: list[Any] = [
+            next(images) if number < 0 else self._textures[number] for number in drawn.textures
+        ]
+        buffers = [
+            self._context.buffer(next(contents)) if number < 0 else self._buffers[number]
+            for number in drawn.buffers
+        ]
+        with bound(self._context, self._functions, pipeline, values.blocks, textures, buffers):
+            yield

@@ -1,0 +1,142 @@
+"""The textures of a frame: made through OpenGL's own functions, attached, copied and read back."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+
+from ..draw import TextureSlot
+from ..frame_job import Attachment, FrameTexels, FrameTexture
+from ..readback import depths_to_float, to_float
+from .context import (
+    GL_COLOR_ATTACHMENT0,
+    GL_DEPTH_ATTACHMENT,
+    GL_DEPTH_COMPONENT32F,
+    GL_FRAMEBUFFER,
+    Functions,
+)
+from .screen import STORAGE, widened_format
+from .texture_units import (
+    GL_DEPTH_COMPONENT,
+    GL_FLOAT,
+    GL_RGBA,
+    GL_TEXTURE0,
+    GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+    GL_TEXTURE_CUBE_MAP_SEAMLESS,
+    GL_UNSIGNED_BYTE,
+    TARGETS,
+    state_of,
+)
+
+GL_PACK_ALIGNMENT = 0x0D05
+GL_WRITE_ONLY = 0x88B9
+FACES = 6
+
+
+@dataclass(slots=True)
+class MadeTexture:
+    """A texture on the device."""
+
+    functions: Functions
+    description: FrameTexture
+    name: ctypes.c_uint
+    internal_format: int
+
+    @property
+    def target(self) -> int:
+        """What OpenGL calls its type."""
+        return TARGETS[self.description.dimension]
+
+    def size(self, level: int) -> tuple[int, int]:
+        """The width and the height of a level."""
+        made = self.description
+        return max(made.width >> level, 1), max(made.height >> level, 1)
+
+    def attach(self, attachment: Attachment, number: int) -> None:
+        """Attach it to the framebuffer that is bound: as a target, or as the depths."""
+        point = GL_DEPTH_ATTACHMENT if self.description.is_depth else GL_COLOR_ATTACHMENT0 + number
+        if self.description.dimension == "2d":
+            self.functions.glFramebufferTexture(GL_FRAMEBUFFER, point, self.name, attachment.level)
+        else:
+            self.functions.glFramebufferTextureLayer(
+                GL_FRAMEBUFFER, point, self.name, attachment.level, attachment.layer
+            )
+
+    def bind(self, slot: TextureSlot, unit: int) -> None:
+        """Bind it to a unit, with the state of a slot's sampler."""
+        functions = self.functions
+        functions.glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)
+        functions.glActiveTexture(GL_TEXTURE0 + unit)
+        functions.glBindTexture(self.target, self.name)
+        for key, value in state_of(slot, self.description.levels).items():
+            functions.glTexParameteri(self.target, key, value)
+
+    def bind_image(self, unit: int) -> None:
+        """Bind its first level as an image that a kernel writes."""
+        self.functions.glBindImageTexture(
+            unit, self.name, 0, 0, 0, GL_WRITE_ONLY, self.internal_format
+        )
+
+    def clear(self) -> None:
+        """Make it transparent black, or as far away as can be."""
+        lanes, value = (GL_DEPTH_COMPONENT, 1.0) if self.description.is_depth else (GL_RGBA, 0.0)
+        contents = (ctypes.c_float * 4)(*[value] * 4)
+        for level in range(self.description.levels):
+            self.functions.glClearTexImage(self.name, level, lanes, GL_FLOAT, contents)
+
+    def copy_to(self, other: MadeTexture) -> None:
+        """Copy all of it."""
+        for level in range(self.description.levels):
+            width, height = self.size(level)
+            self.functions.glCopyImageSubData(
+                self.name, self.target, level, 0, 0, 0, other.name, other.target, level, 0, 0, 0,
+                width, height, self.description.layers,
+            )  # fmt: skip
+
+    def read(self) -> FrameTexels:
+        """The texels of the first level."""
+        made = self.description
+        self.functions.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+        self.functions.glActiveTexture(GL_TEXTURE0)
+        self.functions.glBindTexture(self.target, self.name)
+        if made.dimension == "cube":
+            faces = range(GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_X + FACES)
+            texels = b"".join(self._read(face, 1) for face in faces)
+        else:
+            texels = self._read(self.target, made.layers)
+        return FrameTexels(made.width, made.height, made.layers, texels)
+
+    def _read(self, part: int, layers: int) -> bytes:
+        made = self.description
+        count = made.width * made.height * layers
+        if made.format == "depth32float":
+            depths = (ctypes.c_float * count)()
+            self.functions.glGetTexImage(part, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths)
+            return depths_to_float(bytes(depths))
+        widened = widened_format(made.format)
+        is_float = widened == "rgba32float"
+        texels = ((ctypes.c_float if is_float else ctypes.c_ubyte) * (4 * count))()
+        kind = GL_FLOAT if is_float else GL_UNSIGNED_BYTE
+        self.functions.glGetTexImage(part, 0, GL_RGBA, kind, texels)
+        return to_float(bytes(texels), widened, made.width, made.height * layers, "top")
+
+    def release(self) -> None:
+        """Free it."""
+        self.functions.glDeleteTextures(1, ctypes.byref(self.name))
+
+
+def make_frame_texture(functions: Functions, wanted: FrameTexture) -> MadeTexture:
+    """A texture of a frame."""
+    name = ctypes.c_uint()
+    functions.glGenTextures(1, ctypes.byref(name))
+    internal = (
+        GL_DEPTH_COMPONENT32F if wanted.format == "depth32float" else STORAGE[wanted.format][2]
+    )
+    made = MadeTexture(functions, wanted, name, internal)
+    functions.glBindTexture(made.target, name)
+    size = wanted.width, wanted.height
+    if wanted.dimension == "2d_array":
+        functions.glTexStorage3D(made.target, wanted.levels, internal, *size, wanted.layers)
+    else:
+        functions.glTexStorage2D(made.target, wanted.levels, internal, *size)
+    return made

@@ -1,0 +1,153 @@
+"""The textures of a frame: their images, a view for each use, and their barriers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from typing import Any
+
+import vulkan as vk
+
+from ..frame_job import Attachment, Barrier, FrameTexture, TextureUse
+from .device import Gpu
+from .formats import DEPTH, TARGETS, VIEWS
+from .memory import ImageSpec, make_image
+
+DRAWING = vk.VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT
+TESTING = (
+    vk.VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | vk.VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT
+)
+SHADERS = vk.VK_PIPELINE_STAGE_ALL_GRAPHICS_BIT | vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT
+COPYING = vk.VK_PIPELINE_STAGE_TRANSFER_BIT
+
+COLOURS = vk.VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | vk.VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT
+DEPTHS = (
+    vk.VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT | vk.VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Use:
+    """What Vulkan has to be told of a use."""
+
+    layout: int
+    stages: int
+    access: int
+
+
+USES: Mapping[TextureUse, Use] = {
+    "undefined": Use(vk.VK_IMAGE_LAYOUT_UNDEFINED, vk.VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0),
+    "target": Use(vk.VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, DRAWING, COLOURS),
+    "depth": Use(vk.VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, TESTING, DEPTHS),
+    "image": Use(
+        vk.VK_IMAGE_LAYOUT_GENERAL, vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+        vk.VK_ACCESS_SHADER_WRITE_BIT,
+    ),
+    "sampled": Use(
+        vk.VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SHADERS, vk.VK_ACCESS_SHADER_READ_BIT
+    ),
+    "copied_from": Use(
+        vk.VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, COPYING, vk.VK_ACCESS_TRANSFER_READ_BIT
+    ),
+    "copied_to": Use(
+        vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, COPYING, vk.VK_ACCESS_TRANSFER_WRITE_BIT
+    ),
+}  # fmt: skip
+
+_COPIES = vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT | vk.VK_IMAGE_USAGE_TRANSFER_DST_BIT
+_READS = vk.VK_IMAGE_USAGE_SAMPLED_BIT | _COPIES
+
+
+@dataclass(slots=True)
+class MadeTexture:
+    """A texture on the device."""
+
+    gpu: Gpu
+    owned: ExitStack
+    description: FrameTexture
+    spec: ImageSpec
+    image: Any
+    view: Any
+    """Of all of it, by which shaders read."""
+    parts: dict[tuple[int, int, int], Any] = field(default_factory=dict)
+    """Views of some layers of a level, to which steps draw."""
+
+    def part(self, attachment: Attachment) -> Any:
+        """The view of what is drawn to."""
+        key = attachment.layer, attachment.layers, attachment.level
+        if key not in self.parts:
+            self.parts[key] = self._part(*key)
+        return self.parts[key]
+
+    def _part(self, layer: int, layers: int, level: int) -> Any:
+        whole = vk.VkImageSubresourceRange(
+            aspectMask=self.spec.aspect, baseMipLevel=level, levelCount=1, baseArrayLayer=layer,
+            layerCount=layers,
+        )  # fmt: skip
+        info = vk.VkImageViewCreateInfo(
+            image=self.image,
+            viewType=VIEWS["2d" if layers == 1 else "2d_array"],
+            format=self.spec.format,
+            subresourceRange=whole,
+        )
+        view = vk.vkCreateImageView(self.gpu.device, info, None)
+        self.owned.callback(vk.vkDestroyImageView, self.gpu.device, view, None)
+        return view
+
+    def barrier(self, before: TextureUse, after: TextureUse) -> Any:
+        """What waits between two uses."""
+        return vk.VkImageMemoryBarrier(
+            oldLayout=USES[before].layout,
+            newLayout=USES[after].layout,
+            srcAccessMask=USES[before].access,
+            dstAccessMask=USES[after].access,
+            srcQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+            dstQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+            image=self.image,
+            subresourceRange=self.spec.subresources(),
+        )
+
+    def clear(self, commands: Any) -> None:
+        """Make it transparent black, or as far away as can be, and ready to be read."""
+        record(commands, [self], [Barrier(0, "undefined", "copied_to")])
+        layout, ranges = USES["copied_to"].layout, [self.spec.subresources()]
+        if self.description.is_depth:
+            far = vk.VkClearDepthStencilValue(depth=1.0)
+            vk.vkCmdClearDepthStencilImage(commands, self.image, layout, far, 1, ranges)
+        else:
+            black = vk.VkClearColorValue(float32=[0.0, 0.0, 0.0, 0.0])
+            vk.vkCmdClearColorImage(commands, self.image, layout, black, 1, ranges)
+        record(commands, [self], [Barrier(0, "copied_to", "sampled")])
+
+
+def make_frame_texture(owned: ExitStack, gpu: Gpu, wanted: FrameTexture, *, written: bool) -> (
+    MadeTexture
+):  # fmt: skip
+    """A texture of a frame; ``written`` says whether a kernel writes it as an image."""
+    drawn = (
+        vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+        if wanted.is_depth
+        else vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
+    )
+    usage = _READS | (vk.VK_IMAGE_USAGE_STORAGE_BIT if written else drawn)
+    format_ = DEPTH if wanted.format == "depth32float" else TARGETS[wanted.format]
+    aspect = vk.VK_IMAGE_ASPECT_DEPTH_BIT if wanted.is_depth else vk.VK_IMAGE_ASPECT_COLOR_BIT
+    spec = ImageSpec(
+        format_, wanted.width, wanted.height, usage, wanted.levels, aspect, wanted.layers,
+        VIEWS[wanted.dimension],
+    )  # fmt: skip
+    image, view = make_image(owned, gpu, spec)
+    return MadeTexture(gpu, owned, wanted, spec, image, view)
+
+
+def record(commands: Any, textures: Sequence[MadeTexture], barriers: Sequence[Barrier]) -> None:
+    """Record barriers, all of them at once."""
+    if not barriers:
+        return
+    before = after = 0
+    for barrier in barriers:
+        before |= USES[barrier.before].stages
+        after |= USES[barrier.after].stages
+    found = [textures[each.texture].barrier(each.before, each.after) for each in barriers]
+    vk.vkCmdPipelineBarrier(commands, before, after, 0, 0, None, 0, None, len(found), found)

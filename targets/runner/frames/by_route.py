@@ -1,0 +1,309 @@
+"""Draws a frame with a driver: makes a frame job of the plan, and reads what comes back.
+
+All frames that are asked for are steps of one job, so that textures which one frame leaves for the
+next stay on the device.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...toolchain import Toolchain
+from ..binding import FORMATS, pipeline
+from ..codes import compile_one
+from ..drivers.draw import Dispatch, Pipeline
+from ..drivers.frame_job import (
+    Attachment,
+    Barrier,
+    FrameBuffer,
+    FrameDraw,
+    FrameJob,
+    FrameStep,
+    FrameTexels,
+    FrameTexture,
+    TextureUse,
+    groups_of,
+)
+from ..kernels import dispatch_of, full_screen_state, has_images
+from ..routes import Route
+from ..runner import Runner
+from .host import FrameDraw as HostDraw
+from .host import FrameHost, Row
+
+Floats = NDArray[np.float64]
+
+DEPTH_FORMATS = {"depth32f": "depth32float"}
+WORD = 4
+"""Bytes."""
+NEW = -1
+"""A texture, or a buffer, that a draw brings along."""
+
+
+def draw_frames(
+    host: FrameHost, route: Route, runner: Runner, toolchain: Toolchain, count: int = 1
+) -> list[dict[str, Floats]]:
+    """The outputs of some frames, by name: (layers, height, width, 4).
+
+    Raises ``CodeError`` if a compiler refuses a text, and ``DriverError``.
+    """
+    job = _Job(host, route, toolchain)
+    names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
+    for number in range(count):
+        job.add_frame(is_first=number == 0)
+        job.add_reading(names)
+    found = iter(runner.draw_frame(route, job.whole()))
+    return [{name: _array(next(found)) for name in names} for _ in range(count)]
+
+
+def _array(texels: FrameTexels) -> Floats:
+    shape = texels.layers, texels.height, texels.width, 4
+    return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
+
+
+@dataclass(slots=True)
+class _Textures:
+    """The textures of the job, and which of them a texture of the plan is at the moment."""
+
+    made: list[FrameTexture] = field(default_factory=list)
+    uses: list[TextureUse] = field(default_factory=list)
+    at: dict[int, int] = field(default_factory=dict)
+    """By the plan's numbers."""
+
+
+class _Job:
+    def __init__(self, host: FrameHost, route: Route, toolchain: Toolchain) -> None:
+        self._host = host
+        self._plan = host.plan
+        codes = [compile_one(route, shader.files, toolchain) for shader in host.shaders]
+        self._pipelines: list[Pipeline] = [
+            pipeline(shader.reflection, route, code)
+            for shader, code in zip(host.shaders, codes, strict=True)
+        ]
+        self._textures = _Textures()
+        self._buffers: list[FrameBuffer] = []
+        self._buffer_of: dict[str, int] = {}
+        self._steps: list[FrameStep] = []
+
+    def add_frame(self, *, is_first: bool) -> None:
+        """Add the steps of one frame."""
+        for row in self._plan["kept"]:
+            for number in (row["texture"], row["previous"]):
+                if number is not None and number not in self._textures.at:
+                    self._make(number, is_black=number == row["previous"])
+        for step in self._plan["steps"]:
+            if is_first or not step.get("only_first", False):
+                self._steps += self._translated(step, is_first)
+        for row in self._plan["kept"]:
+            self._exchange(row)
+
+    def add_reading(self, outputs: Sequence[str]) -> None:
+        """Have these outputs brought back."""
+        read = [self._output(name) for name in outputs]
+        uses = self._textures.uses
+        barriers = [Barrier(number, uses[number], "copied_from") for number in dict.fromkeys(read)]
+        for number in read:
+            uses[number] = "copied_from"
+        self._steps.append(FrameStep(tuple(barriers), read=tuple(read)))
+        left = [self._textures.at[row["previous"]] for row in self._plan["kept"] if row["previous"]]
+        again = [number for number in dict.fromkeys(read) if number in left]
+        for number in again:
+            uses[number] = "sampled"
+        barriers = [Barrier(number, "copied_from", "sampled") for number in again]
+        self._steps.append(FrameStep(tuple(barriers)))
+
+    def whole(self) -> FrameJob:
+        """The job."""
+        return FrameJob(
+            tuple(self._textures.made),
+            tuple(self._buffers),
+            tuple(self._pipelines),
+            tuple(self._steps),
+        )
+
+    def _output(self, name: str) -> int:
+        row = next(row for row in self._plan["outputs"] if row["name"] == name)
+        kept = {row["result"]: row["previous"] for row in self._plan["kept"]}
+        return self._textures.at[kept.get(row["result"], row["texture"])]
+
+    # --- textures and buffers --------------------------------------------------------------------
+
+    def _make(self, number: int, *, is_black: bool = False) -> int:
+        row = self._plan["textures"][number]
+        width, height = self._host.size_of(number)
+        name: Any = DEPTH_FORMATS.get(row["format"]) or FORMATS[row["format"]]
+        self._textures.made.append(
+            FrameTexture(
+                name, width, height, row["layers"], row["levels"], row["dimension"], is_black
+            )
+        )
+        self._textures.uses.append("sampled" if is_black else "undefined")
+        self._textures.at[number] = len(self._textures.made) - 1
+        return self._textures.at[number]
+
+    def _texture(self, number: int) -> int:
+        found = self._textures.at.get(number)
+        return self._make(number) if found is None else found
+
+    def _exchange(self, row: Row) -> None:
+        one, other = row["texture"], row["previous"]
+        if one is None:
+            name = row["result"]
+            self._buffer_of[f"previous({name})"] = self._buffer_of.pop(name)
+            return
+        at = self._textures.at
+        barrier = Barrier(at[one], self._textures.uses[at[one]], "sampled")
+        self._steps.append(FrameStep((barrier,)))
+        self._textures.uses[at[one]] = "sampled"
+        at[one], at[other] = at[other], at[one]
+
+    # --- steps -----------------------------------------------------------------------------------
+
+    def _translated(self, step: Row, is_first: bool) -> list[FrameStep]:
+        match step["kind"]:
+            case "copy":
+                return [self._copied(step)]
+            case "run":
+                return [self._run(step, is_first)]
+        return self._drawn(step, is_first)
+
+    def _barriers(self, step: Row) -> tuple[Barrier, ...]:
+        found = []
+        for row in step["barriers"]:
+            number = self._texture(row["texture"])
+            before: TextureUse = row["from"]
+            known = self._textures.uses[number]
+            if before == "undefined" or known == "copied_from":
+                # The last frame may still read what it left there, and so may the host.
+                before = known
+            found.append(Barrier(number, before, row["to"]))
+            self._textures.uses[number] = row["to"]
+        return tuple(found)
+
+    def _copied(self, step: Row) -> FrameStep:
+        barriers = self._barriers(step)
+        source, target = (self._texture(step[end]["texture"]) for end in ("from", "to"))
+        return FrameStep(barriers, copied=(source, target))
+
+    def _drawn(self, step: Row, is_first: bool) -> list[FrameStep]:
+        barriers = self._barriers(step)
+        draws = list(self._host.draws(step, is_first=is_first))
+        every = [*step["targets"], *([step["depth"]] if step["depth"] else [])]
+        layers = (
+            [0]
+            if every[0]["layer"] is not None
+            else range(self._plan["textures"][every[0]["texture"]]["layers"])
+        )
+        found = []
+        for layer in layers:
+            depth = step["depth"] and self._attachment(step["depth"], layer, 1.0)
+            found.append(
+                FrameStep(
+                    barriers if layer == 0 else (),
+                    tuple(self._attachment(target, layer, 0.0) for target in step["targets"]),
+                    depth or None,
+                    tuple(self._draw(draw, layer) for draw in draws),
+                )
+            )
+        return found
+
+    def _attachment(self, target: Row, layer: int, clear: float) -> Attachment:
+        at = layer if target["layer"] is None else target["layer"]
+        return Attachment(
+            self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
+            target["store"], (clear, 0.0, 0.0, 0.0),
+        )  # fmt: skip
+
+    def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
+        state = draw.state.layers[layer] if draw.state.layers else draw.state
+        textures, buffers = self._bound(draw)
+        given = replace(state.draw(), layers=())
+        rows = self._rows(draw.shader, "textures")
+        own = tuple(
+            image for image, number in zip(given.textures, textures, strict=True) if number == NEW
+        )
+        assert len(rows) == len(textures)
+        contents = tuple(
+            data for data, number in zip(given.buffers, buffers, strict=True) if number == NEW
+        )
+        return FrameDraw(
+            draw.shader, textures, buffers, replace(given, textures=own, buffers=contents)
+        )
+
+    def _rows(self, shader: int, kind: str) -> list[Row]:
+        rows = self._host.shaders[shader].reflection[kind]
+        return [row for row in rows if row["stages"]]
+
+    def _bound(self, draw: HostDraw) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """For each texture and buffer that a shader reads, the job's own one or a new one."""
+        textures = tuple(
+            self._texture(read.texture) if read is not None and read.texture is not None else NEW
+            for read in (draw.reads.get(row["name"]) for row in self._rows(draw.shader, "textures"))
+        )
+        buffers = tuple(
+            NEW if read is None else self._buffer_of[read.result]
+            for read in (draw.reads.get(row["name"]) for row in self._rows(draw.shader, "buffers"))
+        )
+        return textures, buffers
+
+    def _run(self, step: Row, is_first: bool) -> FrameStep:
+        draw = self._host.kernel(step, is_first=is_first)
+        barriers = self._barriers(step)
+        instance, reflection = draw.state.instance, draw.state.instance.reflection
+        textures, buffers = self._bound(draw)
+        images = tuple(self._texture(row["texture"]) for row in step["images"])
+        described = self._pipelines[draw.shader]
+        if has_images(reflection):
+            given = full_screen_state(instance)
+            if not described.images:
+                return self._run_as_pass(replace(draw, state=given), barriers, images)
+            whole = given.draw()
+            dispatch = Dispatch(
+                (given.width, given.height, 1), whole.blocks, whole.textures, whole.buffers
+            )
+        else:
+            dispatch = dispatch_of(instance)
+            buffers = (*buffers, *self._written(step, dispatch, len(buffers)))
+        x, y, z = reflection["work_group"]
+        own = tuple(
+            image
+            for image, number in zip(dispatch.textures, textures, strict=True)
+            if number == NEW
+        )
+        contents = tuple(
+            data for data, number in zip(dispatch.buffers, buffers, strict=True) if number == NEW
+        )
+        groups = groups_of(described, dispatch, (x, y, z))
+        return FrameStep(
+            barriers, draws=(
+                FrameDraw(
+                    draw.shader, textures, buffers,
+                    dispatch=replace(dispatch, textures=own, buffers=contents),
+                ),
+            ), images=images, groups=groups,
+        )  # fmt: skip
+
+    def _written(self, step: Row, dispatch: Dispatch, first: int) -> list[int]:
+        """The job's buffers for what a kernel writes; each run has new ones."""
+        found = []
+        for row, data in zip(step["buffers"], dispatch.buffers[first:], strict=True):
+            initial = int.from_bytes(data[:WORD], "little")
+            self._buffers.append(FrameBuffer(len(data) // WORD, initial))
+            found.append(len(self._buffers) - 1)
+            self._buffer_of[row["result"]] = found[-1]
+        return found
+
+    def _run_as_pass(
+        self, draw: HostDraw, barriers: tuple[Barrier, ...], images: tuple[int, ...]
+    ) -> FrameStep:
+        """A kernel over images where these are drawn."""
+        changed = tuple(replace(each, after="target") if each.after == "image" else each
+                        for each in barriers)  # fmt: skip
+        for number in images:
+            self._textures.uses[number] = "target"
+        targets = tuple(Attachment(number) for number in images)
+        return FrameStep(changed, targets, None, (self._draw(draw, 0),))
