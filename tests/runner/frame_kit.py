@@ -152,19 +152,19 @@ LEFT = Area(right=0.0)
 TOP = Area(bottom=0.0)
 
 
-def draw_of(area: Area, *blocks: bytes) -> Draw:
+def draw_of(area: Area, *blocks: bytes, targets: int = 1) -> Draw:
     """Two triangles over an area."""
     corners = quad(area.left, area.bottom, area.right, area.top, area.depth)
     lanes = [lane for corner in corners for lane in corner]
     return Draw(
-        width=0,  # a step has its size from what it draws to
-        height=0,
+        width=SIZE,
+        height=SIZE,
         vertex_count=len(corners),
         vertices=(struct.pack(f"<{len(lanes)}f", *lanes),),
         indices=struct.pack(f"<{len(corners)}I", *range(len(corners))),
         blocks=blocks,
         textures=(),
-        clear=(),
+        clear=(CLEAR,) * targets,
     )
 
 
@@ -173,9 +173,11 @@ def painted(paint: Color, area: Area = ALL, pipeline: int = 0) -> FrameDraw:
     return FrameDraw(pipeline, (), (), draw_of(area, struct.pack("<4f", *paint)))
 
 
-def reading(pipeline: int, *textures: int, buffers: Sequence[int] = ()) -> FrameDraw:
+def reading(
+    pipeline: int, *textures: int, buffers: Sequence[int] = (), targets: int = 1
+) -> FrameDraw:
     """A draw over everything that reads textures and buffers of the frame."""
-    return FrameDraw(pipeline, textures, tuple(buffers), draw_of(ALL))
+    return FrameDraw(pipeline, textures, tuple(buffers), draw_of(ALL, targets=targets))
 
 
 def dispatched(pipeline: int, *textures: int, buffers: Sequence[int] = ()) -> FrameDraw:

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import DriverError, RenderTarget
+from burnish.targets.runner.drivers.draw import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,
     FrameBuffer,
     FrameDraw,
-    FrameJob,
     FrameStep,
+    TextureUse,
 )
 
 from . import textual_kit, vulkan_kit
@@ -30,6 +30,7 @@ from .frame_kit import (
     TOP,
     Area,
     Driver,
+    Floats,
     back,
     buffer_slot,
     dispatched,
@@ -68,8 +69,11 @@ def driver(request: pytest.FixtureRequest) -> Iterator[Driver]:
 
 
 def quarters(
-    top_left: object, top_right: object, low_left: object, low_right: object
-) -> np.ndarray:
+    top_left: Sequence[float],
+    top_right: Sequence[float],
+    low_left: Sequence[float],
+    low_right: Sequence[float],
+) -> Floats:
     """A picture of four squares of one colour each."""
     found = np.empty((SIZE, SIZE, 4), np.float32)
     half = SIZE // 2
@@ -141,7 +145,7 @@ void main() { target = vec4(texelFetch(before, ivec2(gl_FragCoord.xy), 0).r); }
 """
     only_depths = driver.pipeline("void main() {}\n", targets=())
     reader = driver.pipeline(text, textures=(slot(sample="depth"),))
-    near = FrameDraw(0, (), (), draw_of(replace(TOP, depth=0.25)))
+    near = FrameDraw(0, (), (), draw_of(replace(TOP, depth=0.25), targets=0))
     (found,) = driver.draw(
         job(
             [texture(format="depth32float"), texture()],
@@ -302,7 +306,7 @@ def test_two_textures_take_turns(driver: Driver) -> None:
     steps = [step(0, painted((0.125, 0.25, 0.5, 1.0)), barriers=drawn_first(0))]
     for number in range(rounds):
         source, target = number % 2, 1 - number % 2
-        use = "undefined" if number == 0 else "sampled"
+        use: TextureUse = "undefined" if number == 0 else "sampled"
         barriers = (Barrier(source, "target", "sampled"), Barrier(target, use, "target"))
         steps.append(step(target, reading(1, source), barriers=barriers))
     twice = driver.pipeline(TWICE, textures=(slot(),))
@@ -342,7 +346,7 @@ def test_what_is_read_before_it_is_drawn_is_black_or_far(driver: Driver) -> None
 def test_results_are_rounded_to_their_formats(driver: Driver) -> None:
     """A later step reads what the format holds, not what was computed."""
     paint = (0.4, 1.7, -0.5, 1.0)
-    formats = ("rgba8unorm", "rgba16float")
+    formats: tuple[TargetFormat, ...] = ("rgba8unorm", "rgba16float")
     draws = [
         step(
             number,
@@ -365,7 +369,9 @@ layout(location = 1) out vec4 other;
 void main() { one = vec4(gl_FragCoord.xy, 0.0, 1.0); other = vec4(0.25); }
 """
     both = driver.pipeline(text, targets=(RenderTarget("rgba32float"),) * 2)
-    drawn = FrameStep(drawn_first(0, 1), (Attachment(0), Attachment(1)), None, (reading(0),))
+    drawn = FrameStep(
+        drawn_first(0, 1), (Attachment(0), Attachment(1)), None, (reading(0, targets=2),)
+    )
     one, other = driver.draw(job([texture(), texture()], [both], drawn, back(0, 1)))
     assert tuple(one[0, 0, 1]) == (1.5, 0.5, 0.0, 1.0)  # the first row is the top one
     np.testing.assert_array_equal(other[0], np.full((SIZE, SIZE, 4), 0.25))
@@ -376,43 +382,3 @@ def test_areas_are_where_they_should_be(driver: Driver) -> None:
     drawn = step(0, painted(RED, Area(0.0, 0.5, 0.5, 1.0)), barriers=drawn_first(0))
     (found,) = driver.draw(job([texture()], [driver.painting()], drawn, back(0)))
     assert np.argwhere(found[0, :, :, 0]).tolist() == [[0, 2]]
-
-
-# --- wrong jobs ----------------------------------------------------------------------------------
-
-
-def read_after_drawing(driver: Driver, barriers: tuple[Barrier, ...]) -> FrameJob:
-    """A step that reads what another one has drawn."""
-    return job(
-        [texture(), texture()],
-        [driver.painting(), driver.pipeline(TWICE, textures=(slot(),))],
-        step(0, painted(RED), barriers=drawn_first(0)),
-        step(1, reading(1, 0), barriers=(*barriers, *drawn_first(1))),
-        back(1),
-    )
-
-
-@pytest.fixture(scope="module", params=["lavapipe", "swiftshader"])
-def checked(request: pytest.FixtureRequest) -> Iterator[Driver]:
-    """A driver under Vulkan's validation layer, which sees what waits for what."""
-    asker = vulkan_kit.Asker(request.param)
-    yield Driver("vulkan", asker)
-    asker.close()
-
-
-@pytest.mark.parametrize(
-    ("wrong", "message"),
-    [
-        ((), "IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL"),
-        ((Barrier(0, "copied_from", "sampled"),), "oldLayout"),
-    ],
-    ids=["missing", "from another use"],
-)
-def test_the_validation_layer_finds_wrong_barriers(
-    checked: Driver, wrong: tuple[Barrier, ...], message: str
-) -> None:
-    with pytest.raises(DriverError, match=message):
-        checked.draw(read_after_drawing(checked, wrong))
-    right = (Barrier(0, "target", "sampled"),)
-    (found,) = checked.draw(read_after_drawing(checked, right))  # it goes on after an error
-    assert tuple(found[0, 0, 0]) == (2.0, 0.0, 0.0, 2.0)

@@ -15,6 +15,7 @@ from .draw import (
     BlockSlot,
     BufferSlot,
     CaptureJob,
+    Dispatch,
     Draw,
     DriverError,
     Image,
@@ -33,7 +34,7 @@ def check(job: Job) -> None:
             raise DriverError(f"there is no render target of the format {target.format!r}")
     for number, draw in enumerate(job.draws):
         try:
-            _check_draw(job.pipeline, draw)
+            check_draw(job.pipeline, draw)
         except DriverError as error:
             raise DriverError(f"draw {number}: {error}") from None
 
@@ -47,22 +48,27 @@ def check_capture(job: CaptureJob) -> None:
 
 
 def check_kernel(job: KernelJob) -> None:
-    """Raise ``DriverError`` if the bytes of a dispatch do not fit the pipeline."""
+    """Raise ``DriverError`` if a dispatch does not fit the pipeline."""
     for written in job.pipeline.images:
         if written.format not in get_args(TargetFormat):
             raise DriverError(f"there is no image of the format {written.format!r}")
     for number, dispatch in enumerate(job.dispatches):
         try:
-            _same_number("uniform blocks", dispatch.blocks, job.pipeline.blocks)
-            _same_number("storage buffers", dispatch.buffers, job.pipeline.buffers)
-            _same_number("textures", dispatch.textures, job.pipeline.textures)
-            for block, data in zip(job.pipeline.blocks, dispatch.blocks, strict=True):
-                _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
-            _check_buffers(job.pipeline.buffers, dispatch.buffers)
-            for slot, image in zip(job.pipeline.textures, dispatch.textures, strict=True):
-                _check_texture(f"texture {slot.texture.identifier!r}", slot, image)
+            check_dispatch(job.pipeline, dispatch)
         except DriverError as error:
             raise DriverError(f"dispatch {number}: {error}") from None
+
+
+def check_dispatch(pipeline: Pipeline, dispatch: Dispatch) -> None:
+    """Raise ``DriverError`` if the bytes of a dispatch do not fit the pipeline."""
+    _same_number("uniform blocks", dispatch.blocks, pipeline.blocks)
+    _same_number("storage buffers", dispatch.buffers, pipeline.buffers)
+    _same_number("textures", dispatch.textures, pipeline.textures)
+    for block, data in zip(pipeline.blocks, dispatch.blocks, strict=True):
+        _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
+    _check_buffers(pipeline.buffers, dispatch.buffers)
+    for slot, image in zip(pipeline.textures, dispatch.textures, strict=True):
+        _check_texture(f"texture {slot.texture.identifier!r}", slot, image)
 
 
 def check_groups(job: KernelJob, most: Sequence[int]) -> None:
@@ -111,7 +117,8 @@ def lane_count(format: str) -> int:
     return int(format.partition("x")[2] or 1)
 
 
-def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
+def check_draw(pipeline: Pipeline, draw: Draw) -> None:
+    """Raise ``DriverError`` if the bytes of a draw do not fit the pipeline."""
     if draw.instance_count < 1:
         raise DriverError(f"{draw.instance_count} instances are none")
     if draw.width < 1 or draw.height < 1:

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from typing import Any, Protocol, runtime_checkable
 
 from .draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from .frame_checks import check_frame
 from .frame_job import FrameJob, FrameTexels
 from .wire import from_json, to_json
 
@@ -66,6 +67,7 @@ def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
             if not isinstance(driver, FrameDriver):
                 return {"error": "this driver draws no frames"}
             frame = from_json(FrameJob, request["frame"])
+            check_frame(frame)
             return {"texels": to_json(tuple(driver.draw_frame(frame)))}
         if "capture" in request:
             capturing = from_json(CaptureJob, request["capture"])

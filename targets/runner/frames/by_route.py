@@ -84,6 +84,7 @@ class _Job:
             pipeline(shader.reflection, route, code)
             for shader, code in zip(host.shaders, codes, strict=True)
         ]
+        self._written_as = _use_of_written_images(host, self._pipelines)
         self._textures = _Textures()
         self._buffers: list[FrameBuffer] = []
         self._buffer_of: dict[str, int] = {}
@@ -177,14 +178,17 @@ class _Job:
             if row["only_first"] and not is_first:
                 continue
             number = self._texture(row["texture"])
-            before: TextureUse = row["from"]
+            before, after = self._use(row["from"]), self._use(row["to"])
             known = self._textures.uses[number]
             if before == "undefined" or known == "copied_from":
                 # The last frame may still read what it left there, and so may the host.
                 before = known
-            found.append(Barrier(number, before, row["to"]))
-            self._textures.uses[number] = row["to"]
+            found.append(Barrier(number, before, after))
+            self._textures.uses[number] = after
         return tuple(found)
+
+    def _use(self, planned: TextureUse) -> TextureUse:
+        return self._written_as if planned == "image" else planned
 
     def _copied(self, step: Row, is_first: bool) -> FrameStep:
         barriers = self._barriers(step, is_first)
@@ -303,9 +307,14 @@ class _Job:
         self, draw: HostDraw, barriers: tuple[Barrier, ...], images: tuple[int, ...]
     ) -> FrameStep:
         """A kernel over images where these are drawn."""
-        changed = tuple(replace(each, after="target") if each.after == "image" else each
-                        for each in barriers)  # fmt: skip
-        for number in images:
-            self._textures.uses[number] = "target"
         targets = tuple(Attachment(number) for number in images)
-        return FrameStep(changed, targets, None, (self._draw(draw, 0),))
+        return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+
+
+def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureUse:
+    """What the plan's images are, which kernels write: some routes draw them in a pass."""
+    drawn = any(
+        has_images(shader.reflection) and not made.images
+        for shader, made in zip(host.shaders, pipelines, strict=True)
+    )
+    return "target" if drawn else "image"

@@ -1,0 +1,134 @@
+"""Checks that a frame job is consistent, before a driver sees it; ``serve`` calls this first.
+
+A job is made of a plan, and a plan may be wrong: one that names another texture than it should
+must not draw another picture without a word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from .checks import check_dispatch, check_draw
+from .draw import DriverError, Pipeline, TextureSlot
+from .frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexture
+from .frame_order import check_order
+
+OWN = -1
+"""In place of a number: a texture or a buffer that the draw brings along."""
+
+
+def check_frame(job: FrameJob) -> None:
+    """Raise ``DriverError`` if a step does not fit its pipelines, its textures, or the steps
+    before it."""
+    for number, step in enumerate(job.steps):
+        try:
+            _check_numbers(job, step)
+            _check_attachments(job, step)
+            for draw in step.draws:
+                _check_drawn(job, step, draw)
+        except DriverError as error:
+            raise DriverError(f"step {number}: {error}") from None
+    check_order(job)
+
+
+def _check_numbers(job: FrameJob, step: FrameStep) -> None:
+    """Everything that a step names is there."""
+    drawn_to = [each.texture for each in _attachments(step)]
+    named = [*(each.texture for each in step.barriers), *drawn_to, *step.images, *step.copied]
+    _all_in("texture", [*named, *step.read], job.textures)
+    for draw in step.draws:
+        _all_in("pipeline", [draw.pipeline], job.pipelines)
+        _all_in("texture", [each for each in draw.textures if each != OWN], job.textures)
+        _all_in("buffer", [each for each in draw.buffers if each != OWN], job.buffers)
+
+
+def _all_in(what: str, numbers: Sequence[int], there: Sequence[object]) -> None:
+    for number in numbers:
+        if not 0 <= number < len(there):
+            raise DriverError(f"there is no {what} {number}; the job has {len(there)}")
+
+
+def _check_attachments(job: FrameJob, step: FrameStep) -> None:
+    """All that a step draws to, or copies, exists and has one size."""
+    for attachment in _attachments(step):
+        made = job.textures[attachment.texture]
+        last = attachment.layer + attachment.layers
+        if attachment.level >= made.levels or last > made.layers:
+            raise DriverError(
+                f"texture {attachment.texture} has no layer {last - 1}, level {attachment.level}"
+            )
+        if made.is_depth != (attachment is step.depth):
+            raise DriverError(
+                f"texture {attachment.texture} of {made.format} cannot be drawn to as "
+                f"{'depths' if attachment is step.depth else 'a target'}"
+            )
+    sizes = {_size(job.textures[each.texture], each.level) for each in _attachments(step)}
+    if len(sizes) > 1:
+        found = " and ".join(f"{width} x {height}" for width, height in sorted(sizes))
+        raise DriverError(f"its targets have different sizes: {found}")
+    copied = {replace(job.textures[number], is_black=False) for number in step.copied}
+    if len(copied) > 1:
+        source, target = step.copied
+        raise DriverError(
+            f"texture {source} cannot be copied to {target}, which is of another kind"
+        )
+
+
+def _attachments(step: FrameStep) -> Iterator[Attachment]:
+    yield from step.targets
+    if step.depth is not None:
+        yield step.depth
+
+
+def _size(texture: FrameTexture, level: int) -> tuple[int, int]:
+    return max(texture.width >> level, 1), max(texture.height >> level, 1)
+
+
+def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
+    """A draw fits its pipeline."""
+    pipeline = job.pipelines[drawn.pipeline]
+    targets = [job.textures[each.texture].format for each in step.targets]
+    _same_formats("target", targets, [each.format for each in pipeline.targets])
+    images = [job.textures[number].format for number in step.images]
+    _same_formats("image", images, [each.format for each in pipeline.images])
+    _same_number("textures", drawn.textures, pipeline.textures)
+    _same_number("storage buffers", drawn.buffers, pipeline.buffers)
+    for slot, number in zip(pipeline.textures, drawn.textures, strict=True):
+        if number != OWN:
+            _check_texture(slot, number, job.textures[number])
+    own = _own(pipeline, drawn)
+    if drawn.draw is not None:
+        check_draw(own, drawn.draw)
+    if drawn.dispatch is not None:
+        check_dispatch(own, drawn.dispatch)
+
+
+def _own(pipeline: Pipeline, drawn: FrameDraw) -> Pipeline:
+    """The pipeline as if it had only what the draw brings along."""
+    textures = zip(pipeline.textures, drawn.textures, strict=True)
+    buffers = zip(pipeline.buffers, drawn.buffers, strict=True)
+    return replace(
+        pipeline,
+        textures=tuple(slot for slot, number in textures if number == OWN),
+        buffers=tuple(slot for slot, number in buffers if number == OWN),
+    )
+
+
+def _check_texture(slot: TextureSlot, number: int, made: FrameTexture) -> None:
+    if slot.dimension != made.dimension or (slot.sample == "depth") != made.is_depth:
+        raise DriverError(
+            f"texture {slot.texture.identifier!r} is given texture {number}, which is "
+            f"{made.dimension} of {made.format}, and is {slot.dimension} of {slot.sample}"
+        )
+
+
+def _same_formats(what: str, given: Sequence[str], wanted: Sequence[str]) -> None:
+    if given != wanted:
+        found, expected = (", ".join(names) or "none" for names in (given, wanted))
+        raise DriverError(f"{what} formats are {found}, and the pipeline has {expected}")
+
+
+def _same_number(what: str, given: Sequence[object], wanted: Sequence[object]) -> None:
+    if len(given) != len(wanted):
+        raise DriverError(f"{len(given)} {what} are named, and the pipeline has {len(wanted)}")

@@ -1,0 +1,118 @@
+"""Checks the order of a frame job: what each step uses is there, and has been waited for.
+
+Some mistakes nothing else finds. OpenGL waits by itself, so that a missing barrier shows only with
+other drivers, and what a device holds at first is often, but not always, what one hopes for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from .draw import DriverError
+from .frame_job import Attachment, FrameJob, FrameStep, TextureUse
+
+Part = tuple[int, int]
+"""A layer and a level of a texture."""
+
+
+def check_order(job: FrameJob) -> None:
+    """Raise ``DriverError`` for the first step that uses something before it is ready."""
+    textures = [_Texture(job, number) for number in range(len(job.textures))]
+    for number, step in enumerate(job.steps):
+        try:
+            _check_step(textures, step)
+        except DriverError as error:
+            raise DriverError(f"step {number}: {error}") from None
+
+
+def _check_step(textures: list[_Texture], step: FrameStep) -> None:
+    for barrier in step.barriers:
+        textures[barrier.texture].wait(barrier.before, barrier.after)
+    for number in (texture for draw in step.draws for texture in draw.textures):
+        if number >= 0:
+            textures[number].read("sampled")
+    for number in step.images:
+        textures[number].write("image")
+    for target in step.targets:
+        textures[target.texture].draw(target, "target")
+    if step.depth is not None:
+        textures[step.depth.texture].draw(step.depth, "depth")
+    if step.copied:
+        source, copy = step.copied
+        textures[source].read("copied_from")
+        textures[copy].write("copied_to")
+    for number in step.read:
+        textures[number].read("copied_from", levels=1)
+
+
+class _Texture:
+    """What is known of a texture between two steps."""
+
+    def __init__(self, job: FrameJob, number: int) -> None:
+        made = job.textures[number]
+        self._name = f"texture {number}"
+        self._layers, self._levels = made.layers, made.levels
+        self._use: TextureUse = "sampled" if made.is_black else "undefined"
+        self._held = set(self._parts()) if made.is_black else set()
+        """The parts that have contents."""
+        self._changed: set[Part] = set()
+        """The parts that were written since the last barrier."""
+
+    def wait(self, before: TextureUse, after: TextureUse) -> None:
+        """A barrier."""
+        if before != self._use:
+            raise DriverError(
+                f"a barrier takes {self._name} from {before!r}, but its use is {self._use!r}"
+            )
+        self._use = after
+        self._changed.clear()
+
+    def read(self, use: TextureUse, levels: int | None = None) -> None:
+        """A shader, a copy or the host reads its first levels, or all of them."""
+        self._check_use(use)
+        self._check_contents(self._parts(levels))
+
+    def write(self, use: TextureUse) -> None:
+        """A kernel or a copy writes all of it."""
+        self._check_use(use)
+        self._change(self._parts())
+        self._held.update(self._parts())
+
+    def draw(self, attachment: Attachment, use: TextureUse) -> None:
+        """A step draws to some of it."""
+        self._check_use(use)
+        first = attachment.layer
+        parts = [(first + layer, attachment.level) for layer in range(attachment.layers)]
+        if attachment.loads:
+            self._check_contents(parts)
+        self._change(parts)
+        if attachment.stores:
+            self._held.update(parts)
+        else:
+            self._held.difference_update(parts)
+
+    def _parts(self, levels: int | None = None) -> Iterator[Part]:
+        """Those of the first levels, or all."""
+        for level in range(self._levels if levels is None else levels):
+            for layer in range(self._layers):
+                yield layer, level
+
+    def _check_use(self, use: TextureUse) -> None:
+        if use != self._use:
+            raise DriverError(f"{self._name} is used as {use!r}, but its use is {self._use!r}")
+
+    def _check_contents(self, parts: Iterable[Part]) -> None:
+        for layer, level in parts:
+            if (layer, level) not in self._held:
+                raise DriverError(
+                    f"{self._name} is read, but nothing has drawn its layer {layer}, level {level}"
+                )
+
+    def _change(self, parts: Iterable[Part]) -> None:
+        for layer, level in parts:
+            if (layer, level) in self._changed:
+                raise DriverError(
+                    f"no barrier waits for what is written to {self._name}, layer {layer}, level "
+                    f"{level}, and it is written again"
+                )
+            self._changed.add((layer, level))
