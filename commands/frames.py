@@ -43,6 +43,7 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     routes = _those_that_draw(chosen, request)
     frame = _compiled(request, routes)
     outputs = _outputs(frame, request.target)
+    host = _host(frame, request)
     with Progress("drawing") as progress:
         rows = [
             _beside([_image(each) for each in pictures])

@@ -92,6 +92,10 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="The mesh to draw.",
 )
 @click.option(
+    "--scene", metavar="MODEL", type=click.Path(path_type=Path),
+    help="A glTF 2.0 file, .gltf or .glb, whose objects a frame draws instead of meshes.",
+)  # fmt: skip
+@click.option(
     "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
     help="How often to draw the mesh, if the material distinguishes instances.",
 )  # fmt: skip
@@ -157,12 +161,16 @@ def render(**chosen: Any) -> None:
 
     A file that declares a frame shows its outputs, side by side: what the whole frame draws, with
     a model of each material. For frames that evolve, --frames draws several: as numbered pictures,
-    or as one that moves if the output ends in .gif or .webp.
+    or as one that moves if the output ends in .gif or .webp. With --scene, it draws the objects of
+    a glTF file, each with the material that is called as in that file, or with the only one. Its
+    numbers and pictures set the parameters and textures of `std.gltf`; its lights are those of the
+    rig, and its first camera sees it all.
 
     \b
     Example:
         burnish render plastic.burnish -o plastic.png
         burnish render deferred.burnish -o deferred.png --set exposure=2
+        burnish render deferred.burnish -o helmet.png --scene helmet.glb
         burnish render plastic.burnish -o torus.png --mesh torus --set power=200
         burnish render plastic.burnish -o sheet.png --on all --size 256
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
@@ -185,6 +193,11 @@ def _render(request: Request) -> None:
     if has_frames(request):
         render_frames(request, routes)
         return
+    if request.scene is not None:
+        raise click.UsageError(
+            f"--scene is for frames, and {request.file} declares none, such as "
+            "`frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }`"
+        )
     if request.native_stages and None in routes:
         raise click.UsageError(
             "--native-stages is for routes, and the reference draws without such stages: name "

@@ -1,17 +1,17 @@
 """What a frame draws: models with materials, seen by a camera.
 
-``burnish render`` makes a ``Scenery`` of built-in meshes; ``targets/runner/scenes`` makes one of a
-file.
+``burnish render`` makes a ``Scenery`` of built-in meshes, or by ``staging.py`` of a file.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
+from ..cameras import Matrix, Vector, looking
+from ..looks import Look
 from ..meshes import MESHES, Mesh
-from ..scene import Scene, Vector
+from ..scene import Scene
 
 WHOLE = "scene"
 """What the frame calls all models of a scene; any other name is a tag."""
@@ -28,17 +28,19 @@ class Model:
     material: str
     placement: tuple[tuple[float, ...], ...]
     """The rows of the transform from object to world space."""
-    values: Mapping[str, Any] = field(default_factory=dict)
-    """Parameters and textures of the material, by name."""
+    look: Look = Look()
+    """What a file says about its surface."""
     tags: frozenset[str] = frozenset()
+    bones: Matrix | None = None
+    """The transform of each bone; ``None`` for the bones of the meshes here."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Scenery:
-    """Models and the camera that sees them."""
+    """Models, and the scene that they have in common."""
 
     models: tuple[Model, ...]
-    camera: Scene = field(default_factory=Scene)
+    scene: Scene = field(default_factory=Scene)
 
     def tagged(self, name: str) -> tuple[Model, ...]:
         """The models that a frame calls by a name, in the order in which they are drawn."""
@@ -59,10 +61,10 @@ def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: 
         )
         for number, material in enumerate(materials)
     )  # fmt: skip
-    usual = Scene()
+    x, y, z = looking().eye
     further = 1 + width / 3
-    eye: Vector = (usual.eye[0], usual.eye[1] * further, usual.eye[2] * further)
-    return Scenery(models, Scene(eye=eye))
+    eye: Vector = (x, y * further, z * further)
+    return Scenery(models, Scene(looking(eye)))
 
 
 def _tags_of(material: str, tags: Mapping[str, Sequence[str]]) -> Iterator[str]:
