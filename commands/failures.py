@@ -59,8 +59,7 @@ def told() -> Iterator[None]:
         fail(str(error).replace("\n", "\n  "))
     except (
         CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
-        SceneError,
-        PlanError, UndrawableError,
+        PlanError, SceneError, UndrawableError,
     ) as error:  # fmt: skip
         fail(str(error))
     except MemoryError:

@@ -184,7 +184,7 @@ def _render(request: Request) -> None:
     from ..targets.runner.runner import Runner
     from .frames import has_frames, render_frames
     from .lacking import tell_lacking_tools
-    from .panels import panels
+    from .panels import check_single, panels
     from .progress import Progress
     from .subjects import subjects
 
@@ -210,7 +210,7 @@ def _render(request: Request) -> None:
         found = subjects(request, drivers, progress.tell)
         _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), _largest(found))
-        _check_single(len(found) * len(routes), request.output)
+        check_single(len(found) * len(routes), request.output)
         drawn = list(panels(found, routes, request.target, runner, progress))
     _save(drawn, len(routes), request.output, _largest(found))
     click.echo(f"{'; '.join(subject.label for subject in found)}: {request.output}")
@@ -260,17 +260,6 @@ def _check_total(count: int, size: tuple[int, int]) -> None:
         raise click.UsageError(
             f"a sheet of {count} pictures of {width} x {height} pixels is too large: "
             "choose a smaller --size, or fewer routes"
-        )
-
-
-def _check_single(count: int, path: Path) -> None:
-    """Refuse a sheet in a format for numbers: its captions and borders have none."""
-    from ..targets.runner.pictures import keeps_numbers
-
-    if count > 1 and keeps_numbers(path):
-        raise click.UsageError(
-            f"`{path}` keeps the numbers of one picture, and there are {count}: name one "
-            "--material, --rig, --pass and route"
         )
 
 

@@ -150,7 +150,7 @@ def _count(row: Mapping[str, Any], most_of_array: int) -> int:
 
 
 def _made_up(number: int, total: int, distance: float) -> Lamp:
-    """Light ``number`` of ``total``: the first is at the upper left, the others all around."""
+    """One of ``total`` lights: the first is at the upper left, the others all around."""
     towards = _direction(number)
     strength = 1.0 if total == 1 else 0.8 if number == 0 else 0.8 / (total - 1)
     color = _scaled(_TINTS[number % len(_TINTS)], strength)

@@ -17,3 +17,7 @@ class Look:
     """The name of its material in the file."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
     textures: Mapping[str, Texture] = field(default_factory=dict)
+
+
+PLAIN = Look()
+"""For what no file says anything about."""

@@ -23,7 +23,7 @@ from ...compiler.ir.stages import VERTICES
 from .cameras import Camera, Matrix, looking
 from .instances.instance import Instance
 from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
-from .looks import Look
+from .looks import PLAIN, Look
 from .meshes import BONES, CHANNELS, Mesh, MeshError
 
 _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
@@ -44,14 +44,12 @@ class Scene:
     """How many lights are made up for an array of lights, if it has space for them."""
     lamps: tuple[Lamp, ...] = ()
     """The lights of a file; without any, lights are made up."""
-    look: Look = Look()
+    look: Look = PLAIN
     """What a file says about the object's surface."""
     bones: Matrix | None = None
     """The transform of each bone (bones, 4, 4); ``None`` for the bones of the meshes here."""
 
-    def apply(
-        self, instance: Instance, aspect: float, but: frozenset[str] = frozenset()
-    ) -> None:
+    def apply(self, instance: Instance, aspect: float, but: frozenset[str] = frozenset()) -> None:
         """Set all parameters and textures that belong to a scene, but those with some names;
         ``aspect`` is width divided by height."""
         given = {
@@ -66,7 +64,7 @@ class Scene:
             if role in given and row["name"] not in but:
                 instance.set(row["name"], given[role])
         for row in instance.reflection["textures"]:
-            word = scene_names()["textures"].get(row["library"])
+            word = scene_names()["textures"].get(row["library"], "")
             if word in self.look.textures and row["name"] not in but:
                 instance.set(row["name"], self.look.textures[word])
         self._place_lights(instance)

@@ -23,8 +23,8 @@ from burnish.api import CompiledMaterial
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.plan import bounds_of, to_targets
-from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.binding import pipeline
+from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.draw import (
     BlockSlot,
@@ -150,7 +150,7 @@ def block(scene: Scene) -> bytes:
     normal_matrix = np.linalg.inv(world[:3, :3]).T
     rows: list[Any] = [
         *world.T,
-        *scene.world_to_clip(SIZE[0] / SIZE[1]).T,
+        *scene.camera.world_to_clip(SIZE[0] / SIZE[1]).T,
         *((*column, 0) for column in normal_matrix.T),
         (*scene.camera.eye, 0),
         (*VALUES["ka"], 0),

@@ -147,7 +147,7 @@ def test_cameras(tmp_path: Path) -> None:
     ]  # fmt: skip
     made.whole["scenes"] = [{"nodes": [0, 1, 2, 3]}]
     eye, endless, flat = read_gltf(made.save(tmp_path)).cameras
-    assert eye.eye == (0, 0, 5)
+    assert np.allclose(eye.eye, (0, 0, 5))
     # At distance two, two units above the middle, with a quarter of a turn from bottom to top.
     x, y, z, w = eye.world_to_clip(2) @ [4, 2, 3, 1]
     assert np.allclose([x / w, y / w, z / w, w], [1, 1, 0.75, 2])

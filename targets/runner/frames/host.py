@@ -104,6 +104,10 @@ class FrameHost:
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
 
+    def unused_lamps(self) -> list[str]:
+        """The names of the lights in the scene for which the frame's rig has no place."""
+        return [lamp.name for lamp in self.scenery.scene.unused_lamps(self.values)]
+
     def set_text(self, name: str, text: str) -> None:
         """Set something of the frame; or else of all shaders that have it, such as a material's
         parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ..cameras import Matrix, Vector, looking
-from ..looks import Look
+from ..looks import PLAIN, Look
 from ..meshes import MESHES, Mesh
 from ..scene import Scene
 
@@ -28,7 +28,7 @@ class Model:
     material: str
     placement: tuple[tuple[float, ...], ...]
     """The rows of the transform from object to world space."""
-    look: Look = Look()
+    look: Look = PLAIN
     """What a file says about its surface."""
     tags: frozenset[str] = frozenset()
     bones: Matrix | None = None

@@ -14,19 +14,24 @@ from numpy.typing import NDArray
 from ..cameras import Camera, Vector, looking
 from ..scene import Scene
 from ..scenes.records import SceneError, SceneFile, SceneObject
-from .scenery import Model, Scenery
+from .scenery import WHOLE, Model, Scenery
 
 _MARGIN = 1.1
 """How much more than the objects a camera sees that a file does not have."""
 
 
-def staged(file: SceneFile, materials: Sequence[str]) -> Scenery:
+def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> Scenery:
     """The objects of a file, each with the material that is called like its own in the file, or
-    with the only one. Seen by the file's first camera, or by one that sees all of them. Raises
-    ``SceneError``."""
+    with the only one. Seen by the file's first camera, or by one that sees all of them.
+
+    ``names`` are those by which the frame asks for models. Raises ``SceneError``.
+    """
     if not file.objects:
         raise SceneError("the scene has nothing to draw")
+    if not materials:
+        raise SceneError("the frame draws no models")
     models = tuple(_model(each, materials) for each in file.objects)
+    _check_tags(file, names)
     middle, radius = _extent(file.objects)
     camera = file.cameras[0] if file.cameras else _overview(middle, radius)
     distance = 3 * radius + float(np.linalg.norm(middle))
@@ -49,6 +54,14 @@ def _model(found: SceneObject, materials: Sequence[str]) -> Model:
         found.tags,
         found.bones,
     )
+
+
+def _check_tags(file: SceneFile, names: Sequence[str]) -> None:
+    known = dict.fromkeys(sorted(tag for each in file.objects for tag in each.tags))
+    for name in names:
+        if name != WHOLE and name not in known:
+            said = f"there are {', '.join(known)}" if known else "there are no tags"
+            raise SceneError(f"the frame draws `{name}`, and nothing has this tag: {said}")
 
 
 def _extent(objects: Sequence[SceneObject]) -> tuple[NDArray[np.float64], float]:

@@ -6,7 +6,7 @@ draws them.
 
 from __future__ import annotations
 
-from ...looks import Look
+from ...looks import PLAIN, Look
 from ...textures.files import picture_in
 from ...textures.kinds import PictureError
 from ...textures.texture import Texture
@@ -20,9 +20,6 @@ MAX_TEXELS = 2**27
 
 _FORMATS = ("PNG", "JPEG")
 """What pictures may be: other formats are no part of glTF."""
-
-_PLAIN = Look()
-"""For what has no material."""
 
 
 class Looks:
@@ -40,7 +37,7 @@ class Looks:
     def look(self, index: int | None, what: str) -> Look:
         """The look of a material. Raises ``SceneError``; ``what`` says in it who has the look."""
         if index is None:
-            return _PLAIN
+            return PLAIN
         if index >= len(self._file.materials):
             raise SceneError(f"{what}: there is no material {index}")
         if index not in self._looks:

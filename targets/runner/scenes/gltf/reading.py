@@ -137,7 +137,8 @@ class _Reader:
             raise SceneError(f"node {placed.number}: there is no camera {number}")
         camera = self._file.cameras[number]
         to_world = _upright(placed)
-        eye, view = _vector(to_world[:3, 3]), np.linalg.inv(to_world)
+        eye = _vector(to_world[:3, 3])
+        view: Matrix = np.linalg.inv(to_world).astype(np.float64)
         if camera.type == "perspective" and (lens := camera.perspective):
             far = np.inf if lens.zfar is None else lens.zfar
             _check_depths(lens.znear, far, number)
