@@ -5,19 +5,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..cameras import Camera, Vector, looking
 from ..scene import Scene
 from ..scenes.records import SceneError, SceneFile, SceneObject
-from .scenery import WHOLE, Model, Scenery
-
-_MARGIN = 1.1
-"""How much more than the objects a camera sees that a file does not have."""
+from .scenery import WHOLE, Model, Scenery, overview
 
 
 def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> Scenery:
@@ -33,7 +28,7 @@ def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> S
     models = tuple(_model(each, materials) for each in file.objects)
     _check_tags(file, names)
     middle, radius = _extent(file.objects)
-    camera = file.cameras[0] if file.cameras else _overview(middle, radius)
+    camera = file.cameras[0] if file.cameras else overview(middle, radius)
     distance = 3 * radius + float(np.linalg.norm(middle))
     return Scenery(models, Scene(camera, light_distance=distance, lamps=file.lamps))
 
@@ -86,14 +81,3 @@ def _boxes(
         transform = each.object_to_world if each.bones is None else each.bones[0]
         moved = (corners @ transform.T)[:, :3]
         yield moved.min(axis=0), moved.max(axis=0)
-
-
-def _overview(middle: NDArray[np.float64], radius: float) -> Camera:
-    """A camera that sees a ball, from the same side as always."""
-    usual = looking()
-    assert usual.fov is not None
-    distance = _MARGIN * radius / math.sin(usual.fov / 2)
-    towards = np.array(usual.eye) / np.linalg.norm(usual.eye)
-    x, y, z = (middle + distance * towards).tolist()
-    at: Vector = tuple(middle.tolist())
-    return looking((x, y, z), at, near=distance - _MARGIN * radius, far=distance + _MARGIN * radius)
