@@ -16,7 +16,8 @@ def vertices(model: Model) -> NDArray[np.float64]:
     """Where the vertices of a model are in the world, with a fourth lane of 1."""
     position = model.mesh.channels["position"]
     whole = np.concatenate([position, np.ones((len(position), 1))], 1)
-    return whole @ np.array(model.placement).T
+    moved: NDArray[np.float64] = whole @ np.array(model.placement).T
+    return moved
 
 
 def box(model: Model) -> tuple[list[float], list[float]]:

@@ -87,9 +87,9 @@ def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: 
     tagged = tuple(
         replace(model, tags=frozenset(_tags_of(model.material, tags))) for model in models
     )
-    return Scenery(
-        tagged, Scene(overview(np.zeros(3), width / 2 + 1), light_distance=3 + width / 2)
-    )
+    reach = float(np.linalg.norm(shape.channels["position"], axis=1).max())
+    camera = overview(np.zeros(3), width / 2 + reach)
+    return Scenery(tagged, Scene(camera, light_distance=3 + width / 2))
 
 
 def overview(middle: NDArray[np.float64], radius: float) -> Camera:
