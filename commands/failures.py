@@ -44,6 +44,7 @@ def told() -> Iterator[None]:
         from ..targets.runner.kernels import UndrawableError
         from ..targets.runner.meshes import MeshError
         from ..targets.runner.routes import UnknownRouteError
+        from ..targets.runner.scenes.records import SceneError
         from ..targets.runner.textures.kinds import PictureError
     except ModuleNotFoundError as error:
         needed(error)
@@ -58,7 +59,7 @@ def told() -> Iterator[None]:
         fail(str(error).replace("\n", "\n  "))
     except (
         CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
-        PlanError, UndrawableError,
+        PlanError, SceneError, UndrawableError,
     ) as error:  # fmt: skip
         fail(str(error))
     except MemoryError:
