@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from .console import remark, show
 
 if TYPE_CHECKING:
-    from ..api import CompiledMaterial, CompileResult
+    from ..api import CompiledFrame, CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..targets.runner.routes import Route
 
@@ -32,8 +32,8 @@ class Request(NamedTuple):
     native_stages: bool
 
 
-Subjects = list[tuple[str, "CompiledMaterial"]]
-"""Materials, each with the label that the table shows."""
+Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]
+"""Materials, kernels and frames, each with the label that the table shows."""
 
 
 def subjects_of(request: Request, routes: Sequence[Route], *, native_stages: bool) -> Subjects:
@@ -53,9 +53,9 @@ def subjects_of(request: Request, routes: Sequence[Route], *, native_stages: boo
             for variant in _variants(path, request):
                 for result in _compiled(path, variant, request, profiles, native_stages):
                     warnings += result.diagnostics
-                    for material in result.materials:
-                        label = _label(path, request.files, material.name, variant)
-                        found.append((label, material))
+                    for subject in result.frames or result.materials:
+                        label = _label(path, request.files, subject.name, variant)
+                        found.append((label, subject))
         except CompileError as error:
             errors += error.diagnostics
     if errors:
@@ -116,6 +116,9 @@ def _variants(path: Path, request: Request) -> list[Variant]:
     from .. import api
 
     found = api.variants(path, search_path=request.search_path)
+    if api.has_frames(path, search_path=request.search_path):
+        # A frame says by itself which passes it draws.
+        found = tuple((rig, None) for rig, _pass in found)
     chosen = [(request.rig or rig, request.pass_ or pass_) for rig, pass_ in found]
     return list(dict.fromkeys(chosen))
 

@@ -6,17 +6,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 from threading import Event
 
 from ...frozen import EMPTY
 from ..runner.codes import CodeError, compile_one
-from ..runner.drivers.draw import DriverError
+from ..runner.drivers.draw import Device, DriverError
+from ..runner.frames.host import FrameSubject, PlanError, is_frame, is_shader
 from ..runner.kernels import UndrawableError, is_drawn
 from ..runner.reference import STORE, Draw, expected
-from ..runner.routes import Route
+from ..runner.routes import EVERY_DRIVER, Route
 from ..runner.runner import Runner
 from ..runner.store import Store
 from ..runner.subject import Subject
@@ -24,6 +25,7 @@ from ..toolchain import Toolchain
 from .captures import CapturePlan
 from .cases import SIZE, Size
 from .compare import proves_little
+from .frames import FramePlan
 from .kernels import KernelPlan
 from .plan import Plan
 from .rows import CaseResult, Row, Status
@@ -33,7 +35,7 @@ Done = Callable[[int, int], None]
 
 
 def conform(
-    subjects: Sequence[tuple[str, Subject]],
+    subjects: Sequence[tuple[str, Subject | FrameSubject]],
     routes: Sequence[Route],
     runner: Runner,
     toolchain: Toolchain,
@@ -43,9 +45,9 @@ def conform(
     size: Size = SIZE,
     keep: bool = True,
     draw: Draw = expected,
-    meant: Mapping[str, Subject] = EMPTY,
+    meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Row]:
-    """A row for each labelled material and each route, in this order.
+    """A row for each labelled material, kernel or frame and each route, in this order.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
@@ -79,16 +81,24 @@ def conform(
     return [rows[place] for place in sorted(rows)]
 
 
+AnyPlan = Plan | KernelPlan | CapturePlan | FramePlan
+
+
 def _plan(
     label: str,
-    subject: Subject,
+    subject: Subject | FrameSubject,
     seed: int,
     store: Store,
     size: Size,
     draw: Draw,
-    meant: Subject | None,
-) -> Plan | KernelPlan | CapturePlan | tuple[str, str]:
-    """The plan of a material or a kernel; or its label, and the reason why nothing can draw it."""
+    meant: Subject | FrameSubject | None,
+) -> AnyPlan | tuple[str, str]:
+    """The plan of a material, a kernel or a frame; or its label, and the reason why nothing can
+    draw it."""
+    if is_frame(subject):
+        return FramePlan(label, subject, size)
+    assert is_shader(subject)
+    assert meant is None or is_shader(meant)
     try:
         if not is_drawn(subject):
             if subject.shader.capture is None:
@@ -100,7 +110,7 @@ def _plan(
 
 
 def _row(
-    plan: Plan | KernelPlan | CapturePlan | tuple[str, str],
+    plan: AnyPlan | tuple[str, str],
     route: Route,
     runner: Runner,
     toolchain: Toolchain,
@@ -110,25 +120,39 @@ def _row(
     if isinstance(plan, tuple):
         label, reason = plan
         return Row(label, route, "failed", reason)
-    problem = runner.problem(route) or _lacking(plan, route.profile)
+    problem = runner.problem(route) or _lacking(plan, route)
     if problem is not None:
         return Row(plan.label, route, "not run", problem)
     made = partial(Row, plan.label, route, versions=runner.versions(route))
     try:
         device = runner.device(route)
-        codes = compile_one(route, plan.subject.files, toolchain)
         results: list[CaseResult] = []
-        for result in plan.results(route, device, codes, runner):
+        for result in _results(plan, route, device, runner, toolchain):
             results.append(result)
             if interrupted.is_set():
                 break
-    except (CodeError, DriverError, UndrawableError) as error:
+    except (CodeError, DriverError, PlanError, UndrawableError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
 
 
-def _lacking(plan: Plan | KernelPlan | CapturePlan, profile: str) -> str | None:
-    """Why there is nothing to draw for a profile, or nothing to compare with."""
+def _results(
+    plan: AnyPlan, route: Route, device: Device, runner: Runner, toolchain: Toolchain
+) -> Iterator[CaseResult]:
+    if isinstance(plan, FramePlan):
+        return plan.results(route, device, runner, toolchain)
+    codes = compile_one(route, plan.subject.files, toolchain)
+    return plan.results(route, device, codes, runner)
+
+
+def _lacking(plan: AnyPlan, route: Route) -> str | None:
+    """Why there is nothing to draw for a route, or nothing to compare with."""
+    profile = route.profile
+    if isinstance(plan, FramePlan):
+        if not EVERY_DRIVER[route.driver].draws_frames:
+            return f"{route.driver} draws no frames"
+        every = (shader.lacking.get(profile) for shader in plan.subject.shaders)
+        return next(filter(None, every), None)
     meant = plan.meant if isinstance(plan, Plan) else plan.subject
     return plan.subject.lacking.get(profile) or meant.lacking.get(profile)
 

@@ -18,6 +18,7 @@ from ...compiler.reference.attribution import Explanation, UncoveredError
 from ...compiler.reference.picture import Expected
 from ..runner.drivers.draw import Device
 from ..runner.explanation import explained
+from ..runner.frames.host import FrameSubject, is_shader
 from ..runner.kernels import drawable, is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
@@ -73,12 +74,19 @@ class Seen:
 
 
 def explanation_lines(
-    subject: Subject, rows: Sequence[Row], seed: int, pixel: Pixel, case: str | None
+    subject: Subject | FrameSubject,
+    rows: Sequence[Row],
+    seed: int,
+    pixel: Pixel,
+    case: str | None,
 ) -> Iterator[str]:
     """What there is to say of one pixel of a material, whose rows these are.
 
-    Without a case, the one that is the least certain there is taken. Raises ``PixelError``.
+    Without a case, the one that is the least certain there is taken. Raises ``PixelError``, also
+    for a frame.
     """
+    if not is_shader(subject):
+        raise PixelError("a pixel of a frame depends on those of other steps: nothing explains it")
     x, y = pixel
     seen = _chosen(_seen(subject, rows, seed), pixel, case)
     try:
@@ -92,13 +100,14 @@ def explanation_lines(
     yield from lines(found)
 
 
-def with_reasons(subject: Subject, rows: Sequence[Row], seed: int) -> list[Row]:
+def with_reasons(subject: Subject | FrameSubject, rows: Sequence[Row], seed: int) -> list[Row]:
     """The rows of one material, with what the source has to do with their verdicts.
 
     What proves little does so for the same reason on all routes; it is worked out once. There are
-    reasons of pixels only, so none where no picture is drawn.
+    reasons of pixels only, so none where no picture is drawn, and none of frames, where a pixel
+    depends on those of other steps.
     """
-    if not is_drawn(subject):
+    if not is_shader(subject) or not is_drawn(subject):
         return list(rows)
     weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
     shared = tuple(_of_little(subject, weakest, seed)) if weakest else ()

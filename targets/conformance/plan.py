@@ -125,7 +125,7 @@ class Plan:
         )
         for bounds in questions:
             expected = self._wanted(program, state, bounds.rules, bounds.errors)
-            meant = self._wanted(source, state, _precise(bounds.rules), None)
+            meant = self._wanted(source, state, precise(bounds.rules), None)
             # The text has no promises any more, nor what was written as `unguarded`: the material
             # knows where nothing is defined.
             expected = replace(expected, undecided=expected.undecided | meant.undecided)
@@ -263,7 +263,7 @@ def rules_of(
     )
 
 
-def _precise(rules: RasterRules) -> RasterRules:
+def precise(rules: RasterRules) -> RasterRules:
     """The rules of a device that covers the same pixels, but rounds nothing, and of which nothing
     is known where an operation without a guard leaves its domain."""
     return replace(

@@ -48,6 +48,8 @@ class Drawn:
     dimension: str
     levels: list[Floats]
     """Of each level (3, layers, height, width, lanes): values, and their lower and upper ends."""
+    undecided: list[NDArray[np.bool_]]
+    """Of each level (layers, height, width): the pixels that hang on rounding."""
 
     @classmethod
     def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
@@ -57,7 +59,8 @@ class Drawn:
             np.zeros((_ENDS, row["layers"], *reversed(_halved(size, level)), lanes))
             for level in range(row["levels"])
         ]
-        return cls(row["format"], row["dimension"], levels)
+        undecided = [np.zeros(level.shape[1:4], np.bool_) for level in levels]
+        return cls(row["format"], row["dimension"], levels, undecided)
 
     @property
     def lanes(self) -> int:
@@ -75,7 +78,9 @@ class Drawn:
 
     def copy(self) -> Drawn:
         """The same contents in a texture of its own."""
-        return Drawn(self.format, self.dimension, [level.copy() for level in self.levels])
+        levels = [level.copy() for level in self.levels]
+        undecided = [level.copy() for level in self.undecided]
+        return Drawn(self.format, self.dimension, levels, undecided)
 
 
 @dataclass(slots=True)
@@ -83,7 +88,7 @@ class ReferenceFrames:
     """Draws one frame after the other."""
 
     host: FrameHost
-    rules: RasterRules = RasterRules(1, 1)
+    rules: RasterRules = field(default_factory=lambda: RasterRules(1, 1))
     """But for the sizes, which are those of the steps."""
     errors: Errors | None = None
     shader_of: Callable[[int], Shader] | None = None
@@ -93,8 +98,6 @@ class ReferenceFrames:
     """How many have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
     buffers: dict[str, bytes] = field(default_factory=dict)
-    undecided: dict[tuple[int, int, int], NDArray[np.bool_]] = field(default_factory=dict)
-    """Of what was drawn to a texture's layer and level, the pixels that hang on rounding."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -220,9 +223,8 @@ class ReferenceFrames:
             canvas.depth[:] = value
             canvas.depth_off[:] = np.maximum(high - value, value - low)
         for target in self._loaded(step):
-            known = self.undecided.get(_place(target, layer))
-            if known is not None:
-                canvas.shaky |= known
+            texture, at, level = _place(target, layer)
+            canvas.shaky |= self.textures[texture].undecided[level][at].ravel()
 
     def _loaded(self, step: Row) -> Iterator[Row]:
         for target in [*step["targets"], *([step["depth"]] if step["depth"] else [])]:
@@ -248,8 +250,7 @@ class ReferenceFrames:
             self._keep_pixels(step["depth"], layer, ends, picture)
 
     def _keep_pixels(self, target: Row, layer: int, ends: Floats, picture: Expected) -> None:
-        place = _place(target, layer)
-        texture, at, level = place
+        texture, at, level = _place(target, layer)
         drawn = self.textures[texture]
         format_ = drawn.format
         is_depth = format_.startswith(DEPTHS)
@@ -261,7 +262,7 @@ class ReferenceFrames:
         ends[1][picture.undecided] = lowest
         ends[2][picture.undecided] = highest
         drawn.levels[level][:, at] = ends
-        self.undecided[place] = picture.undecided.ravel()
+        drawn.undecided[level][at] = picture.undecided
 
     # --- kernels ---------------------------------------------------------------------------------
 

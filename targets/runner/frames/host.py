@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
@@ -42,6 +42,16 @@ class FrameSubject(Protocol):
     @property
     def shaders(self) -> Sequence[Subject]:
         """The shaders, in the order of the plan."""
+
+
+def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
+    """Whether something compiled is a frame."""
+    return not is_shader(subject)
+
+
+def is_shader(subject: Subject | FrameSubject) -> TypeGuard[Subject]:
+    """Whether something compiled is a material or a kernel, and no frame."""
+    return hasattr(subject, "files")
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,154 @@
+"""Judges what frames draw: every output has to lie within the reference's bounds.
+
+The reference draws the whole frame with a device's rounding, step by step, so an error of a first
+step counts in all that is drawn of it. Several outputs, and frames one after the other, are cases.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiler.ir.shader import Shader
+from ...compiler.reference.picture import Expected, formats
+from ..runner.drivers.draw import Device
+from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
+from ..runner.frames.by_route import draw_frames
+from ..runner.frames.host import FrameHost, FrameSubject
+from ..runner.frames.scenery import in_a_row
+from ..runner.kernels import drawable
+from ..runner.routes import Route
+from ..runner.runner import Runner
+from ..toolchain import Toolchain
+from .cases import Size
+from .compare import Comparison, compare
+from .once import Known
+from .plan import Bounds, bounds_of, precise, summed_up, to_targets
+from .rows import CaseResult
+
+Floats = NDArray[np.float64]
+
+MESH = "torus"
+"""What the models of a frame are."""
+SEVERAL = 2
+"""How many frames are drawn where one reads what the last one left."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Sized:
+    """The size of a picture, for the rules of a device."""
+
+    width: int
+    height: int
+
+
+class FramePlan:
+    """The pictures of one frame. Several threads use it."""
+
+    def __init__(self, label: str, subject: FrameSubject, size: Size) -> None:
+        """``size`` is that of the outputs, as far as the frame does not say another one."""
+        self.label = label
+        self.subject = subject
+        self._size = size
+        self._count = SEVERAL if subject.plan["kept"] else 1
+        self._names = [row["name"] for row in subject.plan["outputs"] if row["texture"] is not None]
+        self._expected: Known[list[dict[str, Drawn]]] = Known()
+
+    def results(
+        self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
+    ) -> Iterator[CaseResult]:
+        """A result for each output of each frame. Raises ``CodeError`` and ``DriverError``."""
+        got = draw_frames(self._host(), route, runner, toolchain, self._count)
+        questions = bounds_of(_Sized(*self._size), route, device)
+        for number, pictures in enumerate(got):
+            for name in self._names:
+                case = name if self._count == 1 else f"{name}, frame {number + 1}"
+                yield self._judged(case, number, name, pictures[name], route, questions)
+
+    def _judged(
+        self,
+        case: str,
+        frame: int,
+        name: str,
+        got: Floats,
+        route: Route,
+        questions: Sequence[Bounds],
+    ) -> CaseResult:
+        found: list[tuple[Comparison, Expected]] = []
+        drawn = (_rows(got),)
+        for bounds in questions:
+            wanted = self._drawn(route.profile, bounds)[frame][name]
+            meant = self._drawn(None, bounds)[frame][name]
+            expected = _expected(wanted)
+            expected = replace(expected, undecided=expected.undecided | _undecided(meant))
+            (source,) = _expected(meant).targets
+            steps = [_step(meant.format, source)]
+            comparison = compare(drawn, expected, [source], steps, bounds.level)
+            found.append((comparison, expected))
+            if not comparison.wrong:
+                break
+        summary = summed_up([comparison for comparison, _ in found])
+        return CaseResult(case, summary, drawn, found[-1][1])
+
+    def _drawn(self, profile: str | None, bounds: Bounds) -> list[dict[str, Drawn]]:
+        """What the reference draws of a profile's texts, within bounds; or what the source
+        means."""
+        rules = bounds.rules if profile else precise(bounds.rules)
+        errors = bounds.errors if profile else None
+
+        def shader(number: int) -> Shader:
+            subject = self.subject.shaders[number]
+            made = subject.shader if profile is None else subject.emitted(profile)
+            return to_targets(drawable(made), exact=False)
+
+        def made() -> list[dict[str, Drawn]]:
+            drawing = ReferenceFrames(self._host(), rules, errors, shader)
+            found = []
+            for _ in range(self._count):
+                drawing.draw()
+                found.append({name: drawing.output(name).copy() for name in self._names})
+            return found
+
+        return self._expected.value((profile, rules, errors), made)
+
+    def _host(self) -> FrameHost:
+        plan = self.subject.plan
+        tags = {row["name"]: row["materials"] for row in plan["models"]}
+        materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
+        return FrameHost(self.subject, in_a_row(materials, tags, MESH), self._size)
+
+
+def _rows(layers: Floats) -> Floats:
+    """Layers, or faces, as one picture, one below the other."""
+    _, _, width, lanes = layers.shape
+    return layers.reshape(-1, width, lanes)
+
+
+def _expected(drawn: Drawn) -> Expected:
+    """The first level of a texture as a picture."""
+    value, low, high = (_rows(_whole(end)) for end in drawn.levels[0])
+    everywhere = np.ones(value.shape[:2], np.bool_)
+    return Expected(
+        (value,), everywhere, _undecided(drawn), (low,), (high,), everywhere.astype(np.int64)
+    )
+
+
+def _undecided(drawn: Drawn) -> NDArray[np.bool_]:
+    layers = drawn.undecided[0]
+    return layers.reshape(-1, layers.shape[-1])
+
+
+def _whole(texels: Floats) -> Floats:
+    """Texels of four lanes; depths have one."""
+    if texels.shape[-1] == 4:
+        return texels
+    missing = np.broadcast_to([0.0, 0.0, 1.0], (*texels.shape[:-1], 3))
+    return np.concatenate([texels, missing], axis=-1)
+
+
+def _step(format_: str, values: Floats) -> Floats:
+    """The distance between neighbouring numbers of a format."""
+    return formats.step("r32f" if format_.startswith(DEPTHS) else format_, values)
