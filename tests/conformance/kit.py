@@ -70,9 +70,7 @@ class Studio(Closing):
         ]
         compile_all(requests, self.toolchain)
 
-    def draw(
-        self, where: str, material: CompiledMaterial, state: SceneState
-    ) -> tuple[Floats, ...]:
+    def draw(self, where: str, material: CompiledMaterial, state: SceneState) -> tuple[Floats, ...]:
         """The targets that a route or the reference draws, each of shape (height, width, 4).
 
         Targets are float32 and have exactly what the shader writes. If a route lacks a tool, the
