@@ -1,7 +1,7 @@
 """Turns clip positions into triangles in the window: viewport, snapping, facing and culling.
 
-``assembly.py`` calls ``triangles_of`` after the vertex stage, and ``culled`` then. ``lines.py`` does
-the same of lines.
+``assembly.py`` calls ``triangles_of`` after the vertex stage, and ``culled`` then. ``lines.py``
+does the same of lines.
 """
 
 from __future__ import annotations
