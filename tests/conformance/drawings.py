@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 
 from burnish.api import CompiledMaterial
-from burnish.targets.runner.drivers.draw import Cull
+from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import Color, SceneState, set_up
@@ -35,7 +35,6 @@ class Drawing:
     mesh: Mesh
     size: Size
     scene: Scene = field(default_factory=Scene)
-    cull: Cull = "none"
     values: Mapping[str, object] = field(default_factory=dict)
     hoist: bool = True
 
@@ -59,13 +58,12 @@ def _material(file: str, pass_: str, hoist: bool, flip_y: bool) -> CompiledMater
 # --- the world -----------------------------------------------------------------------------------
 
 WORLD_SIZE = (96, 48)
-IN_FRONT = Scene(eye=(0.0, 0.0, 4.0), fov=2 * math.atan(0.5))
+IN_FRONT = Scene(looking(eye=(0.0, 0.0, 4.0), fov=2 * math.atan(0.5)))
 """A camera that sees 2 units up and down from the origin. There a unit is 12 pixels, and at z it is
 48 / (4 - z) pixels."""
 
 TURNED = Scene(
-    eye=IN_FRONT.eye,
-    fov=IN_FRONT.fov,
+    IN_FRONT.camera,
     object_to_world=((0, -1, 0, 0.25), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)),
 )
 """Rotates x to y, and then moves by a quarter to the right."""
@@ -119,8 +117,8 @@ DRAWINGS: Mapping[str, Drawing] = {
     "world": Drawing("world.burnish", "World", _world(), WORLD_SIZE, IN_FRONT),
     "turned": Drawing("world.burnish", "World", _world(), WORLD_SIZE, TURNED),
     "cells": Drawing("clip.burnish", "Marks", CELLS, _CELLS_SIZE),
-    "without back": Drawing("clip.burnish", "Marks", CELLS, _CELLS_SIZE, cull="back"),
-    "without front": Drawing("clip.burnish", "Marks", CELLS, _CELLS_SIZE, cull="front"),
+    "without back": Drawing("clip.burnish", "WithoutBack", CELLS, _CELLS_SIZE),
+    "without front": Drawing("clip.burnish", "WithoutFront", CELLS, _CELLS_SIZE),
     "slopes": Drawing("clip.burnish", "Slopes", CELLS, _CELLS_SIZE),
     "integers": Drawing("clip.burnish", "Integers", CELLS, _CELLS_SIZE),
     "matrices": Drawing("matrices.burnish", "Row", _COVER, (50, 1), values=VALUES, hoist=False),
