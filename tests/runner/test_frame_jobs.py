@@ -300,6 +300,37 @@ void main() { target = vec4(before[int(gl_FragCoord.x)]); }
     np.testing.assert_array_equal(found[0, :, :, 0], [[1.0, 2.0, 5.0, 100.0]] * SIZE)
 
 
+def test_two_buffers_take_turns(driver: Driver) -> None:
+    """One kernel runs again and again, each time over what it wrote before."""
+    rounds = 5
+    more = """layout(std430, binding = 0) readonly buffer buffer_0 { float before[]; };
+layout(std430, binding = 1) writeonly buffer buffer_1 { float result[]; };
+void main() { uint i = gl_GlobalInvocationID.x; result[i] = 2.0 * before[i] + 1.0; }
+"""
+    paint = """layout(std430, binding = 0) readonly buffer buffer_0 { float before[]; };
+layout(location = 0) out vec4 target;
+void main() { target = vec4(before[int(gl_FragCoord.x)]); }
+"""
+    runs = (
+        FrameStep(draws=(dispatched(0, buffers=[number % 2, 1 - number % 2]),), groups=(SIZE, 1, 1))
+        for number in range(rounds)
+    )
+    (found,) = driver.draw(
+        job(
+            [texture()],
+            [
+                driver.kernel(more, buffers=(buffer_slot(0), buffer_slot(1, written=True))),
+                driver.pipeline(paint, buffers=(buffer_slot(0),)),
+            ],
+            *runs,
+            step(0, reading(1, buffers=[rounds % 2]), barriers=drawn_first(0)),
+            back(0),
+            buffers=[FrameBuffer(SIZE), FrameBuffer(SIZE)],
+        )
+    )
+    np.testing.assert_array_equal(found[0], np.full((SIZE, SIZE, 4), 2.0**rounds - 1))
+
+
 def test_two_textures_take_turns(driver: Driver) -> None:
     """Each step doubles what the one before has left."""
     rounds = 4

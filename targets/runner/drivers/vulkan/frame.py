@@ -184,8 +184,12 @@ class _Frame:
         vk.vkCmdDrawIndexed(commands, count, draw.instance_count, 0, 0, 0)
 
     def _run(self, commands: Any, step: FrameStep, bound: DescriptorSets) -> None:
-        layout = make_layout(self._owned, self._gpu, bound.layouts)
-        pipeline = make_compute_pipeline(self._owned, self._gpu, bound.slots, layout)
+        key = step.draws[0].pipeline
+        if key not in self._pipelines:
+            layout = make_layout(self._owned, self._gpu, bound.layouts)
+            made = make_compute_pipeline(self._owned, self._gpu, bound.slots, layout)
+            self._pipelines[key] = made, layout
+        pipeline, layout = self._pipelines[key]
         vk.vkCmdBindPipeline(commands, COMPUTE, pipeline)
         if bound.sets:
             vk.vkCmdBindDescriptorSets(
