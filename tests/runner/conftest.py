@@ -1,4 +1,4 @@
-"""Fixtures of this folder: the workers of the Vulkan drivers, and an instance to set values of."""
+"""Fixtures of this folder: the workers of drivers, and an instance to set values of."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import pytest
 
 from burnish import Instance
 
+from . import textual_kit
+from .frame_kit import Driver
 from .instance_kit import REFLECTION
 from .vulkan_kit import Asker
 
@@ -18,6 +20,19 @@ def vulkan(request: pytest.FixtureRequest) -> Iterator[Asker]:
     asker = Asker(request.param)
     yield asker
     asker.close()
+
+
+@pytest.fixture(scope="session", params=["lavapipe", "swiftshader", "opengl"])
+def driver(request: pytest.FixtureRequest) -> Iterator[Driver]:
+    """A driver that draws frames."""
+    if request.param == "opengl":
+        asker = textual_kit.Asker("opengl")
+        yield Driver("opengl", asker)
+        asker.close()
+    else:
+        other = Asker(request.param)
+        yield Driver("vulkan", other)
+        other.close()
 
 
 @pytest.fixture

@@ -69,6 +69,10 @@ PAINT = """layout(binding = 0) uniform Paint { vec4 paint; };
 layout(location = 0) out vec4 target;
 void main() { target = paint; }
 """
+TWICE = """layout(binding = 0) uniform sampler2D before;
+layout(location = 0) out vec4 target;
+void main() { target = 2.0 * texelFetch(before, ivec2(gl_FragCoord.xy), 0); }
+"""
 PAINT_SLOT = BlockSlot(Place("Paint", 0, 0), 16)
 
 

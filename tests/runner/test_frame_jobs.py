@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,13 +12,11 @@ from burnish.targets.runner.drivers.draw import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,
-    FrameBuffer,
     FrameDraw,
     FrameStep,
     TextureUse,
 )
 
-from . import textual_kit, vulkan_kit
 from .frame_kit import (
     ALL,
     BLUE,
@@ -28,15 +26,13 @@ from .frame_kit import (
     RED,
     SIZE,
     TOP,
+    TWICE,
     Area,
     Driver,
     Floats,
     back,
-    buffer_slot,
-    dispatched,
     draw_of,
     drawn_first,
-    image_slot,
     job,
     painted,
     reading,
@@ -49,23 +45,6 @@ MIRROR = """layout(binding = 0) uniform sampler2D before;
 layout(location = 0) out vec4 target;
 void main() { target = texelFetch(before, ivec2(3, 3) - ivec2(gl_FragCoord.xy), 0); }
 """
-TWICE = """layout(binding = 0) uniform sampler2D before;
-layout(location = 0) out vec4 target;
-void main() { target = 2.0 * texelFetch(before, ivec2(gl_FragCoord.xy), 0); }
-"""
-
-
-@pytest.fixture(scope="module", params=["lavapipe", "swiftshader", "opengl"])
-def driver(request: pytest.FixtureRequest) -> Iterator[Driver]:
-    """Each driver that draws frames."""
-    if request.param == "opengl":
-        asker = textual_kit.Asker("opengl")
-        yield Driver("opengl", asker)
-        asker.close()
-    else:
-        other = vulkan_kit.Asker(request.param)
-        yield Driver("vulkan", other)
-        other.close()
 
 
 def quarters(
@@ -236,99 +215,6 @@ def test_steps_draw_to_the_faces_of_a_cube(driver: Driver) -> None:
     assert [tuple(texels[0, 0]) for texels in every] == [shade(face) for face in range(6)]
     assert [tuple(texel) for texel in found[0, 0, :3]] == [shade(face) for face in (0, 2, 4)]
     assert [tuple(texel) for texel in found[0, 3, :3]] == [shade(face) for face in (1, 3, 5)]
-
-
-def test_a_step_reads_the_image_that_a_kernel_has_written(driver: Driver) -> None:
-    text = """layout(binding = 0, rgba32f) writeonly uniform image2D result;
-void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    imageStore(result, texel, vec4(texel, 0.5, 1.0));
-}
-"""
-    kernel = driver.kernel(text, images=(image_slot(),))
-    run = FrameStep(
-        (Barrier(0, "undefined", "image"),),
-        draws=(dispatched(0),),
-        images=(0,),
-        groups=(SIZE, SIZE, 1),
-    )
-    written, doubled = driver.draw(
-        job(
-            [texture(), texture()],
-            [kernel, driver.pipeline(TWICE, textures=(slot(),))],
-            run,
-            step(1, reading(1, 0), barriers=(Barrier(0, "image", "sampled"), *drawn_first(1))),
-            back(0, before="sampled"),
-            back(1),
-        )
-    )
-    expected = np.array([[(x, y, 0.5, 1.0) for x in range(SIZE)] for y in range(SIZE)], np.float32)
-    np.testing.assert_array_equal(written[0], expected)
-    np.testing.assert_array_equal(doubled[0], 2 * expected)
-
-
-def test_buffers_stay_on_the_device_from_kernel_to_kernel_to_draw(driver: Driver) -> None:
-    """A kernel writes a square for each element; a second one adds 1; a draw paints them."""
-    squares = """layout(std430, binding = 0) writeonly buffer buffer_0 { float result[]; };
-void main() { uint i = gl_GlobalInvocationID.x; result[i] = float(i * i); }
-"""
-    more = """layout(std430, binding = 0) readonly buffer buffer_0 { float before[]; };
-layout(std430, binding = 1) writeonly buffer buffer_1 { float result[]; };
-void main() { uint i = gl_GlobalInvocationID.x; result[i] = before[i] + 1.0; }
-"""
-    paint = """layout(std430, binding = 0) readonly buffer buffer_0 { float before[]; };
-layout(location = 0) out vec4 target;
-void main() { target = vec4(before[int(gl_FragCoord.x)]); }
-"""
-    written = buffer_slot(0, written=True), buffer_slot(1, written=True)
-    (found,) = driver.draw(
-        job(
-            [texture()],
-            [
-                driver.kernel(squares, buffers=written[:1]),
-                driver.kernel(more, buffers=(buffer_slot(0), written[1])),
-                driver.pipeline(paint, buffers=(buffer_slot(0),)),
-            ],
-            FrameStep(draws=(dispatched(0, buffers=[0]),), groups=(SIZE, 1, 1)),
-            FrameStep(draws=(dispatched(1, buffers=[0, 1]),), groups=(SIZE - 1, 1, 1)),
-            step(0, reading(2, buffers=[1]), barriers=drawn_first(0)),
-            back(0),
-            buffers=[FrameBuffer(SIZE), FrameBuffer(SIZE, initial=0x42C80000)],
-        )
-    )
-    # The last element is what the buffer held at first.
-    np.testing.assert_array_equal(found[0, :, :, 0], [[1.0, 2.0, 5.0, 100.0]] * SIZE)
-
-
-def test_two_buffers_take_turns(driver: Driver) -> None:
-    """One kernel runs again and again, each time over what it wrote before."""
-    rounds = 5
-    more = """layout(std430, binding = 0) readonly buffer buffer_0 { float before[]; };
-layout(std430, binding = 1) writeonly buffer buffer_1 { float result[]; };
-void main() { uint i = gl_GlobalInvocationID.x; result[i] = 2.0 * before[i] + 1.0; }
-"""
-    paint = """layout(std430, binding = 0) readonly buffer buffer_0 { float before[]; };
-layout(location = 0) out vec4 target;
-void main() { target = vec4(before[int(gl_FragCoord.x)]); }
-"""
-    runs = (
-        FrameStep(draws=(dispatched(0, buffers=[number % 2, 1 - number % 2]),), groups=(SIZE, 1, 1))
-        for number in range(rounds)
-    )
-    (found,) = driver.draw(
-        job(
-            [texture()],
-            [
-                driver.kernel(more, buffers=(buffer_slot(0), buffer_slot(1, written=True))),
-                driver.pipeline(paint, buffers=(buffer_slot(0),)),
-            ],
-            *runs,
-            step(0, reading(1, buffers=[rounds % 2]), barriers=drawn_first(0)),
-            back(0),
-            buffers=[FrameBuffer(SIZE), FrameBuffer(SIZE)],
-        )
-    )
-    np.testing.assert_array_equal(found[0], np.full((SIZE, SIZE, 4), 2.0**rounds - 1))
 
 
 def test_two_textures_take_turns(driver: Driver) -> None:
