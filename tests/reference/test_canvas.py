@@ -115,10 +115,13 @@ def test_draws_at_one_depth_are_undecided_and_either_of_them() -> None:
     assert 0.75 <= high < 0.76
 
 
-def test_an_undecided_pixel_is_what_was_there_or_what_may_be_drawn() -> None:
+@pytest.mark.parametrize("aside", [-1e-6, 1e-6], ids=["not drawn", "drawn"])
+def test_an_undecided_pixel_is_what_was_there_or_what_may_be_drawn(aside: float) -> None:
+    """Whichever of them the reference has drawn."""
     painting = Painting()
     painting.draw(FAR)
-    painting.draw(NEAR, THROUGH_CENTRES)
+    painting.draw(NEAR, THROUGH_CENTRES + aside)
+    assert painting.reds[1] == (0.75 if aside > 0 else 0.5)
     assert painting.picture.undecided.ravel().tolist() == [False, True, False, True]
     for pixel in LEFT:
         assert painting.hull(pixel) == pytest.approx((0.75, 0.75), abs=1e-6)
