@@ -80,8 +80,8 @@ class Texels:
     """Whether colours are stored in 8 bits of sRGB, which a device decodes."""
     low: tuple[Floats, ...] = ()
     high: tuple[Floats, ...] = ()
-    """Of a texture that was drawn: for each level, between which numbers those of a device are. As
-    ``Expected`` has them; of an undecided pixel, they are all numbers that the format has."""
+    """Of a texture that was drawn: for each level, between which numbers those are that a device
+    has stored. Of an undecided pixel, these contain all that it may have drawn there."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,10 +49,8 @@ class Image:
         counts = layers * heights * widths
         self._starts = np.cumsum(counts) - counts
         self._table = _table(texels.levels)
-        self._ends = (_table(texels.low), _table(texels.high)) if texels.low else None
-        """Between which numbers the texels of a device are, where these were drawn."""
-        has_errors = not self.is_exact and self._ends is None
-        self._errors = _errors_of(self._table, texels.is_srgb) if has_errors else None
+        self._ends = None if self.is_exact else _ends_of(self._table, texels)
+        """Between which numbers the texels of a device are, if it does not have just these."""
         self._size = np.stack([widths, heights, layers])
         self.layers = int(layers[0])
         """The layers of an array, or the faces of a cube."""
@@ -146,9 +144,9 @@ class Image:
     @cached_property
     def _hulls(self) -> tuple[Floats, Floats]:
         """For each lane and each level, the least and the greatest texel."""
-        off = 0 if self._errors is None else self._errors
-        least = np.minimum.reduceat(self._table - off, self._starts, axis=1)
-        return least, np.maximum.reduceat(self._table + off, self._starts, axis=1)
+        low, high = self._ends or (self._table, self._table)
+        least = np.minimum.reduceat(low, self._starts, axis=1)
+        return least, np.maximum.reduceat(high, self._starts, axis=1)
 
     def _around_cube(self, place: Sequence[Ints], face: Ints, level: Ints, lanes: slice) -> Bounded:
         """Texels of a face or, beyond one of its edges, of its neighbours.
@@ -195,13 +193,10 @@ class Image:
     def _texel_at(self, index: Any, lanes: slice = EVERY_LANE) -> Bounded:
         """Texels by their numbers in the table."""
         found = self._table[lanes].take(index, axis=1)
-        if self._ends is not None and not self.is_exact:
-            low, high = (end[lanes].take(index, axis=1) for end in self._ends)
-            return Bounded(found, low, high)
-        if self._errors is None:
+        if self._ends is None:
             return exact(found)
-        off = self._errors[lanes].take(index, axis=1)
-        return Bounded(found, np.maximum(found - off, np.minimum(found, 0.0)), found + off)
+        low, high = (end[lanes].take(index, axis=1) for end in self._ends)
+        return Bounded(found, low, high)
 
 
 def _table(levels: Sequence[Floats | Ints]) -> NDArray[Any]:
@@ -215,6 +210,21 @@ def _any_depth(mean: Bounded, three: Sequence[Bounded]) -> Bounded:
     x, y, z = (texel.value for texel in three)
     same = (x == y) & (y == z)
     return Bounded(mean.value, np.where(same, mean.low, 0.0), np.where(same, mean.high, 1.0))
+
+
+def _ends_of(table: NDArray[Any], texels: Texels) -> tuple[Floats, Floats] | None:
+    """Between which numbers a device decodes texels; ``None`` if it reads just those of the table.
+
+    What an earlier step has drawn is stored somewhere between its bounds, and is decoded then.
+    """
+    was_drawn = bool(texels.low)
+    low, high = (_table(texels.low), _table(texels.high)) if was_drawn else (table, table)
+    below, above = _errors_of(low, texels.is_srgb), _errors_of(high, texels.is_srgb)
+    if below is not None:
+        low = np.maximum(low - below, np.minimum(low, 0.0))
+    if above is not None:
+        high = high + above
+    return (low, high) if was_drawn or below is not None else None
 
 
 def _errors_of(table: NDArray[Any], is_srgb: bool) -> Floats | None:

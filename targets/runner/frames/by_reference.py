@@ -75,7 +75,7 @@ class Drawn:
             tuple(level[end, 0] if flat else level[end] for level in self.levels)
             for end in range(_ENDS)
         )
-        return Texels(value, False, low, high)
+        return Texels(value, self.format.endswith("srgb"), low, high)
 
     def copy(self) -> Drawn:
         """The same contents in a texture of its own."""
