@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 REFERENCE = "reference"
 LARGEST_SHEET = 2**27
 """The most pixels of all pictures on a sheet together."""
-MESHES = ("sphere", "plane", "cube", "torus")
+MESHES = ("sphere", "plane", "cube", "torus", "cylinder", "capsule", "knot")
 BACKGROUND = "#1b1d21"
 
 
