@@ -38,7 +38,7 @@ def told() -> Iterator[None]:
         from ..targets.runner.codes import CodeError
         from ..targets.runner.drivers.draw import DriverError
         from ..targets.runner.feeding import FeedError
-        from ..targets.runner.frames.host import PlanError
+        from ..targets.runner.frames.checking import PlanError
         from ..targets.runner.instances.instance import MissingValuesError
         from ..targets.runner.instances.values import ParameterError
         from ..targets.runner.kernels import UndrawableError

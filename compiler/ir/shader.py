@@ -16,6 +16,7 @@ from .expansion import Expansion
 from .kernel import ScatterOperator, WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
+from .render_state import RenderState
 from .stages import RASTERISED, Chain, StageRow
 from .tessellation import Tessellation
 
@@ -293,6 +294,8 @@ class Shader:
     are captured."""
     work_group: WorkGroup | None = None
     """Which invocations of a kernel run together."""
+    render_state: RenderState = RenderState()
+    """What the pass asks of the pipeline."""
 
     @property
     def roots(self) -> Roots:

@@ -76,6 +76,7 @@ def reflect(
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
+        "render_state": {"cull": shader.render_state.cull},
         "capture": None if shader.capture is None else capture_row(shader),
         "vertex_inputs": [
             *_vertex_input_rows(shader.attributes, program),

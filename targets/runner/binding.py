@@ -14,7 +14,6 @@ from .drivers.draw import (
     BlockSlot,
     BufferSlot,
     CapturedOutput,
-    Cull,
     ImageSlot,
     Pipeline,
     Place,
@@ -68,7 +67,6 @@ def pipeline(
     codes: Codes,
     *,
     exact: bool = False,
-    cull: Cull = "none",
 ) -> Pipeline:
     """The pipeline of one material on one route.
 
@@ -109,7 +107,7 @@ def pipeline(
         layers=_layers(reflection["draw"]["layers"]),
         primitive=reflection["draw"]["topology"],
         patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
-        cull=cull,
+        cull=reflection["render_state"]["cull"],
         flip_y=backend["flip_y"],
         # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
         front_face="ccw" if on_vulkan else backend["front_face"],

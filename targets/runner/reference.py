@@ -188,7 +188,7 @@ def graph_text(shader: Shader) -> str:
     numbers: dict[Formal, int] = {}
     nodes = [_node_text(node, numbers) for node in reachable(shader.roots)]
     results = [(r.kind, r.stage.name, r.value.id, r.state) for r in shader.results]
-    return "\n".join([*nodes, repr(results)])
+    return "\n".join([*nodes, repr(results), repr(shader.render_state)])
 
 
 def _node_text(node: Node, numbers: dict[Formal, int]) -> str:

@@ -70,6 +70,6 @@ def returned(
             instance.set(name, texture)
     state = set_up(instance, plane(1), Scene(), (SIDE, SIDE))
     codes = compile_one(route, material.files, toolchain)
-    made = pipeline(material.reflection, route, codes, exact=True, cull="none")
+    made = pipeline(material.reflection, route, codes, exact=True)
     (picture,) = runner.draw(route, Job(made, (state.draw(),)))
     return [target[..., lane] for target in arrays(picture) for lane in range(4)]

@@ -11,7 +11,6 @@ import numpy as np
 
 from burnish.api import CompiledMaterial
 from burnish.targets.runner.cameras import looking
-from burnish.targets.runner.drivers.draw import Cull
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import Color, SceneState, set_up
@@ -36,7 +35,6 @@ class Drawing:
     mesh: Mesh
     size: Size
     scene: Scene = field(default_factory=Scene)
-    cull: Cull = "none"
     values: Mapping[str, object] = field(default_factory=dict)
     hoist: bool = True
 
@@ -119,8 +117,8 @@ DRAWINGS: Mapping[str, Drawing] = {
     "world": Drawing("world.burnish", "World", _world(), WORLD_SIZE, IN_FRONT),
     "turned": Drawing("world.burnish", "World", _world(), WORLD_SIZE, TURNED),
     "cells": Drawing("clip.burnish", "Marks", CELLS, _CELLS_SIZE),
-    "without back": Drawing("clip.burnish", "Marks", CELLS, _CELLS_SIZE, cull="back"),
-    "without front": Drawing("clip.burnish", "Marks", CELLS, _CELLS_SIZE, cull="front"),
+    "without back": Drawing("clip.burnish", "WithoutBack", CELLS, _CELLS_SIZE),
+    "without front": Drawing("clip.burnish", "WithoutFront", CELLS, _CELLS_SIZE),
     "slopes": Drawing("clip.burnish", "Slopes", CELLS, _CELLS_SIZE),
     "integers": Drawing("clip.burnish", "Integers", CELLS, _CELLS_SIZE),
     "matrices": Drawing("matrices.burnish", "Row", _COVER, (50, 1), values=VALUES, hoist=False),

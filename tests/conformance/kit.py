@@ -17,7 +17,7 @@ from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.closing import Closing
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
-from burnish.targets.runner.drivers.draw import Cull, Job
+from burnish.targets.runner.drivers.draw import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
@@ -70,22 +70,20 @@ class Studio(Closing):
         ]
         compile_all(requests, self.toolchain)
 
-    def draw(
-        self, where: str, material: CompiledMaterial, state: SceneState, cull: Cull = "none"
-    ) -> tuple[Floats, ...]:
+    def draw(self, where: str, material: CompiledMaterial, state: SceneState) -> tuple[Floats, ...]:
         """The targets that a route or the reference draws, each of shape (height, width, 4).
 
         Targets are float32 and have exactly what the shader writes. If a route lacks a tool, the
         test fails: ``make test`` installs them all.
         """
         if where == REFERENCE:
-            rules = RasterRules(state.width, state.height, cull=cull)
+            rules = RasterRules(state.width, state.height)
             return expected(material.shader, state, rules).targets
         route = ROUTES[where]
         problem = self.runner.problem(route)
         assert problem is None, f"{where} cannot be drawn: {problem}"
         codes = compile_one(route, material.files, self.toolchain)
-        made = pipeline(material.reflection, route, codes, exact=True, cull=cull)
+        made = pipeline(material.reflection, route, codes, exact=True)
         (picture,) = self.runner.draw(route, Job(made, (state.draw(),)))
         return arrays(picture)
 

@@ -225,7 +225,7 @@ def drawn(studio: Studio) -> Callable[[str, str, bool], tuple[Floats, ...]]:
     def draw(route: str, name: str, flip_y: bool) -> tuple[Floats, ...]:
         drawing = DRAWINGS[name]
         material = drawing.material(flip_y=flip_y)
-        return studio.draw(route, material, drawing.state(material), drawing.cull)
+        return studio.draw(route, material, drawing.state(material))
 
     return draw
 

@@ -91,7 +91,7 @@ def drawn(
         draw = replace(draw, vertices=(places.tobytes(),))
     route = ROUTES[where]
     codes = compile_one(route, material().files, studio.toolchain)
-    made = pipeline(material().reflection, route, codes, exact=True, cull="none")
+    made = pipeline(material().reflection, route, codes, exact=True)
     (picture,) = studio.runner.draw(route, Job(made, (draw,)))
     return arrays(picture)
 

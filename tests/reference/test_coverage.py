@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from burnish.compiler.ir.render_state import Cull
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture.assembly import faces_of
 from burnish.compiler.reference.picture.coverage import Fragments, coverage_of
@@ -28,10 +29,13 @@ def drawn(window: Any, triangles: Any, rules: RasterRules) -> tuple[Fragments, B
     return covered(clip_positions(window, rules), triangles, rules)
 
 
-def covered(positions: Floats, triangles: Any, rules: RasterRules) -> tuple[Fragments, Bools]:
+def covered(
+    positions: Floats, triangles: Any, rules: RasterRules, cull: Cull = "none"
+) -> tuple[Fragments, Bools]:
     """What triangles between clip positions cover, and which pixels are undecided."""
     with np.errstate(all="ignore"):
-        found = coverage_of(faces_of(positions, np.asarray(triangles), rules), rules)
+        faces = faces_of(positions, np.asarray(triangles), rules, cull=cull)
+        found = coverage_of(faces, rules)
     unsure = np.zeros(rules.width * rules.height, dtype=np.bool_)
     unsure[found.doubtful.pixel] = True
     return found.fragments, unsure
@@ -136,11 +140,32 @@ def test_without_snapping_edges_through_centres_are_undecided() -> None:
         ("front", (0, 2, 1), True),
     ],
 )
-def test_counter_clockwise_is_the_front(cull: Any, winding: Any, seen: bool) -> None:
-    rules = RasterRules(4, 4, cull=cull)
+def test_counter_clockwise_is_the_front(cull: Cull, winding: Any, seen: bool) -> None:
+    rules = RasterRules(4, 4)
     corners = np.array([[-1, -1, 0, 1], [3, -1, 0, 1], [-1, 3, 0, 1]], dtype=np.float64)
-    fragments, _ = covered(corners, [winding], rules)
+    fragments, _ = covered(corners, [winding], rules, cull)
     assert len(fragments.pixel) == (16 if seen else 0)
+
+
+@pytest.mark.parametrize("cull", ["back", "front"])
+def test_a_sliver_that_snapping_may_turn_over_is_undecided(cull: Cull) -> None:
+    """All three corners may be snapped to the left or to the right, by more than it is wide."""
+    rules = RasterRules(8, 8, subpixel_bits=4)
+    between = 0.5 + 0.5 / 16
+    window = [(between, -1.0), (between, 20.0), (between + 1e-9, 8.0)]
+    for turned in ([0, 1, 2], [0, 2, 1]):
+        fragments, unsure = covered(clip_positions(window, rules), [turned], rules, cull)
+        assert unsure.reshape(8, 8)[:, 0].any()
+        assert unsure[fragments.pixel].all()
+
+
+@pytest.mark.parametrize("cull", ["back", "front"])
+def test_a_face_that_is_surely_culled_leaves_no_pixel_undecided(cull: Cull) -> None:
+    corners = [(0.3, 0.3), (7.3, 0.7), (0.6, 7.1)]
+    winding = [0, 1, 2] if cull == "back" else [0, 2, 1]
+    rules = RasterRules(8, 8, subpixel_bits=4)
+    fragments, unsure = covered(clip_positions(corners, rules), [winding], rules, cull)
+    assert not len(fragments.pixel) and not unsure.any()
 
 
 def test_a_floor_behind_the_eye_ends_at_the_horizon() -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from burnish.compiler.ir.render_state import RenderState
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.bounds.errors import Errors
@@ -393,7 +394,8 @@ def test_a_phong_sphere_is_decided_nearly_everywhere() -> None:
         "import std.terms\nmaterial M { color = lambert(vec3(0.5)) + phong(vec3(1), 20) }"
     )
     camera = columns(perspective(0.7, 0.1, 100) @ moved(0, 0, -4))
-    rules = RasterRules(128, 128, subpixel_bits=8, cull="back")
+    given.render_state = RenderState(cull="back")
+    rules = RasterRules(128, 128, subpixel_bits=8)
     found = picture(
         given, sphere(), rules, errors=few_ulps, view_projection=camera, eye=(0.0, 0.0, 4.0)
     )
@@ -442,7 +444,8 @@ def test_there_may_be_nothing_to_draw() -> None:
     )
     found = picture(given, empty, at(), clear=BLUE)
     assert (found.targets[0] == BLUE).all() and not found.covered.any()
-    culled = picture(given, layers((0.5, RED)), at(cull="front"), clear=BLUE)
+    given.render_state = RenderState(cull="front")
+    culled = picture(given, layers((0.5, RED)), at(), clear=BLUE)
     assert (culled.targets[0] == BLUE).all()
 
 

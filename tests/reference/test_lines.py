@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from burnish.compiler.ir.render_state import Cull
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture.assembly import faces_of
 from burnish.compiler.reference.picture.coverage import coverage_of
@@ -164,9 +165,10 @@ def test_a_line_has_no_back() -> None:
 
 
 def test_all_of_a_line_is_drawn_by_a_pipeline_that_culls() -> None:
-    rules = by("rectangle", cull="back")
-    faces = faces_of(clip_positions([(1, 2), (9, 6)], rules), LINE, rules)
-    assert len(coverage_of(faces, rules).fragments.pixel) > 5
+    rules = by("rectangle")
+    for cull in get_args(Cull):
+        faces = faces_of(clip_positions([(1, 2), (9, 6)], rules), LINE, rules, cull=cull)
+        assert len(coverage_of(faces, rules).fragments.pixel) > 5
 
 
 def test_snapped_ends_and_snapped_corners_differ_by_less_than_a_step() -> None:

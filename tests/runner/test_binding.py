@@ -38,6 +38,10 @@ pass Both : Forward blend add {
     target color : r16f = albedo(uv).r
     target more : rgba8_srgb = value blend alpha
 }
+
+pass Fronts : Both {
+    raster { cull = back }
+}
 """
 
 
@@ -77,7 +81,7 @@ def test_where_places_are_numbers() -> None:
 
 
 def test_where_places_are_names() -> None:
-    made = pipeline(reflection(), ROUTES["llvmpipe:gl330"], CODES, cull="back")
+    made = pipeline(reflection(pass_="Fronts"), ROUTES["llvmpipe:gl330"], CODES)
     assert BlockSlot(Place("Material", None, None), 16) in made.blocks
     (texture,) = made.textures
     assert (texture.texture, texture.sampler) == (Place("albedo", None, None), None)

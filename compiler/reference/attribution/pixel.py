@@ -90,7 +90,9 @@ class PixelShader:
         read = (node.data for node in reachable(shader.roots) if isinstance(node.data, Resource))
         self._readers = {r: Reader(textures[r.name], r, rules) for r in read}
         vertices = StageEvaluator(shader, values, textures, rules, errors).vertices(geometry)
-        faces = faces_of(vertices.positions, geometry.triangles, rules, vertices.off)
+        faces = faces_of(
+            vertices.positions, geometry.triangles, rules, vertices.off, shader.render_state.cull
+        )
         for face in _faces_at(faces, rules, x, y):
             self._enter(faces, face, rules, x, y)
             if not self.evaluated(1, _unchanged).discarded[0]:

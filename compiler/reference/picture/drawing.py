@@ -121,7 +121,11 @@ class _Drawing:
         self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
         self._faces: Faces = faces_of(
-            self._vertices.positions, geometry.triangles, rules, self._vertices.off
+            self._vertices.positions,
+            geometry.triangles,
+            rules,
+            self._vertices.off,
+            shader.render_state.cull,
         )
         self._places = place_numbers(shader, geometry, self._faces) + canvas.places
         canvas.places = int(self._places.max(initial=canvas.places - 1)) + 1

@@ -1,6 +1,7 @@
 """Turns clip positions into triangles in the window: viewport, snapping, facing and culling.
 
-``assembly.py`` calls ``triangles_of`` after the vertex stage. ``lines.py`` does the same of lines.
+``assembly.py`` calls ``triangles_of`` after the vertex stage, and ``culled`` then. ``lines.py``
+does the same of lines.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
+from ...ir.render_state import Cull
 from .clip import clip
 from .scene import Bools, Floats, Ints, RasterRules
 
@@ -81,6 +83,47 @@ class Faces:
         return covered, close
 
 
+@dataclass(frozen=True, slots=True)
+class CulledFaces(Faces):
+    """Triangles of which only one side is drawn.
+
+    Among them are those that are so thin that rounding may turn them over: a device may draw them
+    where the reference does not, or the other way round.
+    """
+
+    hidden: Bools
+    """(faces,): whether the reference does not draw it."""
+
+    def settled(
+        self, face: Ints, place: tuple[Floats, Floats], covered: Bools, close: Bools
+    ) -> tuple[Bools, Bools]:
+        del place
+        drawn: Bools = covered & ~self.hidden[face]
+        return drawn, close | (covered & _may_turn(self)[face])
+
+
+def culled(faces: Faces, cull: Cull) -> Faces:
+    """The triangles without those of which the side is seen that ``cull`` names."""
+    if cull == "none":
+        return faces
+    hidden = faces.front == (cull == "front")
+    rows = {row.name: getattr(faces, row.name) for row in fields(faces)}
+    return CulledFaces(**rows, hidden=hidden).only(~hidden | _may_turn(faces))
+
+
+def _may_turn(faces: Faces) -> Bools:
+    """Whether triangles may have their other side in front if their corners are a little elsewhere.
+
+    A corner that moves changes the area by no more than the way times the opposite side; the moves
+    of several corners together add no more than six times the square of the way.
+    """
+    way = faces.unsure.max(axis=1, initial=0.0)
+    across, down = (np.roll(at, -1, axis=1) - at for at in (faces.x, faces.y))
+    around = np.hypot(across, down).sum(axis=1)
+    may_turn: Bools = np.abs(faces.area) < way * (around + 6.0 * way)
+    return may_turn
+
+
 def triangles_of(
     positions: Floats, triangles: Ints, rules: RasterRules, of_vertices: Floats
 ) -> Faces:
@@ -129,7 +172,7 @@ def triangles_of(
         z_off=z_off,
         per_w_off=per_w_off,
     )
-    return faces.only(_kept(faces, rules))
+    return faces.only(_kept(faces))
 
 
 def window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
@@ -154,11 +197,9 @@ def _on_snapped(corners: Floats, shares: Floats, rules: RasterRules) -> tuple[Fl
     return (shares @ x[..., None])[..., 0], (shares @ y[..., None])[..., 0]
 
 
-def _kept(faces: Faces, rules: RasterRules) -> Bools:
+def _kept(faces: Faces) -> Bools:
     kept: Bools = np.isfinite(faces.area) & np.isfinite(faces.x + faces.y).all(axis=1)
     kept &= faces.area != 0
-    if rules.cull != "none":
-        kept &= faces.front == (rules.cull == "back")
     return kept
 
 

@@ -13,7 +13,6 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
-Cull = Literal["none", "back", "front"]
 Lines = Literal["rectangle", "parallelogram", "diamonds", "any"]
 """Which pixels a line of the width 1 covers: those with their middle in a rectangle around it, or
 in a parallelogram with sides along the picture, one pixel wide across the line's longer direction;
@@ -106,7 +105,6 @@ class RasterRules:
     snaps_line_ends: bool = False
     """Whether the ends of lines are snapped, and half their width by itself, instead of the corners
     of what they cover."""
-    cull: Cull = "none"
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""
     varying_bits: int | None = None

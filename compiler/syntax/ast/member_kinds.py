@@ -91,6 +91,10 @@ def _expand(span: Span, doc: str, primitive: Name, *strips: members.Strips) -> m
     return members.Expand(span, doc, primitive, strips)
 
 
+def _raster(span: Span, *settings: tuple[Name, Name]) -> members.Raster:
+    return members.Raster(span, settings)
+
+
 def _work_group(span: Span, *sides: Expression) -> members.WorkGroup:
     return members.WorkGroup(span, sides)
 
@@ -203,6 +207,17 @@ KINDS: tuple[MemberKind, ...] = (
         contribution="result",
         form="the number of layers is `layers of 6`",
         doc="how many layers each render target of a pass has",
+    ),
+    MemberKind(
+        word="raster",
+        node=members.Raster,
+        productions={"raster": _raster},
+        opening=("{",),
+        records=("pass",),
+        inheritance="gathered",
+        contribution="result",
+        form="a pass says which faces it draws by `raster { cull = back }`",
+        doc="which faces a pass draws",
     ),
     MemberKind(
         word="capture",

@@ -105,6 +105,14 @@ class Layers:
 
 
 @frozen(eq=False)
+class Raster:
+    """``raster { cull = back }``: which faces a pass draws."""
+
+    span: Span
+    settings: tuple[tuple[Name, Name], ...]
+
+
+@frozen(eq=False)
 class Capture:
     """``capture place : vec3 = e``: what a pass keeps of each vertex."""
 
@@ -239,8 +247,8 @@ class Output:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Capture | Expand
-    | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Raster | Capture
+    | Expand | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 

@@ -60,6 +60,7 @@ Compare = Literal[
 """How the reference, on the left, is compared with a depth."""
 Blend = Literal["none", "alpha", "premultiplied", "add", "multiply"]
 Cull = Literal["none", "back", "front"]
+"""Which triangles are not drawn."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,16 +16,13 @@ from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..scene_state import CLEAR, SceneState, drawn_state
 from ..subject import Subject
+from .checking import PlanError, check_plan
 from .scenery import Model, Scenery
 
 VERSION = 1
 """The version of plans that this code executes."""
 
 Row = Mapping[str, Any]
-
-
-class PlanError(ValueError):
-    """A plan cannot be executed; the text tells people why."""
 
 
 class FrameSubject(Protocol):
@@ -86,10 +83,11 @@ class FrameHost:
     """The values of one frame."""
 
     def __init__(self, subject: FrameSubject, scenery: Scenery, size: tuple[int, int]) -> None:
-        """Raises ``PlanError`` for a plan of another version."""
+        """Raises ``PlanError`` for a plan of another version, or one that cannot be executed."""
         plan = subject.plan
         if plan.get("plan") != VERSION:
             raise PlanError(f"this is no plan of version {VERSION}")
+        check_plan(plan)
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery

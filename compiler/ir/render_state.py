@@ -1,0 +1,22 @@
+"""The state of the pipeline that a pass asks for, beside what its shaders compute.
+
+Semantics reads it from the passes' members, and the reflection hands it on to hosts. The reference
+draws by it.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ...frozen import frozen
+
+Cull = Literal["none", "back", "front"]
+"""Which faces are not drawn; the front is counter-clockwise."""
+
+
+@frozen
+class RenderState:
+    """What a host sets for all that is drawn with a pass. The defaults hold for what no pass says
+    anything of."""
+
+    cull: Cull = "none"
