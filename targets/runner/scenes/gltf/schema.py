@@ -89,7 +89,7 @@ class Texture(Record, frozen=True):
 
 
 class Sampler(Record, frozen=True):
-    """In OpenGL's numbers; what is left out is how textures are read here: repeated and filtered."""
+    """In OpenGL's numbers. The defaults are how textures are read here: repeated, filtered."""
 
     mag_filter: Index = 9729
     wrap_s: Index = 10497
