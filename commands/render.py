@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 REFERENCE = "reference"
 LARGEST_SHEET = 2**27
 """The most pixels of all pictures on a sheet together."""
-MESHES = ("sphere", "plane", "cube", "torus")
+MESHES = ("sphere", "plane", "cube", "torus", "cylinder", "capsule", "knot")
 BACKGROUND = "#1b1d21"
 
 
@@ -153,6 +153,7 @@ def render(**chosen: Any) -> None:
         'lamps[0].place=0,2,1'       a part of one light of an array
         albedo=bricks.png            a texture of numbers; srgb:bricks.jpg is one of colours
         sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices
+        sky=panorama.hdr             or a cube of one picture of all directions, in floats
         lamps=lamps.json             the elements of a buffer
 
     Kernels over buffers draw nothing. But a `buffer` has the elements of the `result` that is

@@ -161,11 +161,69 @@ _SIDES = (
 )
 """For each side of a cube, the directions of the x, y and z axis of a side that faces +z."""
 
+
+def cylinder(around: int = 64, rows: int = 8, radius: float = 0.6, half: float = 0.7) -> Mesh:
+    """An upright cylinder, closed above and below; v goes from the middle of one end to that of the
+    other."""
+    side = [(radius, half * (1 - 2 * row / rows), 1.0, 0.0) for row in range(rows + 1)]
+    above = [(0.0, half, 0.0, 1.0), (radius, half, 0.0, 1.0)]
+    below = [(radius, -half, 0.0, -1.0), (0.0, -half, 0.0, -1.0)]
+    return _revolved([*above, *side, *below], around)
+
+
+def capsule(around: int = 64, rows: int = 12, radius: float = 0.45, half: float = 0.5) -> Mesh:
+    """An upright cylinder between two half balls, with so many rows each."""
+    turns = [row / rows * np.pi / 2 for row in range(rows + 1)]
+    above = [(np.sin(t), np.cos(t), half) for t in turns]
+    below = [(np.cos(t), -np.sin(t), -half) for t in turns]
+    profile = [(radius * r, middle + radius * y, r, y) for r, y, middle in (*above, *below)]
+    return _revolved(profile, around)
+
+
+def knot(along: int = 192, across: int = 16, tube: float = 0.13) -> Mesh:
+    """A rope that is knotted twice around a ring and three times through it; u goes along it."""
+    u, v = _lattice(along, across)
+    around, through, angle = 4 * np.pi * u, 6 * np.pi * u, 2 * np.pi * v
+    ring, wound = 0.6, 0.24
+    out = np.stack([np.sin(around), 0 * u, np.cos(around)], 1)
+    onwards = np.stack([np.cos(around), 0 * u, -np.sin(around)], 1)
+    up = np.array([0.0, 1.0, 0.0])
+    c, s = np.cos(through)[:, None], np.sin(through)[:, None]
+    outwards = c * out + s * up
+    middle = ring * out + wound * outwards
+    tangent = 2 * (ring + wound * c) * onwards + 3 * wound * (c * up - s * out)
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    sideways = np.cross(tangent, outwards)
+    normal = np.cos(angle)[:, None] * outwards + np.sin(angle)[:, None] * sideways
+    return _made(middle + tube * normal, normal, u, v, tangent, (along, across))
+
+
+def _revolved(profile: Sequence[tuple[float, float, float, float]], around: int) -> Mesh:
+    """What a profile sweeps around the y axis: from the top to the bottom, each time a distance to
+    the axis, a height, and both of its normal. A point that stands twice is an edge."""
+    rows = np.array(profile)
+    steps = np.linalg.norm(np.diff(rows[:, :2], axis=0), axis=1)
+    length = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
+    u, _ = _lattice(around, len(rows) - 1)
+    radius, height, out_share, up_share = (np.repeat(lane, around + 1) for lane in rows.T)
+    longitude = 2 * np.pi * u - np.pi
+    out = np.stack([np.sin(longitude), 0 * u, np.cos(longitude)], 1)
+    up = np.array([0.0, 1.0, 0.0])
+    position = radius[:, None] * out + height[:, None] * up
+    normal = out_share[:, None] * out + up_share[:, None] * up
+    tangent = np.stack([np.cos(longitude), 0 * u, -np.sin(longitude)], 1)
+    v = np.repeat(length, around + 1)
+    return _made(position, normal, u, v, tangent, (around, len(rows) - 1))
+
+
 MESHES: Mapping[str, Callable[[], Mesh]] = {
     "sphere": sphere,
     "plane": plane,
     "cube": cube,
     "torus": torus,
+    "cylinder": cylinder,
+    "capsule": capsule,
+    "knot": knot,
 }
 
 

@@ -103,7 +103,7 @@ def test_lists_of_files_that_do_not_fit(tmp_path: Path) -> None:
     small, large = (saved(tmp_path / f"{n}.png", Image.new("RGB", (n, n))) for n in (1, 2))
     for text, about, message in [
         (f"{small},{small}", {"dimension": "cube"},
-         "a cube takes six pictures, +x, -x, +y, -y, +z, -z; there are 2"),
+         "a cube takes six pictures, +x, -x, +y, -y, +z, -z, or a panorama; there are 2"),
         (f"{small},{large}", {"dimension": "3d"},
          f"the pictures of one texture are alike, and {large} is 2 x 2 uint8 of 4 lanes where "
          f"{small} is 1 x 1 uint8 of 4 lanes"),

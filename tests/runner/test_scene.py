@@ -62,6 +62,28 @@ def test_farthest_first(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", MESHES)
+def test_triangles_and_normals_agree(name: str) -> None:
+    """Normals have length one, and look to the side from which the corners are counter-clockwise;
+    tangents lie in the surface, and the third axis leads against v."""
+    shape = mesh(name)
+    position, normal, uv = (shape.channels[each] for each in ("position", "normal", "uv"))
+    tangent = shape.channels["tangent"]
+    a, b, c = shape.triangles.T
+    face = np.cross(position[b] - position[a], position[c] - position[a])
+    face /= np.linalg.norm(face, axis=1, keepdims=True)
+    assert np.allclose(np.linalg.norm(normal, axis=1), 1, atol=1e-6)
+    for corner in (a, b, c):
+        assert (np.sum(face * normal[corner], axis=1) > 0.8).all()
+    assert np.allclose(np.sum(normal * tangent[:, :3], axis=1), 0, atol=1e-6)
+    (u1, v1), (u2, v2) = (uv[b] - uv[a]).T, (uv[c] - uv[a]).T
+    turn = np.sign(u1 * v2 - u2 * v1)[:, None]
+    along_v = turn * ((position[c] - position[a]) * u1[:, None]
+                      - (position[b] - position[a]) * u2[:, None])  # fmt: skip
+    upwards = np.cross(normal[a], tangent[a, :3]) * tangent[a, 3:]
+    assert (np.sum(upwards * along_v, axis=1) <= 1e-7).all()
+
+
+@pytest.mark.parametrize("name", MESHES)
 def test_bones_share_each_vertex(name: str) -> None:
     channels = mesh(name).channels
     assert (channels["weights"].sum(axis=1) == 1).all()

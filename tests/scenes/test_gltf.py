@@ -273,3 +273,17 @@ def test_what_is_left_out_is_told(tmp_path: Path) -> None:
     assert scene.notes == (
         "the extension KHR_materials_sheen is left out", "animations are left out",
     )  # fmt: skip
+
+
+def test_how_a_texture_is_read_is_told_where_it_differs(tmp_path: Path) -> None:
+    made = triangle(material=0)
+    made.whole["images"] = [{"bufferView": made.view(png(1, 2, 3, 4))}]
+    made.whole["samplers"] = [{"wrapS": 33071}, {"minFilter": 9987, "magFilter": 9729}]
+    made.whole["textures"] = [{"source": 0, "sampler": 0}, {"source": 0, "sampler": 1}]
+    made.whole["materials"] = [{
+        "normalTexture": {"index": 0}, "occlusionTexture": {"index": 1, "texCoord": 1},
+    }]  # fmt: skip
+    assert read_gltf(made.save(tmp_path)).notes == (
+        "material 0, normal_map: its sampler is left out, as materials say how they read",
+        "material 0, occlusion_map: it is read with the first texture coordinates",
+    )

@@ -115,6 +115,46 @@ def test_without_a_camera_all_is_seen(tmp_path: Path) -> None:
     assert not any(edge.any() for edge in edges)
 
 
+MOVED = """\
+import std.{module}
+material Moved : Surface + {mixin} {{ color = #ffffff }}
+frame Shown {{
+    models scene
+    shown = Forward(scene)
+    output picture = shown.color
+}}
+"""
+
+
+def test_bones_move_what_they_hold(tmp_path: Path) -> None:
+    """To where the joint is, wherever the node of the mesh may be."""
+    scene = squares(base(1, 1, 1))
+    primitive = scene.whole["meshes"][0]["primitives"][0]
+    primitive["attributes"] |= {
+        "JOINTS_0": scene.array([(0, 0, 0, 0)] * 4, "u1"),
+        "WEIGHTS_0": scene.array([(1, 0, 0, 0)] * 4),
+    }
+    scene.whole["skins"] = [{"joints": [2]}]
+    scene.whole["nodes"][0]["skin"] = 0
+    scene.add("nodes", translation=[1, -2, 0])
+    scene.whole["scenes"][0]["nodes"].append(2)
+    text = MOVED.format(module="skinning.{Skinned}", mixin="Skinned")
+    shown = drawn(text, scene, tmp_path)[..., 3] > 0
+    assert np.argwhere(shown).min(axis=0).tolist() == [12, 12]
+    assert np.count_nonzero(shown) == 16
+
+
+def test_morph_targets_move_vertices(tmp_path: Path) -> None:
+    scene = squares(base(1, 1, 1))
+    mesh = scene.whole["meshes"][0]
+    mesh["primitives"][0]["targets"] = [{"POSITION": scene.array([(4, 2, 0)] * 4)}]
+    mesh["weights"] = [0.5]
+    text = MOVED.format(module="morphing.{Morphed}", mixin="Morphed")
+    shown = drawn(text, scene, tmp_path)[..., 3] > 0
+    assert np.argwhere(shown).min(axis=0).tolist() == [0, 12]
+    assert np.count_nonzero(shown) == 16
+
+
 REFUSED = {
     "no such material": (
         FRAME, squares(base(1, 1, 1, "Brass")),

@@ -17,12 +17,16 @@ from ..drivers.draw import Dimension
 from .arrays import MAX_SIDE, check_sides
 from .high_range import format_of, read_floats
 from .kinds import FACES, Kind, PictureError
+from .panorama import cube_of
 
 
 def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> NDArray[Any]:
-    """The array of a texture from one picture for each layer. Raises ``PictureError``."""
+    """The array of a texture from one picture for each layer, or of a cube from a panorama. Raises
+    ``PictureError``."""
+    if dimension == "cube" and len(paths) == 1:
+        return cube_of(read_picture(paths[0], sample), str(paths[0]))
     if dimension == "cube" and len(paths) != len(FACES):
-        wanted = f"a cube takes six pictures, {', '.join(FACES)}"
+        wanted = f"a cube takes six pictures, {', '.join(FACES)}, or a panorama"
         raise PictureError(f"{wanted}; there {_are(len(paths))}")
     if dimension == "2d" and len(paths) != 1:
         raise PictureError(f"a flat texture takes one picture; there {_are(len(paths))}")

@@ -64,6 +64,7 @@ class Texture:
         sample: Kind = "float",
     ) -> Texture:
         """The first picture of a file, rotated as its camera noted; or one file for each layer.
+        A cube may also be made of a panorama, which is twice as wide as high and holds floats.
 
         Colours get 8 bits a lane: palettes are looked up, grey becomes three equal lanes, a missing
         alpha is opaque, and 16 bits are reduced to 8. A file of floats keeps its floats. With

@@ -13,7 +13,7 @@ from ...textures.texture import Texture
 from ..records import SceneError
 from .accessors import Accessors
 from .folder import Folder
-from .schema import File, Image, Material, TextureInfo
+from .schema import File, Image, Material, Sampler, TextureInfo
 
 MAX_TEXELS = 2**27
 """The most texels of all pictures of a file together: 512 MB."""
@@ -83,6 +83,7 @@ class Looks:
         if info.index >= len(self._file.textures):
             raise SceneError(f"{what}: there is no texture {info.index}")
         source = self._file.textures[info.index].source
+        self._tell_sampler(self._file.textures[info.index].sampler, what)
         if source is None or source >= len(self._file.images):
             raise SceneError(f"{what}: texture {info.index} has no picture")
         key = source, is_color
@@ -90,6 +91,15 @@ class Looks:
             image = self._file.images[source]
             self._textures[key] = self._read(image, is_color, f"image {source}")
         return self._textures[key]
+
+    def _tell_sampler(self, index: int | None, what: str) -> None:
+        """Note a sampler that differs from how materials here read textures."""
+        if index is None:
+            return
+        if index >= len(self._file.samplers):
+            raise SceneError(f"{what}: there is no sampler {index}")
+        if self._file.samplers[index] != Sampler():
+            self.notes.append(f"{what}: its sampler is left out, as materials say how they read")
 
     def _read(self, image: Image, is_color: bool, what: str) -> Texture:
         try:

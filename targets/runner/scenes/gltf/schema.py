@@ -88,6 +88,14 @@ class Texture(Record, frozen=True):
     sampler: Index | None = None
 
 
+class Sampler(Record, frozen=True):
+    """In OpenGL's numbers. The defaults are how textures are read here: repeated, filtered."""
+
+    mag_filter: Index = 9729
+    wrap_s: Index = 10497
+    wrap_t: Index = 10497
+
+
 class TextureInfo(Record, frozen=True):
     index: Index
     tex_coord: Index = 0
@@ -234,6 +242,7 @@ class File(Record, frozen=True):
     materials: tuple[Material, ...] = ()
     textures: tuple[Texture, ...] = ()
     images: tuple[Image, ...] = ()
+    samplers: tuple[Sampler, ...] = ()
     accessors: tuple[Accessor, ...] = ()
     buffer_views: tuple[BufferView, ...] = ()
     buffers: tuple[Buffer, ...] = ()
