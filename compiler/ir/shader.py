@@ -73,6 +73,8 @@ class ResourceInfo:
     resource: Resource
     doc: str
     span: Span
+    library: str = ""
+    """Which declaration of the library it is, as for parameters."""
 
 
 @frozen

@@ -45,6 +45,8 @@ class Barrier:
     texture: int
     before: State
     after: State
+    only_first: bool
+    """Whether the texture is used in the first frame only."""
 
 
 @frozen(eq=False)
@@ -117,15 +119,18 @@ class _Planning:
         self._states: dict[int, State] = {}
         self._drawn: set[tuple[Image, int | None, int]] = set()
         """Layers and levels that have been drawn to."""
+        self._rare = only_first(frame)
+        """The names of the steps of the first frame only."""
+        self._rare_textures: set[int] = set()
+        """Theirs, which nothing else shares: these steps may be left out."""
 
     def plan(self) -> Plan:
         kept = tuple(self._kept(left) for left in self._lifetimes.kept)
-        rare = only_first(self._frame)
         steps: list[PlannedStep] = []
         for number, step in enumerate(self._frame.steps):
             copies = list(self._placed(number, step))
             steps += [self._copied(copy) for copy in copies]
-            steps.append(self._planned(number, step, step.name in rare))
+            steps.append(self._planned(number, step))
             self._release(number, step)
         return Plan(
             self._frame,
@@ -173,7 +178,12 @@ class _Planning:
                 self._allot(image)
                 yield Copy(over, image)
         for left in written_by(step):
-            if isinstance(left, Image) and left not in self._texture_of:
+            if not isinstance(left, Image):
+                continue
+            if step.name in self._rare and left not in self._texture_of:
+                self._texture_of[left] = self._new(left)
+                self._rare_textures.add(self._texture_of[left])
+            elif left not in self._texture_of:
                 self._allot(left)
 
     def _allot(self, image: Image) -> None:
@@ -195,7 +205,7 @@ class _Planning:
             if not isinstance(left, Image) or not self._lifetimes.is_over(left, number):
                 continue
             texture = self._texture_of[left]
-            if self._textures[texture].images[-1] is left:
+            if self._textures[texture].images[-1] is left and texture not in self._rare_textures:
                 self._free.setdefault(self._key(left), []).append(texture)
 
     # --- steps ---
@@ -209,7 +219,7 @@ class _Planning:
         barriers = self._barriers((self._texture_of[i], state) for state, i in states)
         return PlannedStep(copy, barriers)
 
-    def _planned(self, number: int, step: Step, rare: bool) -> PlannedStep:
+    def _planned(self, number: int, step: Step) -> PlannedStep:
         barriers = self._barriers(self._used(step))
         targets = [self._target(number, each) for each in attachments_of(step)]
         for target in targets:
@@ -217,7 +227,7 @@ class _Planning:
             self._drawn.add((attachment.image, attachment.layer, attachment.level))
         has_depth = not isinstance(step, KernelStep) and step.depth is not None
         depth = targets.pop() if has_depth else None
-        return PlannedStep(step, barriers, tuple(targets), depth, rare)
+        return PlannedStep(step, barriers, tuple(targets), depth, step.name in self._rare)
 
     def _target(self, number: int, attachment: Attachment) -> Target:
         image = attachment.image
@@ -255,6 +265,6 @@ class _Planning:
             before = self._states[texture]
             self._textures[texture].uses[state] = None
             if before != state or before in _WRITES:
-                found.append(Barrier(texture, before, state))
+                found.append(Barrier(texture, before, state, texture in self._rare_textures))
             self._states[texture] = state
         return tuple(found)

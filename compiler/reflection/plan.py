@@ -241,7 +241,12 @@ class _Document:
 
 
 def _barrier_row(barrier: Barrier) -> dict[str, Any]:
-    return {"texture": barrier.texture, "from": barrier.before, "to": barrier.after}
+    return {
+        "texture": barrier.texture,
+        "from": barrier.before,
+        "to": barrier.after,
+        "only_first": barrier.only_first,
+    }
 
 
 def _shader_row(shader: FrameShader) -> dict[str, Any]:

@@ -47,6 +47,7 @@ class TextureRows:
             "default": resource.default,
             "stages": [name for name, read in self._stages.items() if resource in read],
             "doc": info.doc,
+            "library": info.library or None,
         }
 
     def _has_sampler(self, resource: Resource) -> bool:

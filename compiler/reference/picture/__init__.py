@@ -7,6 +7,7 @@ imports it.
 
 from . import formats
 from .drawing import draw, draw_onto, expected_on, written_by
+from .hulls import Hulls
 from .resolve import Canvas
 from .scene import Expected, Geometry, RasterRules, Texels, instanced
 from .stage_evaluation import compares_neighbours
@@ -15,6 +16,7 @@ __all__ = [
     "Canvas",
     "Expected",
     "Geometry",
+    "Hulls",
     "RasterRules",
     "Texels",
     "compares_neighbours",

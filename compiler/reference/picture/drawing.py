@@ -17,6 +17,7 @@ from .assembly import faces_of
 from .copies import place_numbers
 from .coverage import Fragments, coverage_of
 from .faces import Faces
+from .hulls import Hulls
 from .quads import Barycentric, Quads, depths_of, quads_of
 from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
@@ -64,14 +65,15 @@ def draw_onto(
     rules: RasterRules,
     errors: Errors | None = None,
     progress: Callable[[float], None] | None = None,
+    hulls: Hulls | None = None,
 ) -> frozenset[int]:
     """Draw over what is on a canvas, as ``draw`` does on an empty one, and with the same errors.
 
-    Returns the ids of the promises that were broken.
+    ``hulls`` gets what undecided pixels may be. Returns the ids of the promises that were broken.
     """
     with np.errstate(all="ignore"):
         drawing = _Drawing(canvas, shader, values, textures, geometry, rules, errors)
-        drawing.draw(progress)
+        drawing.draw(progress, hulls)
     return drawing.broken
 
 
@@ -144,10 +146,11 @@ class _Drawing:
         """The ids of the promises that were broken."""
         return frozenset(self._stages.broken)
 
-    def draw(self, progress: Callable[[float], None] | None) -> None:
+    def draw(self, progress: Callable[[float], None] | None, hulls: Hulls | None) -> None:
         """Draw all fragments on the canvas."""
         canvas = self._canvas
         coverage = coverage_of(self._faces, self._rules)
+        every = (coverage.fragments, coverage.doubtful)
         fragments, doubtful = coverage.fragments, coverage.doubtful
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:
@@ -162,6 +165,16 @@ class _Drawing:
         place = self._places[fragments.face]
         shades = self._shaded(fragments, progress)
         canvas.draw(fragments.pixel, depth, off, place, shades, self._depth)
+        if hulls is not None:
+            faces, pixels = (
+                np.concatenate([each.face for each in every]),
+                np.concatenate([each.pixel for each in every]),
+            )
+            hulls.extend(
+                Fragments(faces, pixels),
+                lambda some: depths_of(self._faces, some, self._rules),
+                lambda some: self._shaded(some, None),
+            )
 
     def _not_hidden(self, doubtful: Fragments, certain: Fragments, farthest: Floats) -> Fragments:
         """The doubtful fragments that are not behind others which every device draws.

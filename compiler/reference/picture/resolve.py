@@ -74,7 +74,7 @@ class Canvas:
             for colour, count in zip(clear, self._lanes, strict=True)
         ]
         for target, state in zip(self.targets, self._states, strict=True):
-            target[:] = self._stored(state, target)
+            target[:] = self._rounded(state, target)
         self.depth = np.ones(pixels)
         self.depth_off = np.zeros(pixels)
         """By how much a device's depth may differ."""
@@ -150,9 +150,9 @@ class Canvas:
         for target, colours, state, lanes in rows:
             # A device may blend as precisely as the target's format is, so that it rounds the
             # colour before. If the target is in fixed point, the colour is clamped, too.
-            colour = self._stored(state, colours[:, drawn])
+            colour = self._rounded(state, colours[:, drawn])
             if state.blend != "none":
-                colour = self._stored(state, _blended(state.blend, colour, target[:, at]))
+                colour = self._rounded(state, _blended(state.blend, colour, target[:, at]))
             target[:, at, :lanes] = colour[..., :lanes]
 
     def _tested(
@@ -179,7 +179,15 @@ class Canvas:
         passes: Bools = farthest < self._may_hide[at]
         return passes & (test.compare in ("less", "less_equal"))
 
-    def _stored(self, state: RenderTarget, colours: Ends) -> Ends:
+    def stored(self, target: int, colours: Ends) -> Ends:
+        """Colours as one of the targets stores them, with all lanes."""
+        lanes = self._lanes[target]
+        found = self._rounded(self._states[target], colours)
+        for missing, value in enumerate(_MISSING[lanes:], start=lanes):
+            found[..., missing] = value
+        return found
+
+    def _rounded(self, state: RenderTarget, colours: Ends) -> Ends:
         """Colours in the range of a target's format, with ends that this format has."""
         if not self._rounds and state.blend == "none":
             return colours

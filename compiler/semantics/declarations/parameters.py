@@ -97,22 +97,31 @@ def leaves_of(
         for name, definition in leaf_definitions(record, given)
     ]
     return Leaves(
-        tuple(_known_as(record, info) for each in found for info in each.parameters),
-        tuple(info for each in found for info in each.resources),
+        tuple(
+            changed(info, library=_library_name(record, info.parameter.name))
+            for each in found
+            for info in each.parameters
+        ),
+        tuple(
+            changed(info, library=_library_name(record, info.resource.name))
+            for each in found
+            for info in each.resources
+        ),
         tuple(info for each in found for info in each.buffers),
         tuple(info for each in found for info in each.attributes),
     )
 
 
-def _known_as(record: Record, info: ParameterInfo) -> ParameterInfo:
-    """A parameter with its declaration in the library, by which a host tells it from others that
-    only have the same name."""
-    name = info.parameter.name.rpartition(".")[2]
-    owners = (each.owner for each in record.definitions[name] if isinstance(each.member, ast.Param))
+def _library_name(record: Record, of_leaf: str) -> str:
+    """Which declaration of the library a parameter or a texture is, by which a host tells it from
+    others that only have the same name; an empty text for others."""
+    name = of_leaf.rpartition(".")[2]
+    declared = (ast.Param, ast.Map)
+    owners = (each.owner for each in record.definitions[name] if isinstance(each.member, declared))
     owner = next((owner for owner in owners if owner.module.is_standard), None)
     if owner is None or owner.module.path is None:
-        return info
-    return changed(info, library=f"std.{owner.module.path.stem}.{owner.name}.{name}")
+        return ""
+    return f"std.{owner.module.path.stem}.{owner.name}.{name}"
 
 
 def _of_param(ctx: Context, definition: Definition, name: str) -> Leaves:

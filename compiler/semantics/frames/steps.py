@@ -30,8 +30,10 @@ from ...ir.frame import (
     Step,
     Use,
 )
+from ...ir.leaves import Parameter, Resource
+from ...ir.node import Node
 from ...ir.shader import RenderTarget
-from ...ir.stages import IMAGE, TARGET
+from ...ir.stages import EXTENT, IMAGE, TARGET
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
 from ..checking.unknown_names import unknown
@@ -41,6 +43,7 @@ from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Scope
 from .dependencies import PREVIOUS, Dependencies, Key, applied, is_previous
+from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .shaders import Shaders, required_of
 from .values import Made, Numbers, StepValue
@@ -377,10 +380,9 @@ class Steps:
         use = self._use("", shader, symbol, inputs, e)
         if inputs.report_unknown(symbol.name) or use is None:
             return FAILURE
+        size = self._extent(shader, use, name)
         images = {
-            result.name: self._image(
-                f"{name}.{result.name}", state, Size(None, name), result.doc, e
-            )
+            result.name: self._image(f"{name}.{result.name}", state, size, result.doc, e)
             for result in shader.shader.results_of(IMAGE)
             if (state := result.state) is not None
         }
@@ -390,6 +392,37 @@ class Steps:
         }
         self.steps.append(KernelStep(name, use, images, buffers, "", e.span))
         return StepValue(name, {**images, **buffers})
+
+    def _extent(self, shader: FrameShader, use: Use, name: str) -> Size:
+        """How large the images of a kernel are: a number of the frame, if it gives all that says
+        so."""
+        given = {each.name: each.source for each in use.given}
+        tree, nodes = self._ctx.tree, self.numbers.nodes
+
+        def number_of(parameter: Parameter) -> Node | None:
+            source = given.get(parameter.name)
+            return nodes[source] if isinstance(source, int) else None
+
+        def size_of(resource: Resource) -> Node | None:
+            source = given.get(resource.name)
+            if isinstance(source, Previous):
+                source = source.initially
+            if isinstance(source, FromHost):
+                read = self._instance.resources[source.name]
+                level = build.constant(tree, INT, 0)
+                return tree.node("call", IVEC2, (read, level), SIZE)
+            is_whole = isinstance(source, Image) and not source.size.level
+            value = source.size.value if isinstance(source, Image) and is_whole else None
+            return None if value is None else nodes[value]
+
+        (extent,) = shader.shader.results_of(EXTENT)
+        found = None if extent.value.type != IVEC2 else in_frame(
+            tree, extent.value, number_of, size_of
+        )  # fmt: skip
+        if found is None:
+            return Size(None, name)
+        number = self.numbers.number(found)
+        return Size(None, name) if isinstance(number, Failure) else Size(number)
 
     def _image(self, name: str, state: RenderTarget, size: Size, doc: str, e: ast.Call) -> Image:
         return Image(name, state.format, size, "2d", 1, 1, doc, e.span)

@@ -1,8 +1,8 @@
 """Draws a frame with the reference: step by step, in double precision.
 
 What a step leaves is a texture with bounds, if bounds are asked for: between which numbers those of
-a device are. Of a pixel that is undecided, these are all numbers that its format has, so that the
-pixels which read it are as uncertain as they should be.
+a device are. Of a pixel that is undecided, these contain all that a device may have drawn there, so
+that the pixels which read it are as uncertain as they should be.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
     Canvas,
     Expected,
+    Hulls,
     RasterRules,
     Texels,
     draw_onto,
@@ -178,9 +179,11 @@ class ReferenceFrames:
             has_depth=step["depth"] is not None,
         )  # fmt: skip
         self._load(canvas, step, layer)
+        hulls = Hulls(canvas)
+        self._load_hulls(hulls, step, layer)
         for draw in draws:
-            self._onto(canvas, draw, rules, layer)
-        self._store(canvas, step, layer, rules)
+            self._onto(canvas, hulls, draw, rules, layer)
+        self._store(canvas, hulls, step, layer, rules)
 
     def _size_of(self, step: Row) -> tuple[int, int]:
         target = step["targets"][0] if step["targets"] else step["depth"]
@@ -191,7 +194,9 @@ class ReferenceFrames:
             return drawable(self.shader_of(number))
         return drawable(self.host.shaders[number].shader)
 
-    def _onto(self, canvas: Canvas, draw: FrameDraw, rules: RasterRules, layer: int) -> None:
+    def _onto(
+        self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
+    ) -> None:
         """Draw on a canvas; where a shader draws each layer by itself, this one."""
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         shader = self._shader(draw.shader)
@@ -201,6 +206,7 @@ class ReferenceFrames:
         draw_onto(
             canvas, shader, values_for(shader, state.instance), self._texels(draw),
             geometry_for(shader, state.geometry()), rules, self.errors,
+            hulls=None if self.errors is None else hulls,
         )  # fmt: skip
 
     def _texels(self, draw: FrameDraw) -> Mapping[str, Texels]:
@@ -237,30 +243,40 @@ class ReferenceFrames:
         found = self.textures[texture].levels[level][:, at]
         return found.reshape(_ENDS, -1, found.shape[-1])
 
-    def _store(self, canvas: Canvas, step: Row, layer: int, rules: RasterRules) -> None:
+    def _load_hulls(self, hulls: Hulls, step: Row, layer: int) -> None:
+        """What undecided pixels may be of what is there before."""
+        for number, target in enumerate(step["targets"]):
+            if target["load"] == "load":
+                hulls.targets[number][:] = self._pixels(target, layer)[1:]
+        if step["depth"] is not None and step["depth"]["load"] == "load":
+            hulls.depth[:] = self._pixels(step["depth"], layer)[1:, :, 0]
+
+    def _store(
+        self, canvas: Canvas, hulls: Hulls, step: Row, layer: int, rules: RasterRules
+    ) -> None:
         """Keep what was drawn."""
         picture = expected_on(canvas, rules)
         for number, target in enumerate(step["targets"]):
             ends = np.stack([picture.targets[number], picture.low[number], picture.high[number]])
-            self._keep_pixels(target, layer, ends, picture)
+            self._keep_pixels(target, layer, ends, hulls.targets[number], picture)
         if step["depth"] is not None:
             value = canvas.depth.reshape(rules.height, rules.width, 1)
             off = canvas.depth_off.reshape(value.shape)
-            ends = np.clip(np.stack([value, value - off, value + off]), 0.0, 1.0)
-            self._keep_pixels(step["depth"], layer, ends, picture)
+            ends = np.stack([value, value - off, value + off])
+            self._keep_pixels(step["depth"], layer, ends, hulls.depth[..., None], picture)
 
-    def _keep_pixels(self, target: Row, layer: int, ends: Floats, picture: Expected) -> None:
+    def _keep_pixels(
+        self, target: Row, layer: int, ends: Floats, hull: Floats, picture: Expected
+    ) -> None:
+        """Keep values between their ends; what is undecided may be all that its hull contains."""
         texture, at, level = _place(target, layer)
         drawn = self.textures[texture]
-        format_ = drawn.format
-        is_depth = format_.startswith(DEPTHS)
-        if not is_depth:
-            ends = np.stack([formats.clamped(format_, end) for end in ends])
-        lowest, highest = (0.0, 1.0) if is_depth or not formats.format_of(format_).is_float else (
-            -np.inf, np.inf
-        )  # fmt: skip
-        ends[1][picture.undecided] = lowest
-        ends[2][picture.undecided] = highest
+        for end, extreme in zip(ends[1:], hull, strict=True):
+            end[picture.undecided] = extreme.reshape(end.shape)[picture.undecided]
+        if drawn.format.startswith(DEPTHS):
+            ends = np.clip(ends, 0.0, 1.0)
+        else:
+            ends = np.stack([formats.clamped(drawn.format, end) for end in ends])
         drawn.levels[level][:, at] = ends
         drawn.undecided[level][at] = picture.undecided
 

@@ -166,14 +166,16 @@ class _Job:
     def _translated(self, step: Row, is_first: bool) -> list[FrameStep]:
         match step["kind"]:
             case "copy":
-                return [self._copied(step)]
+                return [self._copied(step, is_first)]
             case "run":
                 return [self._run(step, is_first)]
         return self._drawn(step, is_first)
 
-    def _barriers(self, step: Row) -> tuple[Barrier, ...]:
+    def _barriers(self, step: Row, is_first: bool) -> tuple[Barrier, ...]:
         found = []
         for row in step["barriers"]:
+            if row["only_first"] and not is_first:
+                continue
             number = self._texture(row["texture"])
             before: TextureUse = row["from"]
             known = self._textures.uses[number]
@@ -184,13 +186,13 @@ class _Job:
             self._textures.uses[number] = row["to"]
         return tuple(found)
 
-    def _copied(self, step: Row) -> FrameStep:
-        barriers = self._barriers(step)
+    def _copied(self, step: Row, is_first: bool) -> FrameStep:
+        barriers = self._barriers(step, is_first)
         source, target = (self._texture(step[end]["texture"]) for end in ("from", "to"))
         return FrameStep(barriers, copied=(source, target))
 
     def _drawn(self, step: Row, is_first: bool) -> list[FrameStep]:
-        barriers = self._barriers(step)
+        barriers = self._barriers(step, is_first)
         draws = list(self._host.draws(step, is_first=is_first))
         every = [*step["targets"], *([step["depth"]] if step["depth"] else [])]
         layers = (
@@ -252,7 +254,7 @@ class _Job:
 
     def _run(self, step: Row, is_first: bool) -> FrameStep:
         draw = self._host.kernel(step, is_first=is_first)
-        barriers = self._barriers(step)
+        barriers = self._barriers(step, is_first)
         instance, reflection = draw.state.instance, draw.state.instance.reflection
         textures, buffers = self._bound(draw)
         images = tuple(self._texture(row["texture"]) for row in step["images"])

@@ -127,13 +127,22 @@ class FrameHost:
         """The width and the height of a texture's first level."""
         row = self.plan["textures"][texture]["size"]
         if row["value"] is None:
-            width, height = self._kernels[row["extent_of"]].image_size()
+            width, height = self._extent(row["extent_of"])
         else:
             width, height = (int(lane) for lane in self.number(row["value"]))
         if min(width, height) < 1:
             names = ", ".join(self.plan["textures"][texture]["results"])
             raise PlanError(f"{names}: the size would be {width} x {height}")
         return halved(width, row["level"]), halved(height, row["level"])
+
+    def _extent(self, step: str) -> tuple[int, int]:
+        """The size of what a kernel writes. Raises ``PlanError`` before the kernel is run."""
+        if step not in self._kernels:
+            raise PlanError(
+                f"the size of what `{step}` writes is needed before it is run: give its parameters "
+                "and textures in the frame"
+            )
+        return self._kernels[step].image_size()
 
     # --- draws -----------------------------------------------------------------------------------
 

@@ -38,8 +38,11 @@ class _Frame:
         self._gpu = gpu
         self._job = job
         written = {image for step in job.steps for image in step.images}
+        drawn = {each.texture for step in job.steps for each in _attachments(step)}
         self._textures = [
-            make_frame_texture(owned, gpu, texture, written=number in written)
+            make_frame_texture(
+                owned, gpu, texture, drawn=number in drawn, written=number in written
+            )
             for number, texture in enumerate(job.textures)
         ]
         self._buffers = [

@@ -121,16 +121,17 @@ class MadeTexture:
         record(commands, [self], [Barrier(0, "copied_to", "sampled")])
 
 
-def make_frame_texture(owned: ExitStack, gpu: Gpu, wanted: FrameTexture, *, written: bool) -> (
-    MadeTexture
-):  # fmt: skip
-    """A texture of a frame; ``written`` says whether a kernel writes it as an image."""
-    drawn = (
+def make_frame_texture(
+    owned: ExitStack, gpu: Gpu, wanted: FrameTexture, *, drawn: bool, written: bool
+) -> MadeTexture:
+    """A texture of a frame, which passes have ``drawn`` or kernels have ``written``."""
+    attached = (
         vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
         if wanted.is_depth
         else vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
     )
-    usage = _READS | (vk.VK_IMAGE_USAGE_STORAGE_BIT if written else drawn)
+    usage = _READS | (attached if drawn else 0)
+    usage |= vk.VK_IMAGE_USAGE_STORAGE_BIT if written else 0
     format_ = DEPTH if wanted.format == "depth32float" else TARGETS[wanted.format]
     aspect = vk.VK_IMAGE_ASPECT_DEPTH_BIT if wanted.is_depth else vk.VK_IMAGE_ASPECT_COLOR_BIT
     spec = ImageSpec(

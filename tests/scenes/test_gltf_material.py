@@ -1,0 +1,149 @@
+"""The library's surface and lights of glTF, against formulas written after the specification.
+
+Every model is a square that faces the viewer, lit by one light, so that each angle is known.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import Texture
+from burnish.targets.runner.meshes import plane
+from burnish.targets.runner.render import by_reference
+from burnish.targets.runner.scene import Scene
+from burnish.targets.runner.scene_state import set_up
+
+SIDE = 9
+TEXT = """\
+import std.gltf.{{MetallicRoughness, Masked, PunctualPoint, PunctualSpot}}
+import std.lights.{{Directional}}
+
+material Square : MetallicRoughness {{ }}
+pass Shown : {pass_} {{ }}
+rig One {{ lamp : {light} }}
+"""
+
+
+def middle(light: str, pass_: str = "Forward", **values: Any) -> list[float]:
+    """The colour of the square's middle, at the origin, seen from (0, 0, 5)."""
+    text = TEXT.format(light=light, pass_=pass_)
+    compiled = burnish.compile(text, (), pass_="Shown").materials[0]
+    state = set_up(compiled.instance(), plane(2), Scene(eye=(0.0, 0.0, 5.0)), (SIDE, SIDE))
+    state.instance.set("ambient_light", (0, 0, 0))
+    state.instance.set("normal_scale", 0)  # The nearest texel to a flat normal leans a little.
+    for name, value in values.items():
+        state.instance.set(name.replace("lamp_", "lamp."), value)
+    targets, _broken = by_reference(compiled, state)
+    found: list[float] = targets[0][SIDE // 2, SIDE // 2].tolist()
+    return found
+
+
+def reflected(base: float, metallic: float, roughness: float, angle: float) -> float:
+    """What the model sends straight to the viewer of a white light at an angle: appendix B of the
+    specification, with its factors under their names there."""
+    alpha = roughness**2
+    f0 = 0.04 * (1 - metallic) + base * metallic
+    h_dot_v = n_dot_h = math.cos(angle / 2)
+    fresnel = f0 + (1 - f0) * (1 - h_dot_v) ** 5
+    distribution = alpha**2 / (math.pi * (n_dot_h**2 * (alpha**2 - 1) + 1) ** 2)
+    n_dot_l, n_dot_v = math.cos(angle), 1.0
+
+    def visible(cosine: float) -> float:
+        return 2 * cosine / (cosine + math.sqrt(alpha**2 + (1 - alpha**2) * cosine**2))
+
+    shadowing = visible(n_dot_l) * visible(n_dot_v)
+    specular = fresnel * distribution * shadowing / (4 * n_dot_l * n_dot_v)
+    diffuse = (1 - fresnel) * base * (1 - metallic) / math.pi
+    return (diffuse + specular) * n_dot_l
+
+
+@pytest.mark.parametrize(
+    ("metallic", "roughness", "degrees"),
+    [(0, 1, 0), (0, 0.5, 40), (1, 0.3, 20), (0.5, 0.7, 75), (1, 1, 60)],
+)
+def test_what_is_reflected(metallic: float, roughness: float, degrees: float) -> None:
+    angle = math.radians(degrees)
+    found = middle(
+        "Directional", lamp_direction=(-math.sin(angle), 0, -math.cos(angle)),
+        lamp_diffuse_color=(1, 1, 1), base_color=(0.8, 0.5, 0.2, 1), metallic=metallic,
+        roughness=roughness,
+    )  # fmt: skip
+    wanted = [reflected(base, metallic, roughness, angle) for base in (0.8, 0.5, 0.2)]
+    assert np.allclose(found, [*wanted, 1], rtol=2e-5)
+
+
+def test_pictures_multiply_numbers() -> None:
+    found = middle(
+        "Directional", lamp_direction=(0, 0, -1), lamp_diffuse_color=(1, 1, 1),
+        base_color=(1, 1, 0.5, 0.5), base_color_map=Texture.solid((0.5, 1, 1, 0.5)),
+        metallic=1, roughness=0.5, metallic_roughness_map=Texture.solid((0, 0.6, 0, 1)),
+        emissive=(3, 0, 2), emissive_map=Texture.solid((1, 1, 0)), is_opaque=False,
+    )  # fmt: skip
+    # What the textures hold, in steps of 1/255.
+    half, rough = 128 / 255, 153 / 255
+    wanted = [reflected(base, 0, 0.5 * rough, 0) for base in (half, 1, 0.5)]
+    assert np.allclose(found, [wanted[0] + 3, wanted[1], wanted[2], 0.5 * half], rtol=2e-5)
+
+
+def test_occlusion_keeps_light_from_all_around_away() -> None:
+    found = middle(
+        "Directional", lamp_diffuse_color=(0, 0, 0), ambient_light=(1, 1, 1), metallic=0,
+        base_color=(0.5, 0.5, 0.5, 1), occlusion_map=Texture.solid((0, 1, 1)),
+        occlusion_strength=0.75,
+    )  # fmt: skip
+    assert np.allclose(found[:3], 0.5 * 0.25, rtol=1e-6)
+
+
+def test_bumps_lean_as_far_as_their_scale_says() -> None:
+    """A texel that leans by 45 degrees towards u; half as far, it leans by less."""
+    texel = Texture.solid((1, 0.5, 1))
+    values: dict[str, Any] = {
+        "lamp_direction": (0, 0, -1), "lamp_diffuse_color": (1, 1, 1), "metallic": 0,
+        "normal_map": texel, "base_color": (1, 1, 1, 1),
+    }  # fmt: skip
+    flat = middle("Directional", **(values | {"normal_scale": 0}))
+    assert np.allclose(flat[0], reflected(1, 0, 1, 0), rtol=2e-5)
+    leaning = [middle("Directional", **(values | {"normal_scale": s}))[0] for s in (0.5, 1)]
+    assert flat[0] > leaning[0] > leaning[1] > 0.2
+
+
+@pytest.mark.parametrize(("alpha", "is_drawn"), [(0.3, False), (0.7, True)])
+def test_the_cutoff(alpha: float, is_drawn: bool) -> None:
+    found = middle("Directional", "Masked", base_color=(1, 1, 1, alpha), alpha_cutoff=0.5)
+    assert (found[3] > 0) == is_drawn
+
+
+def test_light_fades_with_the_square_of_the_distance() -> None:
+    near, far = (
+        middle("PunctualPoint", lamp_place=(0, 0, distance), lamp_diffuse_color=(8, 8, 8))[0]
+        for distance in (1, 2)
+    )
+    assert near == pytest.approx(8 * reflected(1, 1, 1, 0), rel=1e-4)
+    assert far == pytest.approx(near / 4, rel=1e-4)
+    ending = middle("PunctualPoint", lamp_place=(0, 0, 2), lamp_diffuse_color=(8, 8, 8),
+                    lamp_reach=4)  # fmt: skip
+    assert ending[0] == pytest.approx(far * (1 - 0.5**4), rel=1e-4)
+    beyond = middle("PunctualPoint", lamp_place=(0, 0, 5), lamp_reach=4)
+    assert beyond[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("degrees", "share"),
+    [(0, 1), (20, 1), (40, 0.5), (60, 0)],
+)
+def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
+    """In the middle between both cosines, half is left of it, squared."""
+    inner, outer = math.radians(20), math.radians(60)
+    axis = math.radians(degrees)
+    if share == 0.5:
+        axis = math.acos((math.cos(inner) + math.cos(outer)) / 2)
+    found = middle(
+        "PunctualSpot", lamp_place=(0, 0, 1), lamp_diffuse_color=(1, 1, 1), lamp_inner=inner,
+        lamp_outer=outer, lamp_axis=(math.sin(axis), 0, -math.cos(axis)),
+    )  # fmt: skip
+    assert found[0] == pytest.approx(reflected(1, 1, 1, 0) * share**2, rel=1e-4, abs=1e-6)
