@@ -38,12 +38,13 @@ def told() -> Iterator[None]:
         from ..targets.runner.codes import CodeError
         from ..targets.runner.drivers.draw import DriverError
         from ..targets.runner.feeding import FeedError
-        from ..targets.runner.frames.host import PlanError
+        from ..targets.runner.frames.checking import PlanError
         from ..targets.runner.instances.instance import MissingValuesError
         from ..targets.runner.instances.values import ParameterError
         from ..targets.runner.kernels import UndrawableError
         from ..targets.runner.meshes import MeshError
         from ..targets.runner.routes import UnknownRouteError
+        from ..targets.runner.scenes.records import SceneError
         from ..targets.runner.textures.kinds import PictureError
     except ModuleNotFoundError as error:
         needed(error)
@@ -58,7 +59,7 @@ def told() -> Iterator[None]:
         fail(str(error).replace("\n", "\n  "))
     except (
         CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
-        PlanError, UndrawableError,
+        PlanError, SceneError, UndrawableError,
     ) as error:  # fmt: skip
         fail(str(error))
     except MemoryError:

@@ -5,29 +5,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
 
 import click
 
 from .console import remark, show
 from .failures import fail
+from .frame_files import write_pictures
+from .panels import check_single
 from .progress import Progress
 from .subjects import Request
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
-
     from ..api import CompiledFrame
     from ..targets.runner.frames.host import FrameHost
+    from ..targets.runner.frames.scenery import Scenery
     from ..targets.runner.render import Floats
     from ..targets.runner.routes import Route
-
-MOVING = frozenset((".gif", ".webp", ".apng"))
-"""The endings of files that hold many pictures."""
-DURATION = 40
-"""For how many milliseconds such a file shows each of them."""
 
 
 def has_frames(request: Request) -> bool:
@@ -43,12 +39,13 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     routes = _those_that_draw(chosen, request)
     frame = _compiled(request, routes)
     outputs = _outputs(frame, request.target)
+    made = partial(_host, frame, request, _scenery(frame, request))
+    _tell_unused_lamps(made())
+    check_single(len(routes) * len(outputs), request.output)
     with Progress("drawing") as progress:
-        rows = [
-            _beside([_image(each) for each in pictures])
-            for pictures in zip(*_columns(frame, request, routes, outputs, progress), strict=True)
-        ]
-    written = _save(rows, request.output)
+        columns = _columns(made, request, routes, outputs, progress)
+        rows = list(zip(*columns, strict=True))
+    written = write_pictures(rows, request.output)
     further = f" to {written[-1].name}" if len(written) > 1 else ""
     click.echo(f"{frame.name}: {written[0]}{further}")
 
@@ -70,13 +67,14 @@ def _compiled(request: Request, routes: Sequence[Route | None]) -> CompiledFrame
 
 
 def _columns(
-    frame: CompiledFrame,
+    made: Callable[[], FrameHost],
     request: Request,
     routes: Sequence[Route | None],
     outputs: Sequence[str],
     progress: Progress,
 ) -> Iterator[list[Floats]]:
-    """For each route and output what it shows, frame after frame."""
+    """For each route and output what it shows, frame after frame. ``made`` makes the host of a
+    route."""
     from ..targets.runner.frames.by_route import draw_frames
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
@@ -87,9 +85,9 @@ def _columns(
         tell_lacking_tools(drivers, runner, fatal=True)
         for done, route in enumerate(routes):
             if route is None:
-                drawn = list(_by_reference(frame, request, outputs, progress))
+                drawn = list(_by_reference(made(), request, outputs, progress))
             else:
-                drawn = draw_frames(_host(frame, request), route, runner, toolchain, request.frames)
+                drawn = draw_frames(made(), route, runner, toolchain, request.frames)
             progress.tell((done + 1) / len(routes))
             yield from ([pictures[name] for pictures in drawn] for name in outputs)
 
@@ -108,24 +106,43 @@ def _those_that_draw(routes: Sequence[Route | None], request: Request) -> Sequen
 
 
 def _by_reference(
-    frame: CompiledFrame, request: Request, outputs: Sequence[str], progress: Progress
+    host: FrameHost, request: Request, outputs: Sequence[str], progress: Progress
 ) -> Iterator[dict[str, Floats]]:
     from ..targets.runner.frames.by_reference import ReferenceFrames
 
-    drawing = ReferenceFrames(_host(frame, request))
+    drawing = ReferenceFrames(host)
     for number in range(request.frames):
         drawing.draw(_within(progress, number, request.frames))
         yield {name: drawing.output(name).levels[0][0] for name in outputs}
 
 
-def _host(frame: CompiledFrame, request: Request) -> FrameHost:
-    """The frame with a scene and all values set."""
-    from ..targets.runner.frames.host import FrameHost
+def _scenery(frame: CompiledFrame, request: Request) -> Scenery:
+    """What there is to draw: a model of each material, or the objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
 
     tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-    host = FrameHost(frame, in_a_row(materials, tags, request.mesh), request.size)
+    if request.scene is None:
+        return in_a_row(materials, tags, request.mesh)
+    from ..targets.runner.frames.staging import staged
+    from ..targets.runner.scenes.gltf.reading import read_gltf
+
+    file = read_gltf(request.scene)
+    for note in file.notes:
+        remark("note", f"{request.scene}: {note}")
+    return staged(file, materials, list(tags))
+
+
+def _tell_unused_lamps(host: FrameHost) -> None:
+    for name in host.unused_lamps():
+        remark("note", f"the light {name!r} of the scene is left out: the rig has no place for it")
+
+
+def _host(frame: CompiledFrame, request: Request, scenery: Scenery) -> FrameHost:
+    """The frame with a scene and all values set."""
+    from ..targets.runner.frames.host import FrameHost
+
+    host = FrameHost(frame, scenery, request.size)
     for name, text in request.values:
         host.set_text(name, text)
     return host
@@ -148,56 +165,3 @@ def _outputs(frame: CompiledFrame, wanted: str | None) -> list[str]:
 
 def _within(progress: Progress, number: int, total: int) -> Callable[[float], None]:
     return lambda share: progress.tell((number + share) / total)
-
-
-def _image(layers: Floats) -> Image:
-    """The first level of a texture: its layers, or faces, side by side."""
-    import numpy as np
-
-    from ..targets.runner.pictures import to_image
-
-    return to_image(np.concatenate(list(layers), axis=1), lanes=layers.shape[-1])
-
-
-def _beside(images: Sequence[Image]) -> Image:
-    """Pictures next to each other."""
-    from PIL import Image as Pictures
-
-    whole = Pictures.new("RGB", (sum(i.width for i in images), max(i.height for i in images)))
-    left = 0
-    for image in images:
-        whole.paste(image, (left, 0))
-        left += image.width
-    return whole
-
-
-def _save(pictures: Sequence[Image], path: Path) -> list[Path]:
-    """Write one picture, one file that moves, or numbered pictures; all of them or none."""
-    from ..targets.runner.pictures import encoded
-
-    if len(pictures) == 1 or path.suffix.lower() in MOVING:
-        further: Mapping[str, Any] = {}
-        if len(pictures) > 1:
-            further = {
-                "save_all": True, "append_images": pictures[1:], "duration": DURATION, "loop": 0,
-            }  # fmt: skip
-        return _write(path.parent, {path.name: encoded(pictures[0], path, **further)})
-    digits = max(len(str(len(pictures) - 1)), 3)
-    names = [f"{path.stem}-{number:0{digits}}{path.suffix}" for number in range(len(pictures))]
-    files = {name: encoded(each, path) for name, each in zip(names, pictures, strict=True)}
-    return _write(path.parent, files)
-
-
-def _write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
-    from .output import write_file
-    from .replacing import replace_all
-
-    try:
-        if len(files) == 1:
-            ((name, content),) = files.items()
-            write_file(folder / name, content)
-        else:
-            replace_all(str(folder), files)
-    except OSError as error:
-        fail(f"cannot write `{error.filename or folder}`: {error.strerror or error}")
-    return [folder / name for name in files]

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
+from pathlib import Path
 from typing import TYPE_CHECKING
+
+import click
 
 from .console import remark
 from .progress import Progress
@@ -22,6 +25,17 @@ NOT_RUN = "not run"
 """The title of a panel whose route lacks its tools, or a feature that the material needs."""
 BROKEN = "failed"
 """The title of a panel for which a compiler, a driver or the reference failed."""
+
+
+def check_single(count: int, path: Path) -> None:
+    """Refuse a sheet in a format for numbers: its captions and borders have none."""
+    from ..targets.runner.pictures import keeps_numbers
+
+    if count > 1 and keeps_numbers(path):
+        raise click.UsageError(
+            f"`{path}` keeps the numbers of one picture, and there are {count}: name one "
+            "--material, --rig, --pass, --target and route"
+        )
 
 
 def panels(

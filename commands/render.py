@@ -92,6 +92,10 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="The mesh to draw.",
 )
 @click.option(
+    "--scene", metavar="MODEL", type=click.Path(path_type=Path),
+    help="A glTF 2.0 file, .gltf or .glb, whose objects a frame draws instead of meshes.",
+)  # fmt: skip
+@click.option(
     "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
     help="How often to draw the mesh, if the material distinguishes instances.",
 )  # fmt: skip
@@ -157,12 +161,16 @@ def render(**chosen: Any) -> None:
 
     A file that declares a frame shows its outputs, side by side: what the whole frame draws, with
     a model of each material. For frames that evolve, --frames draws several: as numbered pictures,
-    or as one that moves if the output ends in .gif or .webp.
+    or as one that moves if the output ends in .gif or .webp. With --scene, it draws the objects of
+    a glTF file, each with the material that is called as in that file, or with the only one. Its
+    numbers and pictures set the parameters and textures of `std.gltf`; its lights are those of the
+    rig, and its first camera sees it all.
 
     \b
     Example:
         burnish render plastic.burnish -o plastic.png
         burnish render deferred.burnish -o deferred.png --set exposure=2
+        burnish render deferred.burnish -o helmet.png --scene helmet.glb
         burnish render plastic.burnish -o torus.png --mesh torus --set power=200
         burnish render plastic.burnish -o sheet.png --on all --size 256
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
@@ -176,7 +184,7 @@ def _render(request: Request) -> None:
     from ..targets.runner.runner import Runner
     from .frames import has_frames, render_frames
     from .lacking import tell_lacking_tools
-    from .panels import panels
+    from .panels import check_single, panels
     from .progress import Progress
     from .subjects import subjects
 
@@ -185,6 +193,11 @@ def _render(request: Request) -> None:
     if has_frames(request):
         render_frames(request, routes)
         return
+    if request.scene is not None:
+        raise click.UsageError(
+            f"--scene is for frames, and {request.file} declares none, such as "
+            "`frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }`"
+        )
     if request.native_stages and None in routes:
         raise click.UsageError(
             "--native-stages is for routes, and the reference draws without such stages: name "
@@ -197,7 +210,7 @@ def _render(request: Request) -> None:
         found = subjects(request, drivers, progress.tell)
         _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), _largest(found))
-        _check_single(len(found) * len(routes), request.output)
+        check_single(len(found) * len(routes), request.output)
         drawn = list(panels(found, routes, request.target, runner, progress))
     _save(drawn, len(routes), request.output, _largest(found))
     click.echo(f"{'; '.join(subject.label for subject in found)}: {request.output}")
@@ -247,17 +260,6 @@ def _check_total(count: int, size: tuple[int, int]) -> None:
         raise click.UsageError(
             f"a sheet of {count} pictures of {width} x {height} pixels is too large: "
             "choose a smaller --size, or fewer routes"
-        )
-
-
-def _check_single(count: int, path: Path) -> None:
-    """Refuse a sheet in a format for numbers: its captions and borders have none."""
-    from ..targets.runner.pictures import keeps_numbers
-
-    if count > 1 and keeps_numbers(path):
-        raise click.UsageError(
-            f"`{path}` keeps the numbers of one picture, and there are {count}: name one "
-            "--material, --rig, --pass and route"
         )
 
 

@@ -35,6 +35,8 @@ class Request(NamedTuple):
     on: tuple[str, ...]
     device: str
     mesh: str
+    scene: Path | None
+    """A file whose objects frames draw."""
     instances: int
     """How many instances to draw if the material distinguishes them."""
     size: tuple[int, int]
@@ -171,7 +173,7 @@ def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
 
     reflection, scene = material.reflection, Scene()
     target_number(reflection, request.target)
-    mesh = _mesh(reflection, request, scene.eye)
+    mesh = _mesh(reflection, request, scene.camera.eye)
     return set_up(material.instance(), mesh, scene, request.size, request.background)
 
 

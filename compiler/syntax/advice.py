@@ -149,7 +149,7 @@ class Advice(TokenView):
                 entry = f"{previous.text} : {following.text}"
                 said = f"the kind of a light follows `:`: `{entry}`"
                 return self.replace(said, index, index, ":")
-        if expected == {"="} and found.kind == ":":
+        if expected <= {"=", "."} and found.kind == ":":
             said = f"a value follows `=`: `{previous.text} = …`"
             return self.replace(said, index, index, "=")
         if found.kind == "=" and within == "struct":

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ..runner.cameras import looking
 from ..runner.instances.instance import Instance
 from ..runner.kernels import full_screen_state, has_images
 from ..runner.meshes import Mesh, cube, plane, sphere, torus
@@ -153,7 +154,7 @@ def _stretched(
 ) -> Case:
     """Scaled differently along each axis, with all lights, close to the mesh and inside it."""
     scene = Scene(
-        eye=(-0.7, 1.1, 2.6),
+        looking(eye=(-0.7, 1.1, 2.6)),
         object_to_world=_turned_and_stretched(),
         light_distance=0.35,
         light_count=64,
@@ -165,21 +166,21 @@ def _stretched(
 
 def _behind(reflection: Mapping[str, Any], seed: int, size: Size, form: Mapping[str, Any]) -> Case:
     """Back faces, and as few lights as possible."""
-    scene = Scene(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0), light_count=0)
+    scene = Scene(looking(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0)), light_count=0)
     cells = max(3, round(4 * min(1.0, 4 * _divided_share(_sampled(form, seed)))))
     return _case("behind", _sampled(reflection, seed), plane(cells), scene, size)
 
 
 def _inside(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:
     """Walls around the eye, which the near and the far plane cut."""
-    scene = Scene(
+    camera = looking(
         eye=(0.35, -0.2, 0.4),
         look_at=(-0.5, 0.1, -0.6),
         near=0.8,
         far=1.5,
         fov=math.radians(75),
     )
-    return _case("inside", _sampled(reflection, seed), cube(), scene, size)
+    return _case("inside", _sampled(reflection, seed), cube(), Scene(camera), size)
 
 
 def _sampled(reflection: Mapping[str, Any], seed: int) -> Instance:

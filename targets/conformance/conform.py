@@ -14,7 +14,8 @@ from threading import Event
 from ...frozen import EMPTY
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import Device, DriverError
-from ..runner.frames.host import FrameSubject, PlanError, is_frame, is_shader
+from ..runner.frames.checking import PlanError
+from ..runner.frames.host import FrameSubject, is_frame, is_shader
 from ..runner.kernels import UndrawableError, is_drawn
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import EVERY_DRIVER, Route

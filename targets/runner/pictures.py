@@ -47,8 +47,8 @@ def keeps_numbers(path: Path) -> bool:
 
 
 def encoded_numbers(pixels: Floats, path: Path, *, lanes: int = 4) -> bytes:
-    """The file of a target's numbers, of shape (height, width, 4), in linear light; raises
-    ``PictureError``."""
+    """The file of a target's numbers, of shape (height, width, lanes or more), in linear light;
+    raises ``PictureError``."""
     form = format_of(path)
     assert form is not None
     return encoded_floats(pixels, lanes, path, form)

@@ -10,7 +10,7 @@ import math
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -20,98 +20,70 @@ from numpy.typing import NDArray
 
 from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
 from ...compiler.ir.stages import VERTICES
+from .cameras import Camera, Matrix, looking
 from .instances.instance import Instance
+from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
+from .looks import PLAIN, Look
 from .meshes import BONES, CHANNELS, Mesh, MeshError
 
-Matrix = NDArray[np.float64]
-"""Rows and columns as in mathematics: ``m[row, column]``."""
-
-Vector = tuple[float, float, float]
-
 _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
-_GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
 INSTANCES = 4
 """How many instances are drawn if the material distinguishes them."""
-
-_LIGHT_TINTS = ((1.0, 0.95, 0.85), (0.55, 0.75, 1.0), (1.0, 0.6, 0.45), (0.6, 1.0, 0.7))
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """The positions of camera, object and lights."""
+    """The positions of camera, object and lights, and what the object looks like."""
 
-    eye: Vector = (0.9, 0.8, 3.0)
-    look_at: Vector = (0.0, 0.0, 0.0)
-    fov: float = math.radians(38)
-    """The vertical angle of view from bottom to top."""
-    near: float = 0.1
-    far: float = 20.0
+    camera: Camera = field(default_factory=looking)
     object_to_world: tuple[tuple[float, ...], ...] = tuple(map(tuple, np.eye(4).tolist()))
     """The rows of the object's transform."""
     light_distance: float = 3.0
-    """The distance from the origin of lights that have a position."""
+    """The distance from the origin of lights that are made up and have a position."""
     light_count: int = 3
-    """How many lights an array of lights gets, if it has space for them."""
+    """How many lights are made up for an array of lights, if it has space for them."""
+    lamps: tuple[Lamp, ...] = ()
+    """The lights of a file; without any, lights are made up."""
+    look: Look = PLAIN
+    """What a file says about the object's surface."""
+    bones: Matrix | None = None
+    """The transform of each bone (bones, 4, 4); ``None`` for the bones of the meshes here."""
 
-    def apply(self, instance: Instance, aspect: float) -> None:
-        """Set all parameters that belong to a scene; ``aspect`` is width divided by height."""
+    def apply(self, instance: Instance, aspect: float, but: frozenset[str] = frozenset()) -> None:
+        """Set all parameters and textures that belong to a scene, but those with some names;
+        ``aspect`` is width divided by height."""
         given = {
-            "world_to_clip": _columns(self.world_to_clip(aspect)),
-            "eye": self.eye,
+            "world_to_clip": _columns(self.camera.world_to_clip(aspect)),
+            "eye": self.camera.eye,
             "object_to_world": _columns(np.array(self.object_to_world)),
-            "pose": pose(),
+            "pose": pose() if self.bones is None else _padded(self.bones),
+            **self.look.parameters,
         }
         for row in instance.reflection["parameters"]:
             role = _role(row)
-            if role in given:
+            if role in given and row["name"] not in but:
                 instance.set(row["name"], given[role])
+        for row in instance.reflection["textures"]:
+            word = scene_names()["textures"].get(row["library"], "")
+            if word in self.look.textures and row["name"] not in but:
+                instance.set(row["name"], self.look.textures[word])
         self._place_lights(instance)
 
-    def world_to_clip(self, aspect: float) -> Matrix:
-        """The projection times the view transform."""
-        return _perspective(self.fov, aspect, self.near, self.far) @ _look_at(
-            self.eye, self.look_at
-        )
+    def unused_lamps(self, instance: Instance) -> list[Lamp]:
+        """The lights of a file for which the rig has no place."""
+        return left_over(instance, self.lamps, _all_roles(instance))
 
     def _place_lights(self, instance: Instance) -> None:
-        """Set the parameters of all lights, including those of an array beyond its current count.
+        if self.lamps:
+            shine(instance, self.lamps, _all_roles(instance))
+        else:
+            make_up(instance, _all_roles(instance), self.light_distance, self.light_count)
 
-        So the count can be changed later.
-        """
-        lights = instance.reflection["lights"]
-        counts = [self._count(row) for row in lights]
-        total = sum(counts)
-        shining, spare = 0, total
-        for row, count in zip(lights, counts, strict=True):
-            further = (row["capacity"] or 1) - count
-            numbers = (*range(shining, shining + count), *range(spare, spare + further))
-            shining, spare = shining + count, spare + further
-            roles = dict(light_roles(instance.reflection, row))
-            placed = [
-                {member: self._light(role, number, total) for member, role in roles.items()}
-                for number in numbers
-            ]
-            if roles:
-                instance.set(row["name"], placed[0] if row["capacity"] is None else placed)
-            if row["count"] is not None:
-                instance.set(row["count"], count)
 
-    def _count(self, light: Mapping[str, Any]) -> int:
-        """How many lights a row of the reflection means."""
-        if light["capacity"] is None:
-            return 1
-        capacity: int = light["capacity"]
-        return capacity if light["count"] is None else min(capacity, self.light_count)
-
-    def _light(self, role: str, number: int, total: int) -> Vector:
-        """The value of light ``number`` of ``total`` for a role."""
-        towards = _light_direction(number)
-        if role == "place":
-            return _scaled(towards, self.light_distance)
-        if role == "towards_object":
-            return _scaled(towards, -1.0)
-        strength = 1.0 if total == 1 else 0.8 if number == 0 else 0.8 / (total - 1)
-        return _scaled(_LIGHT_TINTS[number % len(_LIGHT_TINTS)], strength)
+def _all_roles(instance: Instance) -> list[dict[str, str]]:
+    """What a scene sets of each light of the rig."""
+    reflection = instance.reflection
+    return [dict(light_roles(reflection, row)) for row in reflection["lights"]]
 
 
 def light_roles(
@@ -145,12 +117,12 @@ def _light_role(row: Mapping[str, Any]) -> str | None:
 
 
 def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
-    """The names of the parameters that a scene sets, including those of single lights."""
+    """The names of the parameters that every scene sets, including those of single lights."""
     found = {row["name"] for row in reflection["parameters"] if _role(row) in _OF_VIEWS}
     for light in reflection["lights"]:
         if light["capacity"] is None:
             roles = light_roles(reflection, light)
-            found.update(f"{light['name']}.{name}" for name, _ in roles)
+            found.update(f"{light['name']}.{name}" for name, role in roles if role in MADE_UP)
     return found
 
 
@@ -272,7 +244,7 @@ def placements(count: int) -> NDArray[np.float64]:
 
 def _places(count: int) -> NDArray[np.float64]:
     """Positions around the origin that do not hide each other, each with its own depth."""
-    turns = _GOLDEN_ANGLE * np.arange(count)
+    turns = GOLDEN_ANGLE * np.arange(count)
     ring = 0.75 * np.sqrt((np.arange(count) + 0.5) / count)
     depth = np.linspace(-0.4, 0.4, count) if count > 1 else np.zeros(1)
     return np.stack([ring * np.cos(turns), ring * np.sin(turns), depth], 1)
@@ -313,12 +285,15 @@ def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
     return values[:, :lanes]
 
 
+_BONES_OF_POSE = 64
+
+
 def pose() -> tuple[tuple[tuple[float, ...], ...], ...]:
     """A transform for each of 64 bones: the meshes here bend, each bone more than the last one.
 
     Every bone rotates around the origin of its own slice of the mesh; see ``meshes.BONES``.
     """
-    return tuple(_columns(_bent(min(number, BONES - 1))) for number in range(64))
+    return tuple(_columns(_bent(min(number, BONES - 1))) for number in range(_BONES_OF_POSE))
 
 
 def _bent(number: int) -> Matrix:
@@ -333,38 +308,12 @@ def _bent(number: int) -> Matrix:
     return bent
 
 
-def _light_direction(number: int) -> Vector:
-    """The direction from the object to a light: the first is at the upper left, the others all
-    around."""
-    height = 0.65 - 0.35 * (number % 4) / 4
-    angle = math.radians(-40) + _GOLDEN_ANGLE * number
-    ring = math.sqrt(1 - height * height)
-    return ring * math.sin(angle), height, ring * math.cos(angle)
-
-
-def _scaled(v: Vector, factor: float) -> Vector:
-    return v[0] * factor, v[1] * factor, v[2] * factor
-
-
 def _columns(matrix: Matrix) -> tuple[tuple[float, ...], ...]:
     """A matrix in the form that hosts set: column after column."""
     return tuple(tuple(column) for column in matrix.T.tolist())
 
 
-def _look_at(eye: Vector, look_at: Vector) -> Matrix:
-    back = np.subtract(eye, look_at)
-    back = back / np.linalg.norm(back)
-    right = np.cross([0.0, 1.0, 0.0], back)
-    right = right / np.linalg.norm(right)
-    view = np.eye(4)
-    view[:3, :3] = [right, np.cross(back, right), back]
-    view[:3, 3] = -view[:3, :3] @ np.array(eye)
-    return view
-
-
-def _perspective(fov: float, aspect: float, near: float, far: float) -> Matrix:
-    scale = 1 / math.tan(fov / 2)
-    depth = far / (near - far)
-    return np.array(
-        [[scale / aspect, 0, 0, 0], [0, scale, 0, 0], [0, 0, depth, near * depth], [0, 0, -1, 0]]
-    )
+def _padded(bones: Matrix) -> tuple[tuple[tuple[float, ...], ...], ...]:
+    """As many transforms as ``pose`` has, or more if there are more bones."""
+    rest = np.tile(np.eye(4), (max(_BONES_OF_POSE - len(bones), 0), 1, 1))
+    return tuple(_columns(bone) for bone in np.concatenate([bones, rest]))

@@ -10,6 +10,7 @@ from functools import cache
 import numpy as np
 
 from burnish.api import CompiledMaterial
+from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import Color, SceneState, set_up
@@ -57,13 +58,12 @@ def _material(file: str, pass_: str, hoist: bool, flip_y: bool) -> CompiledMater
 # --- the world -----------------------------------------------------------------------------------
 
 WORLD_SIZE = (96, 48)
-IN_FRONT = Scene(eye=(0.0, 0.0, 4.0), fov=2 * math.atan(0.5))
+IN_FRONT = Scene(looking(eye=(0.0, 0.0, 4.0), fov=2 * math.atan(0.5)))
 """A camera that sees 2 units up and down from the origin. There a unit is 12 pixels, and at z it is
 48 / (4 - z) pixels."""
 
 TURNED = Scene(
-    eye=IN_FRONT.eye,
-    fov=IN_FRONT.fov,
+    IN_FRONT.camera,
     object_to_world=((0, -1, 0, 0.25), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)),
 )
 """Rotates x to y, and then moves by a quarter to the right."""

@@ -24,6 +24,7 @@ from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.plan import bounds_of, to_targets
 from burnish.targets.runner.binding import pipeline
+from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.draw import (
     BlockSlot,
@@ -116,10 +117,11 @@ STRETCHED = ((1.1, -0.5, 0.0, 0.1), (0.6, 0.5, 0.1, -0.1), (0.0, 0.2, 0.8, 0.2),
 SCENES: Mapping[str, tuple[Mesh, Scene]] = {
     "sphere": (sphere(32, 16), Scene()),
     "stretched torus": (
-        torus(24, 16), Scene(eye=(-0.7, 1.1, 2.6), object_to_world=STRETCHED)
+        torus(24, 16), Scene(looking(eye=(-0.7, 1.1, 2.6)), object_to_world=STRETCHED)
     ),
     "inside": (
-        cube(), Scene(eye=(0.35, -0.2, 0.4), look_at=(-0.5, 0.1, -0.6), fov=math.radians(75))
+        cube(),
+        Scene(looking(eye=(0.35, -0.2, 0.4), look_at=(-0.5, 0.1, -0.6), fov=math.radians(75))),
     ),
 }  # fmt: skip
 
@@ -148,9 +150,9 @@ def block(scene: Scene) -> bytes:
     normal_matrix = np.linalg.inv(world[:3, :3]).T
     rows: list[Any] = [
         *world.T,
-        *scene.world_to_clip(SIZE[0] / SIZE[1]).T,
+        *scene.camera.world_to_clip(SIZE[0] / SIZE[1]).T,
         *((*column, 0) for column in normal_matrix.T),
-        (*scene.eye, 0),
+        (*scene.camera.eye, 0),
         (*VALUES["ka"], 0),
         (*VALUES["kd"], 0),
         (*VALUES["ks"], VALUES["power"]),

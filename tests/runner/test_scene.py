@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import burnish
+from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import (
     BONES,
     CHANNELS,
@@ -187,11 +188,12 @@ def test_an_input_that_is_called_like_a_channel_leaves_the_channel_alone(name: s
 
 def test_what_the_camera_sees() -> None:
     """What it looks at is in the middle. Depths are 0 at ``near`` and 1 at ``far``."""
-    scene = Scene(look_at=(0.5, 0.25, 0.0))
-    x, y, _depth, w = scene.world_to_clip(1.5) @ [*scene.look_at, 1]
+    middle = (0.5, 0.25, 0.0)
+    camera = looking(look_at=middle)
+    x, y, _depth, w = camera.world_to_clip(1.5) @ [*middle, 1]
     assert np.allclose((x, y), 0)
-    assert np.isclose(w, np.linalg.norm(np.subtract(scene.eye, scene.look_at)))
-    ahead = Scene(eye=(0.0, 0.0, 5.0)).world_to_clip(1.5)
+    assert np.isclose(w, np.linalg.norm(np.subtract(camera.eye, middle)))
+    ahead = looking(eye=(0.0, 0.0, 5.0)).world_to_clip(1.5)
     half = np.tan(np.radians(19))
     for distance, depth in ((0.1, 0.0), (20.0, 1.0)):
         corner = [1.5 * half * distance, half * distance, 5 - distance, 1]

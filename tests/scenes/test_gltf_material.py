@@ -13,6 +13,7 @@ import pytest
 
 import burnish
 from burnish import Texture
+from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.render import by_reference
 from burnish.targets.runner.scene import Scene
@@ -33,7 +34,7 @@ def middle(light: str, pass_: str = "Forward", **values: Any) -> list[float]:
     """The colour of the square's middle, at the origin, seen from (0, 0, 5)."""
     text = TEXT.format(light=light, pass_=pass_)
     compiled = burnish.compile(text, (), pass_="Shown").materials[0]
-    state = set_up(compiled.instance(), plane(2), Scene(eye=(0.0, 0.0, 5.0)), (SIDE, SIDE))
+    state = set_up(compiled.instance(), plane(2), Scene(looking(eye=(0.0, 0.0, 5.0))), (SIDE, SIDE))
     state.instance.set("ambient_light", (0, 0, 0))
     state.instance.set("normal_scale", 0)  # The nearest texel to a flat normal leans a little.
     for name, value in values.items():

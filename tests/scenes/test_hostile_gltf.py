@@ -294,7 +294,7 @@ def test_files_in_the_folder_are_read(tmp_path: Path) -> None:
     for uri in ("deep/er/%C3%A4%20b.bin", "./deep/er/ä b.bin", "near.bin"):
         made = triangle()
         made.whole["buffers"][0]["uri"] = uri
-        assert len(read_gltf(made.save(tmp_path)).models) == 1
+        assert len(read_gltf(made.save(tmp_path)).objects) == 1
 
 
 PICTURES: dict[str, tuple[Json, str]] = {
@@ -357,11 +357,11 @@ def test_the_same_numbers_again_and_again(tmp_path: Path) -> None:
     )
 
 
-def test_too_many_models(tmp_path: Path) -> None:
+def test_too_many_objects(tmp_path: Path) -> None:
     made = triangle()
     made.whole["nodes"] = [{"mesh": 0}] * (2**16 + 1)
     made.whole["scenes"] = [{"nodes": list(range(2**16 + 1))}]
-    assert refused(made.save(tmp_path)) == "the scene has more than 65536 models"
+    assert refused(made.save(tmp_path)) == "the scene has more than 65536 objects"
 
 
 def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:

@@ -11,8 +11,7 @@ from functools import partial
 from ....frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.fixes import fix_it
-from ...diagnostics.source import Span
+from ...diagnostics.fixes import Hint, fix_it
 from ...ir import build
 from ...ir.binding import Moved, close, substitute
 from ...ir.node import (
@@ -95,16 +94,23 @@ def no_operands(_e: ast.FoldOver, _scope: Scope) -> tuple[ast.Expression, ...]:
 
 def fold_over(ctx: Context, e: ast.FoldOver, _operands: Sequence[Node], _scope: Scope) -> Failure:
     """``sum lamp in rig : e`` has a meaning in frames only."""
-    place = Span(e.over.span.source, e.over.span.start, e.over.span.start)
-    counted = fix_it(
-        f"a fold goes over a range: `{e.operator} {e.variable.text} in 0..{spanned(e.over.span)}`",
-        (place, "0.."),
-    )  # fmt: skip
     ctx.report.add(
         rules.FRAMES_ONLY, e.span, what=f"`{e.operator} … in` something that is no range",
-        hint=counted if e.operator in OPERATORS else "",
+        hint=_counted(e) if e.operator in OPERATORS else "",
     )  # fmt: skip
     return FAILURE
+
+
+def _counted(e: ast.FoldOver) -> Hint:
+    """How a fold over something else is written as one over a range."""
+    over = e.over
+    if isinstance(over, ast.Reference):
+        return "a fold counts numbers, `sum i in a..b : e`; a `term … per light` sums over lights"
+    if isinstance(over, ast.Call) and len(over.arguments) == 1:  # `range(4)`, as elsewhere
+        over = over.arguments[0]
+    written = f"0..{over.span.text}"
+    said = f"a fold goes over a range: `{e.operator} {e.variable.text} in 0..{spanned(over.span)}`"
+    return fix_it(said, (e.over.span, written))
 
 
 def _folded(

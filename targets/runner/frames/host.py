@@ -16,16 +16,13 @@ from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..scene_state import CLEAR, SceneState, drawn_state
 from ..subject import Subject
+from .checking import PlanError, check_plan
 from .scenery import Model, Scenery
 
 VERSION = 1
 """The version of plans that this code executes."""
 
 Row = Mapping[str, Any]
-
-
-class PlanError(ValueError):
-    """A plan cannot be executed; the text tells people why."""
 
 
 class FrameSubject(Protocol):
@@ -86,25 +83,33 @@ class FrameHost:
     """The values of one frame."""
 
     def __init__(self, subject: FrameSubject, scenery: Scenery, size: tuple[int, int]) -> None:
-        """Raises ``PlanError`` for a plan of another version."""
+        """Raises ``PlanError`` for a plan of another version, or one that cannot be executed."""
         plan = subject.plan
         if plan.get("plan") != VERSION:
             raise PlanError(f"this is no plan of version {VERSION}")
+        check_plan(plan)
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery
         self.values = Instance(_as_reflection(plan))
         width, height = size
-        scenery.camera.apply(self.values, width / height)
+        scenery.scene.apply(self.values, width / height)
         self.values.set("size", size)
+        self._given: frozenset[str] = frozenset()
+        """The names of what has been set; a scene leaves that alone."""
         self._instances = [Instance(shader.reflection) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
 
+    def unused_lamps(self) -> list[str]:
+        """The names of the lights in the scene for which the frame's rig has no place."""
+        return [lamp.name for lamp in self.scenery.scene.unused_lamps(self.values)]
+
     def set_text(self, name: str, text: str) -> None:
         """Set something of the frame; or else of all shaders that have it, such as a material's
         parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
+        self._given |= {name}
         unknown = []
         for instance in (self.values, *self._instances):
             try:
@@ -201,13 +206,13 @@ class FrameHost:
         is_first: bool,
     ) -> FrameDraw:
         instance = self._instances[use["shader"]].copied()
-        camera = self.scenery.camera
+        scene = self.scenery.scene
         if model is not None:
-            camera = replace(camera, object_to_world=model.placement)
-        camera.apply(instance, size[0] / size[1])
+            scene = replace(
+                scene, object_to_world=model.placement, look=model.look, bones=model.bones
+            )
+        scene.apply(instance, size[0] / size[1], self._given)
         self._shine(instance, light)
-        for name, value in ({} if model is None else model.values).items():
-            instance.set(name, value)
         reads = self._give(instance, use, is_first)
         state = (
             triangle(instance, size) if model is None else drawn_state(instance, model.mesh, size)

@@ -1,23 +1,43 @@
 """What a frame draws: models with materials, seen by a camera.
 
-``burnish render`` makes a ``Scenery`` of built-in meshes; ``targets/runner/scenes`` makes one of a
-file.
+``burnish render`` makes a ``Scenery`` of built-in meshes, or by ``staging.py`` of a file.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass, field, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
+from ..cameras import Camera, Matrix, Vector, looking
+from ..looks import PLAIN, Look
 from ..meshes import MESHES, Mesh
-from ..scene import Scene, Vector
+from ..scene import Scene
 
 WHOLE = "scene"
 """What the frame calls all models of a scene; any other name is a tag."""
 
-_APART = 1.6
+Rows = tuple[tuple[float, ...], ...]
+"""A matrix, row by row."""
+
+FLOOR = "floor"
+"""By this name a frame asks for what lies below the others."""
+
+_APART = 2.2
 """How far the middles of models are apart that stand in a row."""
+_SIDE = 3.0
+"""How much further than the models the floor reaches, to all sides."""
+_MARGIN = 1.05
+"""How much more than a ball a camera sees that looks at it."""
+_NEAR = 0.05
+"""Where it begins to see, as a share of the distance to the ball's middle."""
+_FURTHER = 4.0
+"""How far behind the ball's middle it sees, in radii."""
+_VIEW = (0.25, 0.45, 1.0)
+"""The direction from the models to the camera."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -26,19 +46,21 @@ class Model:
 
     mesh: Mesh
     material: str
-    placement: tuple[tuple[float, ...], ...]
+    placement: Rows
     """The rows of the transform from object to world space."""
-    values: Mapping[str, Any] = field(default_factory=dict)
-    """Parameters and textures of the material, by name."""
+    look: Look = PLAIN
+    """What a file says about its surface."""
     tags: frozenset[str] = frozenset()
+    bones: Matrix | None = None
+    """The transform of each bone; ``None`` for the bones of the meshes here."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Scenery:
-    """Models and the camera that sees them."""
+    """Models, and the scene that they have in common."""
 
     models: tuple[Model, ...]
-    camera: Scene = field(default_factory=Scene)
+    scene: Scene = field(default_factory=Scene)
 
     def tagged(self, name: str) -> tuple[Model, ...]:
         """The models that a frame calls by a name, in the order in which they are drawn."""
@@ -46,23 +68,39 @@ class Scenery:
 
 
 def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: str) -> Scenery:
-    """One model of each material, side by side, in front of a camera that sees all of them.
+    """One model of each material, side by side on a floor, before a camera that sees all of them.
 
-    ``tags`` are the materials of the models that a frame asks for by each name.
+    ``tags`` are the materials of the models that a frame asks for by each name. The floor has the
+    material that only the name ``floor`` asks for, or the last one of all.
     """
-    width = _APART * (len(materials) - 1)
+    standing = [name for name in materials if name not in tags.get(FLOOR, ())] or list(materials)
+    width = _APART * (len(standing) - 1)
     shape = MESHES[mesh]()
-    models = tuple(
-        Model(
-            shape, material, _moved((_APART * number - width / 2, 0.0, 0.0)),
-            tags=frozenset(_tags_of(material, tags)),
-        )
-        for number, material in enumerate(materials)
-    )  # fmt: skip
-    usual = Scene()
-    further = 1 + width / 3
-    eye: Vector = (usual.eye[0], usual.eye[1] * further, usual.eye[2] * further)
-    return Scenery(models, Scene(eye=eye))
+    models = [
+        Model(shape, material, _moved((_APART * number - width / 2, 0.0, 0.0)))
+        for number, material in enumerate(standing)
+    ]
+    if materials:
+        below = tags.get(FLOOR, materials)[-1]
+        lowest = float(shape.channels["position"][:, 1].min())
+        models.append(Model(MESHES["plane"](), below, _lying(width / 2 + _SIDE, lowest)))
+    tagged = tuple(
+        replace(model, tags=frozenset(_tags_of(model.material, tags))) for model in models
+    )
+    reach = float(np.linalg.norm(shape.channels["position"], axis=1).max())
+    camera = overview(np.zeros(3), width / 2 + reach)
+    return Scenery(tagged, Scene(camera, light_distance=3 + width / 2))
+
+
+def overview(middle: NDArray[np.float64], radius: float) -> Camera:
+    """A camera that sees a ball from above."""
+    usual = looking()
+    assert usual.fov is not None
+    distance = _MARGIN * radius / math.sin(usual.fov / 2)
+    x, y, z = (middle + distance * np.array(_VIEW) / np.linalg.norm(_VIEW)).tolist()
+    at_x, at_y, at_z = middle.tolist()
+    near, far = _NEAR * distance, distance + _FURTHER * radius
+    return looking((x, y, z), (at_x, at_y, at_z), near=near, far=far)
 
 
 def _tags_of(material: str, tags: Mapping[str, Sequence[str]]) -> Iterator[str]:
@@ -71,6 +109,11 @@ def _tags_of(material: str, tags: Mapping[str, Sequence[str]]) -> Iterator[str]:
             yield name
 
 
-def _moved(by: Vector) -> tuple[tuple[float, ...], ...]:
+def _moved(by: Vector) -> Rows:
     x, y, z = by
     return (1.0, 0.0, 0.0, x), (0.0, 1.0, 0.0, y), (0.0, 0.0, 1.0, z), (0.0, 0.0, 0.0, 1.0)
+
+
+def _lying(half: float, height: float) -> Rows:
+    """Where a square that faces +z comes to lie so that it faces +y."""
+    return (half, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0, height), (0.0, -half, 0.0, 0.0), (0, 0, 0, 1.0)

@@ -115,8 +115,8 @@ def _damaged(path: Path, reason: str) -> PictureError:
 
 
 def encoded_floats(pixels: NDArray[np.float64], lanes: int, path: Path, form: Format) -> bytes:
-    """The file of a render target's contents, of shape (height, width, 4), of which so many lanes
-    count. Raises ``PictureError``."""
+    """The file of a render target's contents, of shape (height, width, lanes or more), of which so
+    many lanes count. Raises ``PictureError``."""
     shown = np.ascontiguousarray(_stored(pixels, lanes, path, form), np.float32)
     height, width, count = shown.shape
     import OpenImageIO

@@ -76,20 +76,20 @@ class _Frame:
         elif step.draws:
             self._run(step)
 
-    def _program(self, number: int) -> Any:
-        if number not in self._programs:
-            pipeline = self._job.pipelines[number]
-            make = link_kernel if pipeline.images or not pipeline.targets else link
+    def _program(self, drawn: FrameDraw) -> Any:
+        if drawn.pipeline not in self._programs:
+            pipeline = self._job.pipelines[drawn.pipeline]
+            make = link if drawn.dispatch is None else link_kernel
             program = make(self._context, self._functions, pipeline)
             self._owned.callback(program.release)
-            self._programs[number] = program
-        return self._programs[number]
+            self._programs[drawn.pipeline] = program
+        return self._programs[drawn.pipeline]
 
     def _draw(self, step: FrameStep) -> None:
         attachments = [*step.targets, *([step.depth] if step.depth is not None else [])]
         width, height = self._textures[attachments[0].texture].size(attachments[0].level)
         for drawn in step.draws:
-            self._program(drawn.pipeline)  # moderngl may bind a framebuffer when it links
+            self._program(drawn)  # moderngl may bind a framebuffer when it links
         with self._framebuffer(step):
             self._functions.glViewport(0, 0, width, height)
             for number, target in enumerate(step.targets):
@@ -131,7 +131,7 @@ class _Frame:
             return
         set_state(self._context, self._functions, pipeline, has_depth=step.depth is not None)
         set_blending(self._functions, pipeline.targets)
-        program = self._program(drawn.pipeline)
+        program = self._program(drawn)
         with (
             vertices(self._context, program, pipeline, draw) as array,
             self._bound(pipeline, drawn, draw),
@@ -142,7 +142,7 @@ class _Frame:
         (drawn,) = step.draws
         pipeline, dispatch = self._job.pipelines[drawn.pipeline], drawn.dispatch
         assert dispatch is not None
-        program = self._program(drawn.pipeline)
+        program = self._program(drawn)
         with self._bound(pipeline, drawn, dispatch):
             for number, (slot, image) in enumerate(zip(pipeline.images, step.images, strict=True)):
                 self._textures[image].bind_image(bound_at(slot.place, number))

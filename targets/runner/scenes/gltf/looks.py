@@ -6,10 +6,11 @@ draws them.
 
 from __future__ import annotations
 
+from ...looks import PLAIN, Look
 from ...textures.files import picture_in
 from ...textures.kinds import PictureError
 from ...textures.texture import Texture
-from ..records import PLAIN, Look, SceneError
+from ..records import SceneError
 from .accessors import Accessors
 from .folder import Folder
 from .schema import File, Image, Material, TextureInfo
@@ -17,7 +18,8 @@ from .schema import File, Image, Material, TextureInfo
 MAX_TEXELS = 2**27
 """The most texels of all pictures of a file together: 512 MB."""
 
-_FORMATS = {"image/png": "PNG", "image/jpeg": "JPEG"}
+_FORMATS = ("PNG", "JPEG")
+"""What pictures may be: other formats are no part of glTF."""
 
 
 class Looks:
@@ -91,7 +93,7 @@ class Looks:
 
     def _read(self, image: Image, is_color: bool, what: str) -> Texture:
         try:
-            array = picture_in(self._bytes(image, what), what, tuple(_FORMATS.values()))
+            array = picture_in(self._bytes(image, what), what, _FORMATS)
             self._left -= array.shape[0] * array.shape[1]
             if self._left < 0:
                 raise SceneError(f"{what}: all pictures have more than {MAX_TEXELS} texels")

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..records import Matrix, SceneError
+from ...cameras import Matrix
+from ..records import SceneError
 from .schema import Extras, File, Node
 
 

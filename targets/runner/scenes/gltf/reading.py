@@ -9,12 +9,16 @@ wrong with a file becomes a ``SceneError``, before much time or memory is spent.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from ...cameras import Camera, Matrix, Vector
+from ...lamps import Lamp
+from ...looks import Look
 from ...meshes import Mesh
-from ..records import Camera, Lamp, Matrix, Model, SceneError, Scenery, Vector
+from ..records import SceneError, SceneFile, SceneObject
 from . import schema
 from .accessors import Accessors
 from .container import SUPPORTED, open_file
@@ -23,16 +27,18 @@ from .looks import Looks
 from .meshes import MAX_VERTICES, is_drawn, mesh_of
 from .nodes import Placed, placed_nodes
 
-MAX_MODELS = 2**16
-"""The most models of a scene."""
+MAX_OBJECTS = 2**16
+"""The most objects of a scene."""
+
+_RIGHT_ANGLE = np.pi / 2
 
 
-def read_gltf(path: Path) -> Scenery:
+def read_gltf(path: Path) -> SceneFile:
     """What the scene of a ``.gltf`` or ``.glb`` file shows. Raises ``SceneError``."""
     file, binary = open_file(path)
     folder = Folder(path)
     accessors = Accessors(file, folder, binary)
-    return _Reader(file, accessors, Looks(file, folder, accessors)).scenery()
+    return _Reader(file, accessors, Looks(file, folder, accessors)).scene()
 
 
 class _Reader:
@@ -49,17 +55,17 @@ class _Reader:
         self._vertices = 0
         self._notes = self._left_out()
 
-    def scenery(self) -> Scenery:
-        models: list[Model] = []
+    def scene(self) -> SceneFile:
+        objects: list[SceneObject] = []
         for placed in self._nodes:
-            for model in self._models(placed):
-                models.append(model)
-                if len(models) > MAX_MODELS:
-                    raise SceneError(f"the scene has more than {MAX_MODELS} models")
+            for found in self._objects(placed):
+                objects.append(found)
+                if len(objects) > MAX_OBJECTS:
+                    raise SceneError(f"the scene has more than {MAX_OBJECTS} objects")
         cameras = [self._camera(placed) for placed in self._nodes if placed.node.camera is not None]
-        lights = [self._light(placed) for placed in self._nodes if placed.node.extensions.light]
+        lamps = [self._lamp(placed) for placed in self._nodes if placed.node.extensions.light]
         notes = dict.fromkeys([*self._notes, *self._looks.notes])
-        return Scenery(tuple(models), tuple(cameras), tuple(lights), tuple(notes))
+        return SceneFile(tuple(objects), tuple(cameras), tuple(lamps), tuple(notes))
 
     def _left_out(self) -> list[str]:
         """What the file has, and the scene has not."""
@@ -67,8 +73,8 @@ class _Reader:
         notes = [f"the extension {name} is left out" for name in unknown]
         return [*notes, *(["animations are left out"] if self._file.animations else [])]
 
-    def _models(self, placed: Placed) -> Iterator[Model]:
-        """A model for each primitive of a node's mesh."""
+    def _objects(self, placed: Placed) -> Iterator[SceneObject]:
+        """An object for each primitive of a node's mesh."""
         number, node = placed.node.mesh, placed.node
         if number is None:
             return
@@ -82,14 +88,14 @@ class _Reader:
                 self._notes.append(f"{what}: it consists of lines, and is left out")
                 continue
             weights = _weights(node, mesh, primitive)
-            yield Model(
+            look = self._looks.look(primitive.material, what)
+            yield SceneObject(
                 placed.name,
                 self._mesh(primitive, (number, index, weights), what),
                 placed.to_world if bones is None else np.eye(4),
-                self._looks.look(primitive.material, what),
+                _morphed(look) if primitive.targets else look,
                 placed.tags,
                 bones,
-                1.0 if primitive.targets else 0.0,
             )
 
     def _mesh(
@@ -130,17 +136,19 @@ class _Reader:
         if number >= len(self._file.cameras):
             raise SceneError(f"node {placed.number}: there is no camera {number}")
         camera = self._file.cameras[number]
-        name, to_world = camera.name or placed.name, _upright(placed)
+        to_world = _upright(placed)
+        eye = _vector(to_world[:3, 3])
+        view: Matrix = np.linalg.inv(to_world).astype(np.float64)
         if camera.type == "perspective" and (lens := camera.perspective):
             far = np.inf if lens.zfar is None else lens.zfar
             _check_depths(lens.znear, far, number)
-            return Camera(name, to_world, lens.znear, float(far), lens.yfov)
+            return Camera(eye, view, lens.znear, float(far), lens.yfov)
         if camera.type == "orthographic" and (flat := camera.orthographic):
             _check_depths(flat.znear, flat.zfar, number)
-            return Camera(name, to_world, flat.znear, flat.zfar, None, 2 * flat.ymag)
+            return Camera(eye, view, flat.znear, flat.zfar, None, 2 * flat.ymag)
         raise SceneError(f"camera {number}: it does not say what it sees")
 
-    def _light(self, placed: Placed) -> Lamp:
+    def _lamp(self, placed: Placed) -> Lamp:
         named = placed.node.extensions.light
         assert named is not None
         lights = self._file.extensions.punctual.lights
@@ -157,9 +165,14 @@ class _Reader:
             _vector(placed.to_world[:3, 3]),
             _vector(-_upright(placed)[:3, 2]),
             light.spot.inner_cone_angle,
-            light.spot.outer_cone_angle,
+            min(light.spot.outer_cone_angle, _RIGHT_ANGLE),
             light.range if light.range is not None else np.inf,
         )
+
+
+def _morphed(look: Look) -> Look:
+    """The look of a mesh whose channels ``morph_…`` already lead to the shape that it has."""
+    return replace(look, parameters={**look.parameters, "morph": 1.0})
 
 
 def _weights(

@@ -1,0 +1,96 @@
+"""Writes the pictures of frames: one, numbered ones, or one file that moves.
+
+``frames.py`` calls ``write_pictures``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .failures import fail
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from ..targets.runner.render import Floats
+
+MOVING = frozenset((".gif", ".webp", ".apng"))
+"""The endings of files that hold many pictures."""
+DURATION = 40
+"""For how many milliseconds such a file shows each of them."""
+
+
+def write_pictures(rows: Sequence[Sequence[Floats]], path: Path) -> list[Path]:
+    """Write what is shown of each frame, side by side; all files or none.
+
+    Each picture is a texture's first level, of shape (layers, height, width, lanes).
+    """
+    if len(rows) == 1:
+        return _write(path.parent, {path.name: _still(rows[0], path)})
+    if path.suffix.lower() in MOVING:
+        return _write(path.parent, {path.name: _moving(rows, path)})
+    digits = max(len(str(len(rows) - 1)), 3)
+    names = [f"{path.stem}-{number:0{digits}}{path.suffix}" for number in range(len(rows))]
+    files = {name: _still(row, path) for name, row in zip(names, rows, strict=True)}
+    return _write(path.parent, files)
+
+
+def _in_a_row(layers: Floats) -> Floats:
+    """The first level of a texture: its layers, or faces, side by side."""
+    import numpy as np
+
+    return np.concatenate(list(layers), axis=1)
+
+
+def _image(layers: Floats) -> Image:
+    from ..targets.runner.pictures import to_image
+
+    return to_image(_in_a_row(layers), lanes=layers.shape[-1])
+
+
+def _beside(images: Sequence[Image]) -> Image:
+    """Pictures next to each other."""
+    from PIL import Image as Pictures
+
+    whole = Pictures.new("RGB", (sum(i.width for i in images), max(i.height for i in images)))
+    left = 0
+    for image in images:
+        whole.paste(image, (left, 0))
+        left += image.width
+    return whole
+
+
+def _moving(rows: Sequence[Sequence[Floats]], path: Path) -> bytes:
+    """One file that shows a picture after the other."""
+    from ..targets.runner.pictures import encoded
+
+    first, *others = [_beside([_image(each) for each in row]) for row in rows]
+    further = {"save_all": True, "append_images": others, "duration": DURATION, "loop": 0}
+    return encoded(first, path, **further)
+
+
+def _still(row: Sequence[Floats], path: Path) -> bytes:
+    """One picture; or the numbers of one, if the format is one for numbers."""
+    from ..targets.runner.pictures import encoded, encoded_numbers, keeps_numbers
+
+    if not keeps_numbers(path):
+        return encoded(_beside([_image(each) for each in row]), path)
+    (pixels,) = map(_in_a_row, row)
+    return encoded_numbers(pixels, path, lanes=pixels.shape[-1])
+
+
+def _write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
+    from .output import write_file
+    from .replacing import replace_all
+
+    try:
+        if len(files) == 1:
+            ((name, content),) = files.items()
+            write_file(folder / name, content)
+        else:
+            replace_all(str(folder), files)
+    except OSError as error:
+        fail(f"cannot write `{error.filename or folder}`: {error.strerror or error}")
+    return [folder / name for name in files]

@@ -1,0 +1,83 @@
+"""Stages what a file shows for a frame: gives each object a material, and all of them a camera.
+
+``burnish render --scene`` calls ``staged``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..scene import Scene
+from ..scenes.records import SceneError, SceneFile, SceneObject
+from .scenery import WHOLE, Model, Scenery, overview
+
+
+def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> Scenery:
+    """The objects of a file, each with the material that is called like its own in the file, or
+    with the only one. Seen by the file's first camera, or by one that sees all of them.
+
+    ``names`` are those by which the frame asks for models. Raises ``SceneError``.
+    """
+    if not file.objects:
+        raise SceneError("the scene has nothing to draw")
+    if not materials:
+        raise SceneError("the frame draws no models")
+    models = tuple(_model(each, materials) for each in file.objects)
+    _check_tags(file, names)
+    middle, radius = _extent(file.objects)
+    camera = file.cameras[0] if file.cameras else overview(middle, radius)
+    distance = 3 * radius + float(np.linalg.norm(middle))
+    return Scenery(models, Scene(camera, light_distance=distance, lamps=file.lamps))
+
+
+def _model(found: SceneObject, materials: Sequence[str]) -> Model:
+    named = found.look.name
+    if named not in materials and len(materials) > 1:
+        said = f"the material {named!r}" if named else "no material"
+        raise SceneError(
+            f"{found.name!r} has {said} in the scene, and the frame draws {', '.join(materials)}: "
+            "call one of them like it, or let there be only one"
+        )
+    return Model(
+        found.mesh,
+        named if named in materials else materials[0],
+        tuple(map(tuple, found.object_to_world.tolist())),
+        found.look,
+        found.tags,
+        found.bones,
+    )
+
+
+def _check_tags(file: SceneFile, names: Sequence[str]) -> None:
+    known = dict.fromkeys(sorted(tag for each in file.objects for tag in each.tags))
+    for name in names:
+        if name != WHOLE and name not in known:
+            said = f"there are {', '.join(known)}" if known else "there are no tags"
+            raise SceneError(f"the frame draws `{name}`, and nothing has this tag: {said}")
+
+
+def _extent(objects: Sequence[SceneObject]) -> tuple[NDArray[np.float64], float]:
+    """The middle of all objects, and how far they reach from there."""
+    boxes = list(_boxes(objects))
+    low = np.min([low for low, _high in boxes], axis=0)
+    high = np.max([high for _low, high in boxes], axis=0)
+    return (low + high) / 2, max(float(np.linalg.norm(high - low)) / 2, 1e-6)
+
+
+def _boxes(
+    objects: Sequence[SceneObject],
+) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """The lowest and highest coordinates of each object in world space; of what bones move, as it
+    rests."""
+    for each in objects:
+        position = each.mesh.channels["position"]
+        ends = np.stack([position.min(axis=0), position.max(axis=0)])
+        corners = np.array([
+            (ends[i, 0], ends[j, 1], ends[k, 2], 1) for i in (0, 1) for j in (0, 1) for k in (0, 1)
+        ])  # fmt: skip
+        transform = each.object_to_world if each.bones is None else each.bones[0]
+        moved = (corners @ transform.T)[:, :3]
+        yield moved.min(axis=0), moved.max(axis=0)

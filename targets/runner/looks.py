@@ -1,0 +1,23 @@
+"""What a file says about one surface, by words that ``stdlib/scene.toml`` gives a meaning."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from .textures.texture import Texture
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Look:
+    """Values for parameters and textures of whichever material draws a model."""
+
+    name: str = ""
+    """The name of its material in the file."""
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    textures: Mapping[str, Texture] = field(default_factory=dict)
+
+
+PLAIN = Look()
+"""For what no file says anything about."""

@@ -1,0 +1,137 @@
+"""Plans: what examples are planned as, and errors that are planted in them."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from burnish.compiler.reflection.schema import validate_plan
+from burnish.targets.runner.frames.checking import PlanError, check_plan
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.scenery import in_a_row
+
+from ..golden import assert_golden
+from .kit import EXAMPLES, compiled, inputs_of, of_text
+
+GOLDEN = Path(__file__).parent / "golden"
+
+
+def lines(plan: dict[str, Any]) -> Iterator[str]:
+    """A plan in a form that people read."""
+    for number, row in enumerate(plan["textures"]):
+        layers = f" x {row['layers']}" if row["layers"] > 1 else ""
+        kept = ", kept" if row["kept"] else ""
+        yield f"texture {number}: {row['format']} {row['dimension']}{layers}{kept}: " + ", ".join(
+            row["results"]
+        )
+    for step in plan["steps"]:
+        yield ""
+        first = " (first frame only)" if step.get("only_first") else ""
+        yield f"{step['kind']} {step.get('name', '')}{first}"
+        for row in step["barriers"]:
+            yield f"  texture {row['texture']}: {row['from']} -> {row['to']}"
+        every = [*step.get("targets", []), *([step["depth"]] if step.get("depth") else [])]
+        for row in every:
+            place = f"[{row['layer']}]" if row["layer"] else ""
+            stored = "" if row["store"] else ", dropped"
+            yield f"  {row['load']} {row['name']} -> {row['texture']}{place}{stored}"
+        for row in inputs_of(step):
+            source = {k: v for k, v in row.items() if k != "name"}
+            yield f"  {row['name']} = {source}"
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_examples_are_planned_as_before(path: Path) -> None:
+    plan = compiled(path).plan
+    validate_plan(plan)
+    check_plan(plan)
+    assert_golden("\n".join(lines(plan)) + "\n", GOLDEN / f"{path.stem}.txt")
+
+
+def planted(plan: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Plans with one error each: a barrier that is missing, a wrong load, a texture for another."""
+    for s, step in enumerate(plan["steps"]):
+        for b in range(len(step["barriers"])):
+            wrong = copy.deepcopy(plan)
+            del wrong["steps"][s]["barriers"][b]
+            yield f"barrier {b} of step {s}", wrong
+        for t, target in enumerate(step.get("targets", [])):
+            wrong = copy.deepcopy(plan)
+            other = "clear" if target["load"] == "load" else "load"
+            wrong["steps"][s]["targets"][t]["load"] = other
+            yield f"load {t} of step {s}", wrong
+        for i, row in enumerate(inputs_of(step)):
+            if row.get("texture") is None:
+                continue
+            for texture in range(len(plan["textures"])):
+                if texture != row["texture"]:
+                    wrong = copy.deepcopy(plan)
+                    inputs_of(wrong["steps"][s])[i]["texture"] = texture
+                    yield f"texture {texture} for input {i} of step {s}", wrong
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_planted_errors_are_found(path: Path) -> None:
+    plan = compiled(path).plan
+    missed = []
+    for name, wrong in planted(plan):
+        try:
+            check_plan(wrong)
+        except PlanError:
+            continue
+        missed.append(name)
+    assert len(list(planted(plan))) > 5
+    assert not missed
+
+
+def test_a_plan_of_another_version_is_refused() -> None:
+    frame = compiled(EXAMPLES[0])
+
+    other = SimpleNamespace(name=frame.name, shaders=frame.shaders, plan={**frame.plan, "plan": 2})
+    scenery = in_a_row(["Clay", "Jade"], {}, "sphere")
+    with pytest.raises(PlanError, match="this is no plan of version 1"):
+        FrameHost(other, scenery, (8, 8))
+
+
+OVER = """
+material Clay { color = #a08060 }
+material Glass { color = #80c0ff  alpha = 0.3 }
+pass Panes : Forward blend alpha {}
+frame Both {
+    models scene
+    models panes : Glass
+    solid = Forward(scene)
+    both  = Panes(panes, solid)
+    output picture = both.color
+    OUTPUT
+}
+"""
+
+
+def test_what_nobody_else_needs_is_drawn_over_in_place() -> None:
+    plan = of_text(OVER.replace("OUTPUT", "")).plan
+    assert [step["kind"] for step in plan["steps"]] == ["draw", "draw"]
+    assert plan["textures"][0]["results"] == ["solid.color", "both.color"]
+    assert [target["load"] for target in plan["steps"][1]["targets"]] == ["load"]
+    assert plan["steps"][1]["depth"]["load"] == "load"
+
+
+def test_what_others_need_is_copied_before() -> None:
+    plan = of_text(OVER.replace("OUTPUT", "output before = solid.color")).plan
+    assert [step["kind"] for step in plan["steps"]] == ["draw", "copy", "draw"]
+    check_plan(plan)
+
+
+def test_results_share_textures() -> None:
+    """Of the example with the most steps, at most 60 % of the memory of its results is needed."""
+    sums = {}
+    for path in EXAMPLES:
+        plan = compiled(path).plan
+        results = [row for row in plan["results"] if row["texture"] is not None]
+        sums[len(plan["steps"])] = len(plan["textures"]) / len(results)
+    assert sums[max(sums)] <= 0.6
