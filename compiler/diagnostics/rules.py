@@ -876,8 +876,8 @@ NO_FORMAT = _error(
 CAPTURES_AND_DRAWS = _error(
     "B0560",
     "`{name}` captures vertices, so it draws nothing",
-    "A pass that captures has no render targets, no layers of them and no `raster`, and discards "
-    "nothing. Draw in another pass.",
+    "A pass that captures has no render targets, no layers of them, no `raster` and no `depth`, "
+    "and discards nothing. Draw in another pass.",
 )
 CANNOT_CAPTURE = _error(
     "B0561",

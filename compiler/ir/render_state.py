@@ -12,6 +12,18 @@ from ...frozen import frozen
 
 Cull = Literal["none", "back", "front"]
 """Which faces are not drawn; the front is counter-clockwise."""
+Compare = Literal[
+    "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
+]
+"""How the depth of a fragment, on the left, has to compare with the one that is there."""
+
+
+@frozen
+class DepthState:
+    """Which fragments the depth test lets through, and whether their depths are kept."""
+
+    compare: Compare = "less"
+    write: bool = True
 
 
 @frozen
@@ -20,3 +32,4 @@ class RenderState:
     anything of."""
 
     cull: Cull = "none"
+    depth: DepthState = DepthState()

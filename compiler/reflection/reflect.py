@@ -10,6 +10,7 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
+from ..ir.render_state import RenderState
 from ..ir.shader import AttributeInfo, MeshInput, Shader
 from ..ir.stages import (
     EDGE_LEVEL,
@@ -76,7 +77,7 @@ def reflect(
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
-        "render_state": {"cull": shader.render_state.cull},
+        "render_state": _render_state_row(shader.render_state),
         "capture": None if shader.capture is None else capture_row(shader),
         "vertex_inputs": [
             *_vertex_input_rows(shader.attributes, program),
@@ -86,6 +87,14 @@ def reflect(
         "varyings": list(_varying_rows(program)),
         "targets": list(_target_rows(shader)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
+    }
+
+
+def _render_state_row(state: RenderState) -> dict[str, Any]:
+    """What a host sets of the pipeline, as the pass asks for it."""
+    return {
+        "cull": state.cull,
+        "depth": {"compare": state.depth.compare, "write": state.depth.write},
     }
 
 

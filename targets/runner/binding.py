@@ -77,7 +77,7 @@ def pipeline(
     """
     backend = reflection["backends"][route.profile]
     on_vulkan = EVERY_DRIVER[route.driver].module == "vulkan"
-    images = backend["images"]
+    images, state = backend["images"], reflection["render_state"]
     return Pipeline(
         stages=codes.stages,
         inputs=tuple(
@@ -107,7 +107,9 @@ def pipeline(
         layers=_layers(reflection["draw"]["layers"]),
         primitive=reflection["draw"]["topology"],
         patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
-        cull=reflection["render_state"]["cull"],
+        cull=state["cull"],
+        depth_compare=state["depth"]["compare"],
+        depth_write=state["depth"]["write"],
         flip_y=backend["flip_y"],
         # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
         front_face="ccw" if on_vulkan else backend["front_face"],

@@ -116,6 +116,9 @@ _COVER = plane(1)
 DRAWINGS: Mapping[str, Drawing] = {
     "world": Drawing("world.burnish", "World", _world(), WORLD_SIZE, IN_FRONT),
     "turned": Drawing("world.burnish", "World", _world(), WORLD_SIZE, TURNED),
+    "last on top": Drawing("world.burnish", "LastOnTop", _world(), WORLD_SIZE, IN_FRONT),
+    "nothing hidden": Drawing("world.burnish", "NothingHidden", _world(), WORLD_SIZE, IN_FRONT),
+    "farther": Drawing("world.burnish", "Farther", _world(), WORLD_SIZE, IN_FRONT),
     "cells": Drawing("clip.burnish", "Marks", CELLS, _CELLS_SIZE),
     "without back": Drawing("clip.burnish", "WithoutBack", CELLS, _CELLS_SIZE),
     "without front": Drawing("clip.burnish", "WithoutFront", CELLS, _CELLS_SIZE),

@@ -64,6 +64,10 @@ def _world() -> Iterator[Expectation]:
         ("the nearer wins, drawn last", (4, 24 + 20), NEAR_LAST),
     ]:
         yield Expectation(name, "world", pixel, (mark, None, None, None))
+    for drawing in ("last on top", "nothing hidden"):
+        yield Expectation(f"{drawing}: far", drawing, (4, 20), (FAR_LAST, None, None, None))
+        yield Expectation(f"{drawing}: near", drawing, (4, 24 + 20), (NEAR_LAST, None, None, None))
+    yield Expectation("nothing is farther than what is cleared", "farther", (4, 20), BARE)
     for name, pixel in [
         ("nothing at -x", (48 - 10, 24)),
         ("nothing below", (48, 24 + 16)),

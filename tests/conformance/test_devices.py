@@ -25,7 +25,7 @@ from burnish.targets.toolchain import Toolchain
 from ..cli.kit import invoke
 
 ROOT = Path(__file__).parents[2]
-FILES = ("examples/plastic.burnish", "examples/shadow_map.burnish", "examples/blending.burnish")
+FILES = tuple(f"examples/{name}.burnish" for name in ("plastic", "shadow_map", "blending", "x_ray"))
 SOFTWARE = "llvmpipe"
 """The name of lavapipe's device."""
 

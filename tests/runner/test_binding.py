@@ -41,6 +41,7 @@ pass Both : Forward blend add {
 
 pass Fronts : Both {
     raster { cull = back }
+    depth { compare = less_equal, write = false }
 }
 """
 
@@ -77,6 +78,7 @@ def test_where_places_are_numbers() -> None:
         RenderTarget("rgba8unorm-srgb", "alpha"),
     )
     assert (made.cull, made.front_face, made.first_row) == ("none", "ccw", "top")
+    assert (made.depth_compare, made.depth_write) == ("less", True)
     assert made.host_uniforms == ()
 
 
@@ -86,6 +88,7 @@ def test_where_places_are_names() -> None:
     (texture,) = made.textures
     assert (texture.texture, texture.sampler) == (Place("albedo", None, None), None)
     assert (made.cull, made.first_row) == ("back", "bottom")
+    assert (made.depth_compare, made.depth_write) == ("less_equal", False)
     assert made.host_uniforms == ("viewport_height",)
 
 

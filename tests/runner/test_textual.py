@@ -11,6 +11,7 @@ import pytest
 
 from burnish.targets.runner.drivers.draw import (
     Blend,
+    Compare,
     Cull,
     Job,
     RenderTarget,
@@ -88,6 +89,29 @@ def test_nearer_wins_in_any_order(api: str) -> None:
     draws = (mesh(near + far, paints), mesh(far + near, paints[::-1]))
     for picture in kit.asker(api).draw(Job(pipeline(api), draws)):
         assert (kit.pixels(picture) == GREEN).all()
+
+
+AT_HALF = ("less", "less_equal", "not_equal", "always")
+"""What lets a depth of 0.5 through where 1 is."""
+AT_ONE = ("equal", "less_equal", "greater_equal", "always")
+"""What lets a depth of 1 through there."""
+
+
+@pytest.mark.parametrize("compare", get_args(Compare))
+def test_depths_are_compared(api: str, compare: Compare) -> None:
+    chosen = replace(pipeline(api), depth_compare=compare)
+    draws = tuple(mesh([(x, y, z) for x, y in CORNERS], RED) for z in (0.5, 1.0))
+    drawn = [kit.pixels(p).any() for p in kit.asker(api).draw(Job(chosen, draws))]
+    assert drawn == [compare in AT_HALF, compare in AT_ONE]
+
+
+def test_depths_that_are_not_written_hide_nothing(api: str) -> None:
+    near, far = [(x, y, 0.25) for x, y in CORNERS], [(x, y, 0.75) for x, y in CORNERS]
+    draw = mesh(near + far, np.repeat([GREEN, RED], 3, axis=0))
+    for writes, seen in ((False, RED), (True, GREEN), (False, RED)):
+        chosen = replace(pipeline(api), depth_write=writes)
+        for picture in kit.asker(api).draw(Job(chosen, (draw, draw))):
+            assert (kit.pixels(picture) == seen).all()
 
 
 def test_equal_depth_keeps_the_first(api: str) -> None:

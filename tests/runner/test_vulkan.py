@@ -12,6 +12,7 @@ import pytest
 from burnish.targets.runner.drivers.draw import (
     Blend,
     BlockSlot,
+    Compare,
     Job,
     Place,
     RenderTarget,
@@ -140,6 +141,27 @@ def test_of_equally_near_ones_the_first_stays(vulkan: Asker) -> None:
 def test_depth_is_cleared_to_one(vulkan: Asker, depth: float, there: bool) -> None:
     picture = vulkan.one(flat_pipeline(), draw_of(quad(-1, -1, 1, 1, depth)))
     assert bool(picture.any()) == there
+
+
+AT_HALF = ("less", "less_equal", "not_equal", "always")
+"""What lets a depth of 0.5 through where 1 is."""
+AT_ONE = ("equal", "less_equal", "greater_equal", "always")
+"""What lets a depth of 1 through there."""
+
+
+@pytest.mark.parametrize("compare", get_args(Compare))
+def test_depths_are_compared(vulkan: Asker, compare: Compare) -> None:
+    pipeline = flat_pipeline(depth_compare=compare)
+    drawn = [
+        bool(vulkan.one(pipeline, draw_of(quad(-1, -1, 1, 1, depth))).any()) for depth in (0.5, 1.0)
+    ]
+    assert drawn == [compare in AT_HALF, compare in AT_ONE]
+
+
+def test_depths_that_are_not_written_hide_nothing(vulkan: Asker) -> None:
+    places, paints = quad(-1, -1, 1, 1, 0.25) + quad(-1, -1, 1, 1, 0.75), [RED] * 6 + [GREEN] * 6
+    pipeline = painted_pipeline(depth_write=False)
+    assert vulkan.one(pipeline, draw_of(places, paints))[3, 3].tolist() == GREEN
 
 
 SOURCE = np.array([0.5, 0.25, 1.0, 0.25])

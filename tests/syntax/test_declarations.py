@@ -253,7 +253,7 @@ def test_docs_stand_above_or_behind() -> None:
     assert isinstance(rig, ast.Rig)
     assert file.doc == "The file,\nin two lines."
     assert record.doc == "Above,\ntwice."
-    undocumented = ast.Discard | ast.Layers | ast.Raster | ast.Extent | ast.WorkGroup
+    undocumented = ast.Discard | ast.Layers | ast.Raster | ast.Depth | ast.Extent | ast.WorkGroup
     docs = [m.doc for m in record.members if not isinstance(m, undocumented)]
     assert docs == ["Above a.\nBehind a.", "Behind b.", "", ""]
     assert (rig.doc, rig.entries[0].doc) == ("Behind R.", "Behind e.")

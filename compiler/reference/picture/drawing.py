@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ...ir.render_state import DepthState
 from ...ir.shader import RenderTarget, Shader
 from ...ir.stages import DISCARD
 from ...ir.types import Type, width
@@ -130,7 +131,14 @@ class _Drawing:
         self._places = place_numbers(shader, geometry, self._faces) + canvas.places
         canvas.places = int(self._places.max(initial=canvas.places - 1)) + 1
         self._lanes = [width(type_) for _, type_ in written_by(shader)]
-        self._opaque = not shader.results_of(DISCARD) and canvas.is_opaque and canvas.has_depth
+        self._depth = shader.render_state.depth
+        self._nearest_wins = (
+            not shader.results_of(DISCARD)
+            and canvas.is_opaque
+            and canvas.has_depth
+            and self._depth == DepthState()
+        )
+        """Whether of several fragments at a pixel only the nearest one counts."""
         self._canvas = canvas
 
     @property
@@ -145,7 +153,7 @@ class _Drawing:
         every = (coverage.fragments, coverage.doubtful)
         fragments, doubtful = coverage.fragments, coverage.doubtful
         depth, off = depths_of(self._faces, fragments, self._rules)
-        if self._opaque:
+        if self._nearest_wins:
             sure = coverage.certain
             hides = Fragments(fragments.face[sure], fragments.pixel[sure]), (depth + off)[sure]
             doubtful = self._not_hidden(doubtful, *hides)
@@ -155,7 +163,8 @@ class _Drawing:
             depth, off = depth[winners], off[winners]
         canvas.undecided[doubtful.pixel] = True
         place = self._places[fragments.face]
-        canvas.draw(fragments.pixel, depth, off, place, self._shaded(fragments, progress))
+        shades = self._shaded(fragments, progress)
+        canvas.draw(fragments.pixel, depth, off, place, shades, self._depth)
         if hulls is not None:
             faces, pixels = (
                 np.concatenate([each.face for each in every]),

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...ir.render_state import DepthState
 from ...ir.shader import RenderTarget
 from ...ir.types import Type, width
 from ..bounds import Bounded
@@ -21,6 +22,16 @@ from .scene import Bools, Floats, Ints
 _MISSING = (0.0, 0.0, 0.0, 1.0)
 """The values of lanes that a format lacks."""
 
+
+COMPARISONS: Mapping[str, Callable[[Floats, Floats], Bools]] = {
+    "less": np.less,
+    "equal": np.equal,
+    "less_equal": np.less_equal,
+    "greater": np.greater,
+    "not_equal": np.not_equal,
+    "greater_equal": np.greater_equal,
+}
+"""How the depth of a fragment is compared with the one that is there."""
 
 Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
@@ -72,8 +83,8 @@ class Canvas:
         self._place = np.full(pixels, -1)
         """The number of the place of the face that was drawn last (``copies.py``)."""
         self._may_hide = np.ones(pixels)
-        """The nearest depth that a device may have for a fragment of which it is unsure whether it
-        was drawn."""
+        """The nearest depth that a device may have where it is unsure whether a fragment was
+        drawn."""
         self.layers = np.zeros(pixels, dtype=np.int64)
         """How many fragments were drawn."""
         self.undecided = np.zeros(pixels, dtype=np.bool_)
@@ -82,7 +93,15 @@ class Canvas:
         """Pixels that are undecided because of what has been drawn there so far."""
         self.is_opaque = all(state.blend == "none" for state in self._states)
 
-    def draw(self, pixel: Ints, depth: Floats, off: Floats, place: Ints, shades: Shades) -> None:
+    def draw(
+        self,
+        pixel: Ints,
+        depth: Floats,
+        off: Floats,
+        place: Ints,
+        shades: Shades,
+        test: DepthState,
+    ) -> None:
         """Draw fragments in their order; several may be of the same pixel.
 
         ``off`` says by how much a device's depths may differ, except between fragments of the same
@@ -90,34 +109,42 @@ class Canvas:
         """
         rank = _ranks(pixel)
         for layer in range(int(rank.max(initial=-1)) + 1):
-            self._draw_layer(pixel, depth, off, place, shades, np.flatnonzero(rank == layer))
+            members = np.flatnonzero(rank == layer)
+            self._draw_layer(pixel, depth, off, place, shades, members, test)
 
     def _draw_layer(
-        self, pixel: Ints, depth: Floats, off: Floats, place: Ints, shades: Shades, members: Ints
+        self,
+        pixel: Ints,
+        depth: Floats,
+        off: Floats,
+        place: Ints,
+        shades: Shades,
+        members: Ints,
+        test: DepthState,
     ) -> None:
         """Draw at most one fragment of each pixel."""
         at = pixel[members]
         before, new = self.depth[at], depth[members]
         margin = off[members] + self.depth_off[at]
-        nearer, close = new < before, np.abs(new - before) <= margin
-        doubtful = close & (place[members] != self._place[at])
-        if not self.has_depth:
-            nearer, doubtful = np.ones_like(nearer), np.zeros_like(doubtful)
-        hidden = ~nearer & ~doubtful
+        same = place[members] == self._place[at]
+        passes, doubtful = self._tested(test, new, before, margin, same)
+        hidden = ~passes & ~doubtful
         unsure = doubtful | (shades.undecided[members] & ~hidden)
-        if self.is_opaque:
+        if self.is_opaque and (test.write or not self.has_depth):
             # Whatever is behind a fragment that certainly wins is not undecided any more.
-            in_front = (new + off[members] < self._may_hide[at]) | (not self.has_depth)
-            wins = nearer & in_front & ~unsure & ~shades.discarded[members]
+            wins = passes & ~unsure & ~shades.discarded[members]
+            wins &= self._passes_in_any_case(test, new + off[members], at)
             self.shaky[pixel[members[wins]]] = False
         self.shaky[at] |= unsure
-        nearest_new = new - off[members]
-        self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], nearest_new[unsure])
-        drawn = members[nearer & ~shades.discarded[members]]
+        # It may have been drawn or not, so that either of the two depths may be there.
+        nearest_there = np.minimum(new - off[members], before - self.depth_off[at])
+        self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], nearest_there[unsure])
+        drawn = members[passes & ~shades.discarded[members]]
         at = pixel[drawn]
-        self.depth[at] = depth[drawn]
-        self.depth_off[at] = off[drawn]
-        self._place[at] = place[drawn]
+        if test.write:
+            self.depth[at] = depth[drawn]
+            self.depth_off[at] = off[drawn]
+            self._place[at] = place[drawn]
         self.layers[at] += 1
         rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)
         for target, colours, state, lanes in rows:
@@ -127,6 +154,30 @@ class Canvas:
             if state.blend != "none":
                 colour = self._rounded(state, _blended(state.blend, colour, target[:, at]))
             target[:, at, :lanes] = colour[..., :lanes]
+
+    def _tested(
+        self, test: DepthState, new: Floats, before: Floats, margin: Floats, same: Bools
+    ) -> tuple[Bools, Bools]:
+        """Which fragments the depth test lets through, and of which a device may say otherwise.
+
+        ``same`` says which of them are of the place whose depth is there, so that these depths are
+        equal on every device.
+        """
+        if not self.has_depth or test.compare in ("always", "never"):
+            passes = not self.has_depth or test.compare == "always"
+            return np.full(len(new), passes), np.zeros(len(new), np.bool_)
+        close: Bools = (np.abs(new - before) <= margin) & ~same
+        return COMPARISONS[test.compare](new, before), close
+
+    def _passes_in_any_case(self, test: DepthState, farthest: Floats, at: Ints) -> Bools:
+        """Which fragments the depth test lets through, whatever was drawn of what is unsure.
+
+        ``farthest`` is how far away a device may have each of them.
+        """
+        if not self.has_depth or test.compare == "always":
+            return np.ones(len(at), np.bool_)
+        passes: Bools = farthest < self._may_hide[at]
+        return passes & (test.compare in ("less", "less_equal"))
 
     def stored(self, target: int, colours: Ends) -> Ends:
         """Colours as one of the targets stores them, with all lanes."""

@@ -95,6 +95,10 @@ def _raster(span: Span, *settings: tuple[Name, Name]) -> members.Raster:
     return members.Raster(span, settings)
 
 
+def _depth(span: Span, *settings: tuple[Name, Name]) -> members.Depth:
+    return members.Depth(span, settings)
+
+
 def _work_group(span: Span, *sides: Expression) -> members.WorkGroup:
     return members.WorkGroup(span, sides)
 
@@ -218,6 +222,18 @@ KINDS: tuple[MemberKind, ...] = (
         contribution="result",
         form="a pass says which faces it draws by `raster { cull = back }`",
         doc="which faces a pass draws",
+    ),
+    MemberKind(
+        word="depth",
+        node=members.Depth,
+        productions={"depth": _depth},
+        opening=("{",),
+        records=("pass",),
+        inheritance="gathered",
+        contribution="result",
+        form="a pass says what it does with depths by `depth { compare = less, write = false }`, "
+        "where each of the two is optional",
+        doc="what a pass does with depths",
     ),
     MemberKind(
         word="capture",

@@ -113,6 +113,14 @@ class Raster:
 
 
 @frozen(eq=False)
+class Depth:
+    """``depth { compare = less_equal, write = false }``: what a pass does with depths."""
+
+    span: Span
+    settings: tuple[tuple[Name, Name], ...]
+
+
+@frozen(eq=False)
 class Capture:
     """``capture place : vec3 = e``: what a pass keeps of each vertex."""
 
@@ -247,8 +255,8 @@ class Output:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Raster | Capture
-    | Expand | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Raster | Depth
+    | Capture | Expand | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 

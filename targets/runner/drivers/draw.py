@@ -5,7 +5,7 @@ longer than drawing. ``runner.py`` sends jobs; names have already been resolved 
 values to bytes.
 
 The first row of a picture is the top one, whatever the API's framebuffer does. Each draw starts
-with a cleared picture and a depth of 1; the nearer fragment wins (``less``).
+with a cleared picture and a depth of 1.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ Wrap = Literal["repeat", "clamp", "mirror"]
 Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
-"""How the reference, on the left, is compared with a depth."""
+"""How the reference, or the depth of a fragment, on the left, is compared with a depth."""
 Blend = Literal["none", "alpha", "premultiplied", "add", "multiply"]
 Cull = Literal["none", "back", "front"]
 """Which triangles are not drawn."""
@@ -220,6 +220,9 @@ class Pipeline:
     patch_points: int = 0
     """How many vertices each patch has, where that is what the vertices are."""
     cull: Cull = "none"
+    depth_compare: Compare = "less"
+    """What the depth test lets through, where there are depths."""
+    depth_write: bool = True
     flip_y: bool = False
     """Whether the text negates clip y; a Vulkan driver chooses its viewport by it."""
     front_face: Literal["ccw", "cw"] = "ccw"

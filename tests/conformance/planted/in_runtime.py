@@ -134,8 +134,13 @@ def _blended(asked: Job) -> Job:
     return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
 
 
-def _front(asked: Job) -> Job:
-    return replace(asked, pipeline=replace(asked.pipeline, front_face="cw"))
+def _states(**state: Any) -> Callable[[Job], Job]:
+    """With some of a pipeline's state set to something else."""
+
+    def change(asked: Job) -> Job:
+        return replace(asked, pipeline=replace(asked.pipeline, **state))
+
+    return change
 
 
 def _textures_exchanged(draw: Draw) -> Draw:
@@ -188,6 +193,10 @@ PLANTED = [
     Planted("no levels", "textures: Levels", WGSL, job(_samplers(mip="none"))),
     Planted("flat from the last vertex", "pipeline: Crossing", GLSL,
             job(_draws(_last_vertex_first))),
-    Planted("clockwise front faces", "pipeline: Crossing", HLSL, job(_front)),
+    Planted("clockwise front faces", "pipeline: Crossing", HLSL, job(_states(front_face="cw"))),
+    Planted("both sides drawn", "pipeline: Backs", GLSL, job(_states(cull="none"))),
+    Planted("the other side drawn", "pipeline: Backs", WGSL, job(_states(cull="back"))),
+    Planted("depths written", "pipeline: Layers", HLSL, job(_states(depth_write=True))),
+    Planted("the nearest drawn", "pipeline: Latest", GLSL, job(_states(depth_compare="less"))),
     Planted("added instead of blended", "pipeline: Veil", GLSL, job(_blended)),
 ]  # fmt: skip

@@ -2,7 +2,7 @@
 
 import { bytes } from "./answers.mjs";
 import { clear, deleteScreen, makeScreen, readTarget, setBlending } from "./webgl2_screen.mjs";
-import { bindSampler, bindTexture } from "./webgl2_textures.mjs";
+import { bindSampler, bindTexture, COMPARES } from "./webgl2_textures.mjs";
 
 /** The picture of a draw: the format and the texels of each target. */
 export function drawPicture(gl, extensions, program, job, draw) {
@@ -21,7 +21,8 @@ export function drawPicture(gl, extensions, program, job, draw) {
 
 function setState(gl, job) {
   gl.enable(gl.DEPTH_TEST);
-  gl.depthFunc(gl.LESS);
+  gl.depthFunc(gl[COMPARES[job.depth_compare]]);
+  gl.depthMask(job.depth_write);
   (job.cull === "none" ? gl.disable : gl.enable).call(gl, gl.CULL_FACE);
   gl.cullFace(job.cull === "front" ? gl.FRONT : gl.BACK);
   gl.frontFace(job.front_face === "cw" ? gl.CW : gl.CCW);

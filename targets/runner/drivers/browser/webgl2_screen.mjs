@@ -55,6 +55,7 @@ export function deleteScreen(gl, { framebuffer, buffers }) {
 
 export function clear(gl, colors) {
   colors.forEach((color, at) => gl.clearBufferfv(gl.COLOR, at, color));
+  gl.depthMask(true);
   gl.clearBufferfv(gl.DEPTH, 0, [1]);
 }
 

@@ -22,7 +22,7 @@ const STORAGE = {
   "r32sint": ["R32I", "RED_INTEGER", "INT", Int32Array],
   "rgba32sint": ["RGBA32I", "RGBA_INTEGER", "INT", Int32Array],
 };
-const COMPARES = {
+export const COMPARES = {
   never: "NEVER", less: "LESS", equal: "EQUAL", less_equal: "LEQUAL",
   greater: "GREATER", not_equal: "NOTEQUAL", greater_equal: "GEQUAL", always: "ALWAYS",
 };

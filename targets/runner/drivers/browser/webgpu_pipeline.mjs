@@ -52,7 +52,11 @@ export async function makePipeline(device, job) {
       cullMode: job.cull,
       frontFace: job.front_face,
     },
-    depthStencil: { format: "depth32float", depthWriteEnabled: true, depthCompare: "less" },
+    depthStencil: {
+      format: "depth32float",
+      depthWriteEnabled: job.depth_write,
+      depthCompare: job.depth_compare.replace("_", "-"),
+    },
   });
   return { pipeline, layouts };
 }

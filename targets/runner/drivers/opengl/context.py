@@ -71,4 +71,6 @@ def create_context() -> moderngl.Context:
         install = tool_named("llvmpipe").install
         raise DriverError(f"there is no OpenGL 4.5: {error}; to install it: {install}") from None
     context.gc_mode = "auto"
+    # What is cleared or drawn in linear light is stored as the format of its target asks for.
+    context.enable_direct(GL_FRAMEBUFFER_SRGB)
     return context

@@ -99,8 +99,8 @@ def _picture(
         else Screen(context, functions, pipeline.targets, size)
     )
     try:
-        set_state(context, functions, pipeline)
         screen.clear(draw.clear)
+        set_state(context, functions, pipeline)
         screen.set_blending()
         if draw.indices:  # a buffer of no bytes cannot be made
             with bound_vertices(context, functions, program, pipeline, draw) as array:

@@ -12,6 +12,7 @@ from ..checks import lane_count
 from ..draw import Blend, Code, Cull, Pipeline, Primitive, StepMode, VertexInput
 from .device import Gpu
 from .formats import VERTICES
+from .texture_images import COMPARES
 
 CULL: dict[Cull, int] = {
     "none": vk.VK_CULL_MODE_NONE,
@@ -116,8 +117,8 @@ def make_pipeline(
             ),
             pDepthStencilState=vk.VkPipelineDepthStencilStateCreateInfo(
                 depthTestEnable=vk.VK_TRUE,
-                depthWriteEnable=vk.VK_TRUE,
-                depthCompareOp=vk.VK_COMPARE_OP_LESS,
+                depthWriteEnable=pipeline.depth_write,
+                depthCompareOp=COMPARES[pipeline.depth_compare],
             ),
             pColorBlendState=vk.VkPipelineColorBlendStateCreateInfo(pAttachments=blends),
             pDynamicState=vk.VkPipelineDynamicStateCreateInfo(pDynamicStates=dynamic),

@@ -103,7 +103,11 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
             "cull_mode": pipeline.cull,
             "front_face": pipeline.front_face,
         },
-        depth_stencil={"format": DEPTH, "depth_write_enabled": True, "depth_compare": "less"},
+        depth_stencil={
+            "format": DEPTH,
+            "depth_write_enabled": pipeline.depth_write,
+            "depth_compare": pipeline.depth_compare.replace("_", "-"),
+        },
     )
     return Made(handle, groups, layouts, buffers)
 
