@@ -198,6 +198,8 @@ class _Job:
     def _drawn(self, step: Row, is_first: bool) -> list[FrameStep]:
         barriers = self._barriers(step, is_first)
         draws = list(self._host.draws(step, is_first=is_first))
+        for draw in draws:
+            self._tell_counts(draw)
         every = [*step["targets"], *([step["depth"]] if step["depth"] else [])]
         layers = (
             [0]
@@ -244,6 +246,14 @@ class _Job:
         rows = self._host.shaders[shader].reflection[kind]
         return [row for row in rows if row["stages"]]
 
+    def _tell_counts(self, draw: HostDraw) -> None:
+        """Tell a shader how many elements there are in the buffers that kernels have written. The
+        zeros stay here: the shader reads the job's own buffer."""
+        for name, read in draw.reads.items():
+            if read.texture is None:
+                words = self._buffers[self._buffer_of[read.result]].words
+                draw.state.instance.set_bytes(name, bytes(words * WORD))
+
     def _bound(self, draw: HostDraw) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """For each texture and buffer that a shader reads, the job's own one or a new one."""
         textures = tuple(
@@ -258,6 +268,7 @@ class _Job:
 
     def _run(self, step: Row, is_first: bool) -> FrameStep:
         draw = self._host.kernel(step, is_first=is_first)
+        self._tell_counts(draw)
         barriers = self._barriers(step, is_first)
         instance, reflection = draw.state.instance, draw.state.instance.reflection
         textures, buffers = self._bound(draw)
