@@ -1,0 +1,217 @@
+"""Whole frames on every route that executes them, against values that are known from elsewhere.
+
+Both sides of a comparison execute the same plan, so a test must not believe it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.api import CompiledFrame
+from burnish.targets.runner.frames.by_reference import ReferenceFrames
+from burnish.targets.runner.frames.by_route import draw_frames
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.scenery import in_a_row
+from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
+
+from .kit import PROFILES, REFERENCE, Floats, Studio
+
+FRAME_ROUTES = {n: r for n, r in ROUTES.items() if EVERY_DRIVER[r.driver].draws_frames}
+SIZE = (8, 4)
+
+
+HEAD = """
+import std.frames.{FullScreen}
+"""
+
+NUMBERS = f"""{HEAD}
+pass Numbered : FullScreen {{
+    target value : rgba32f = vec4(floor(frag_coord.x), floor(frag_coord.y), uv.x, uv.y)
+}}
+pass Shifted : FullScreen {{
+    map source : texture2d with {{ filter = nearest, mip = none, wrap = clamp }}
+    target value : rgba32f = source.load(ivec2(frag_coord.xy) + ivec2(1, 2)) + vec4(100, 0, 0, 0)
+}}
+pass Added : FullScreen blend add {{
+    map source : texture2d with {{ filter = nearest, mip = none }}
+    param times : float = 1
+    target value : rgba16f = times * source.load(ivec2(frag_coord.xy))
+}}
+"""
+
+RAMP = np.stack(np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1])), axis=-1).astype(float)
+"""(height, width, 2): the column and the row of each pixel."""
+
+
+def outputs(text: str, where: str, studio: Studio, count: int = 1) -> list[dict[str, Floats]]:
+    """What some frames show, by a route or the reference."""
+    (frame,) = burnish.compile(text, PROFILES, partial=True).frames
+    host = _host(frame)
+    if where != REFERENCE:
+        return draw_frames(host, ROUTES[where], studio.runner, studio.toolchain, count)
+    drawing = ReferenceFrames(host)
+    names = [row["name"] for row in frame.plan["outputs"]]
+    found = []
+    for _ in range(count):
+        drawing.draw()
+        found.append({name: drawing.output(name).levels[0][0].copy() for name in names})
+    return found
+
+
+def _host(frame: CompiledFrame) -> FrameHost:
+    return FrameHost(frame, in_a_row([], {}, "sphere"), SIZE)
+
+
+EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
+WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if not name.endswith(":gl330"))]
+"""OpenGL 3.3 runs no kernels over buffers."""
+
+
+@EVERYWHERE
+def test_a_step_reads_what_another_has_left_with_its_first_row_at_the_top(
+    studio: Studio, where: str
+) -> None:
+    text = f"""{NUMBERS}
+    frame F {{
+        one = Numbered(screen)
+        two = Shifted(screen) with {{ source = one.value }}
+        output value = two.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    (layer,) = found["value"]
+    wanted = np.minimum(np.add(RAMP, [1, 2]), np.subtract(SIZE, 1))
+    assert layer[..., 0] == pytest.approx(wanted[..., 0] + 100)
+    assert layer[..., 1] == pytest.approx(wanted[..., 1])
+    assert layer[..., 3] == pytest.approx((wanted[..., 1] + 0.5) / SIZE[1], abs=1e-6)
+
+
+@EVERYWHERE
+def test_drawing_over_leaves_what_was_there_to_others(studio: Studio, where: str) -> None:
+    text = f"""{NUMBERS}
+    frame F {{
+        one = Numbered(screen)
+        two = Added(screen) with {{ source = one.value }}
+        three = Added(screen, two) with {{ source = one.value, times = 2 }}
+        output before = two.value
+        output after = three.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    assert found["before"][0][..., :2] == pytest.approx(RAMP)
+    assert found["after"][0][..., :2] == pytest.approx(3 * RAMP)
+
+
+@EVERYWHERE
+def test_layers_levels_and_faces_are_drawn_one_by_one(studio: Studio, where: str) -> None:
+    text = f"""{HEAD}
+    pass Filled : FullScreen {{
+        param filled : float
+        target value : rgba16f = vec4(filled, 0, 0, 1)
+    }}
+    pass Read : FullScreen {{
+        map layers : texture2d_array with {{ filter = nearest, mip = nearest }}
+        map faces  : texture_cube with {{ filter = nearest, mip = nearest }}
+        target value : rgba32f = vec4(
+            layers.load(ivec2(0), 2).r, faces.level(vec3(0, 1, 0), 0).r,
+            faces.level(vec3(0, 0, -1), 1).r, layers.load(ivec2(0), 0).r
+        )
+    }}
+    frame F {{
+        layers = each i in 0..3 : Filled(screen, 4) with {{ filled = float(i) + 1 }}
+        faces  = each level in mips(2) : each face in cube :
+            Filled(screen, 4) with {{ filled = float(10 * level + face) }}
+        read   = Read(screen) with {{ layers = layers.value, faces = faces.value }}
+        output value = read.value
+        output all = layers.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    assert found["value"][0][0, 0].tolist() == [3, 2, 15, 1]
+    assert found["all"][:, 0, 0, 0].tolist() == [1, 2, 3]
+
+
+@EVERYWHERE
+def test_a_frame_finds_what_the_last_one_left(studio: Studio, where: str) -> None:
+    text = f"""{NUMBERS}
+    pass Counted : FullScreen {{
+        map before : texture2d with {{ filter = nearest, mip = none }}
+        target value : rgba16f = before.load(ivec2(frag_coord.xy)) + 1
+    }}
+    frame F {{
+        first = Numbered(screen)
+        count = Counted(screen) with {{ before = previous(count.value, first.value) }}
+        plain = Counted(screen) with {{ before = previous(plain.value) }}
+        output value = count.value
+        output other = plain.value
+    }}"""
+    frames = outputs(text, where, studio, 3)
+    assert [frame["value"][0][1, 2, 0] for frame in frames] == [3, 4, 5]
+    assert [frame["other"][0][1, 2, 0] for frame in frames] == [1, 2, 3]
+
+
+@pytest.mark.parametrize("where", WITH_BUFFERS)
+def test_kernels_and_passes_feed_each_other(studio: Studio, where: str) -> None:
+    text = f"""{NUMBERS}
+    kernel Doubled {{
+        map source : texture2d
+        result image : image2d<rgba16f>[source.size()] = 2 * source.load(texel)
+    }}
+    kernel Squares {{ result squares : float[16] = float(index * index) }}
+    kernel Sums {{
+        buffer squares : float[]
+        result sums : float[squares.count] = squares[index] + squares[index - 1]
+    }}
+    kernel Shown {{
+        buffer sums : float[]
+        map doubled : texture2d
+        result image : image2d<rgba32f>[ivec2(16, 1)] = vec4(
+            sums[texel.x], doubled.load(ivec2(texel.x mod 8, 3)).xy, 0
+        )
+    }}
+    frame F {{
+        one     = Numbered(screen)
+        doubled = Doubled() with {{ source = one.value }}
+        squares = Squares()
+        sums    = Sums() with {{ squares = squares.squares }}
+        shown   = Shown() with {{ sums = sums.sums, doubled = doubled.image }}
+        output image = shown.image
+    }}"""
+    (found,) = outputs(text, where, studio)
+    numbers = np.arange(16)
+    row = found["image"][0][0]
+    assert row[:, 0] == pytest.approx(numbers**2 + np.maximum(numbers - 1, 0) ** 2)
+    assert row[:, 1] == pytest.approx(2 * (numbers % 8))
+    assert row[:, 2] == pytest.approx(6)
+
+
+@EVERYWHERE
+def test_depths_are_kept_and_read(studio: Studio, where: str) -> None:
+    text = f"""{HEAD}
+    material Slope {{ color = vec3(1) }}
+    pass Sloped {{
+        at : vec2 = @vertex position.xy
+        clip_position = @vertex (vec4(at, 0.25, 1) as point<clip>)
+        target seen : r8 = 1
+    }}
+    pass Compared : FullScreen {{
+        map depths : depth2d with {{ filter = nearest }}
+        target value : rgba8 = vec4(depths(uv, 0.2), depths(uv, 0.3), 0, 1)
+    }}
+    frame F {{
+        models scene
+        drawn = Sloped(scene)
+        compared = Compared(screen) with {{ depths = drawn.depth }}
+        output value = compared.value
+        output depth = drawn.depth
+    }}"""
+    (frame,) = burnish.compile(text, PROFILES, partial=True).frames
+    host = FrameHost(frame, in_a_row(["Slope"], {}, "plane"), SIZE)
+    if where == REFERENCE:
+        drawing = ReferenceFrames(host)
+        drawing.draw()
+        found = {name: drawing.output(name).levels[0][0] for name in ("value", "depth")}
+    else:
+        (found,) = draw_frames(host, ROUTES[where], studio.runner, studio.toolchain)
+    middle = SIZE[1] // 2, SIZE[0] // 2
+    assert found["depth"][0][middle][0] == pytest.approx(0.25)
+    assert found["value"][0][middle][:2].tolist() == [1, 0]
