@@ -199,7 +199,7 @@ def _on_snapped(
     """
     x, y = (snapped(places, rules) for places in window(corners, rules))
     whole = [(shares @ at[..., None])[..., 0] for at in (x, y)]
-    somewhere = np.isfinite(whole).all(axis=(0, 2))[:, None]
+    somewhere = np.isfinite(np.concatenate(whole, axis=1)).all(axis=1, keepdims=True)
     across, down = (np.where(somewhere, *each) for each in zip(whole, parts, strict=True))
     return across, down
 
