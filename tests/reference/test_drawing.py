@@ -173,6 +173,21 @@ def test_values_may_be_interpolated_between_snapped_places() -> None:
     assert snapped.targets[0][0, 0, 0] == pytest.approx(4.1 / 4)
 
 
+def test_a_corner_beside_the_eye_has_no_place_to_be_snapped_to() -> None:
+    """With w = 0 it is infinitely far to one side, but what is ahead of the eye is drawn."""
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    mesh = triangles([(-1, -1, 0, 1), (3, -1, 0, 1), (0, 1, 0, 0)], s=[0, 4, 2])
+    rules = at(2, subpixel_bits=8, clips_sides=True)
+    exact, snapped = (
+        picture(given, mesh, changed(rules, interpolates_snapped=answer)).targets[0][..., 0]
+        for answer in (False, True)
+    )
+    # A point of the plane is (1 - b, b, c) times the corners; x is 4 * b - 1, and y is c - 1.
+    b, c = np.array([0.125, 0.375]), np.array([[1.5], [0.5]])
+    assert exact == pytest.approx((4 * b + 2 * c) / (1 + c))
+    assert snapped == pytest.approx(exact)
+
+
 def test_corners_far_outside_are_snapped_with_larger_errors() -> None:
     """Float32 has steps of 0.001 there, so that a corner may be snapped to either side."""
     given = passing("attribute s : float\nvalue = vec4(s)")

@@ -140,7 +140,7 @@ def triangles_of(
     planes, shares = (across, down), np.broadcast_to(np.eye(3), clipped.weights.shape)
     if rules.interpolates_snapped:
         shares = _shares(positions[corners], clipped.weights)
-        planes = _on_snapped(positions[corners], shares, rules)
+        planes = _on_snapped(positions[corners], shares, rules, planes)
     # Snapping may reverse a sliver; then only the snapped positions are consistent.
     turned = (_twice_area(*planes) * area <= 0)[:, None]
     of_places = np.abs(clipped.weights) @ of_vertices[corners]
@@ -188,13 +188,20 @@ def _shares(corners: Floats, weights: Floats) -> Floats:
     return shares
 
 
-def _on_snapped(corners: Floats, shares: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
+def _on_snapped(
+    corners: Floats, shares: Floats, rules: RasterRules, parts: tuple[Floats, Floats]
+) -> tuple[Floats, Floats]:
     """The positions of parts' corners after the corners of whole triangles have been snapped.
 
     A part has no planes of its own: values are interpolated over the triangle that it was cut from.
+    But a corner of that may be just as far ahead as the eye, and so be nowhere in the window. Then
+    the positions are those of the ``parts``.
     """
     x, y = (snapped(places, rules) for places in window(corners, rules))
-    return (shares @ x[..., None])[..., 0], (shares @ y[..., None])[..., 0]
+    whole = [(shares @ at[..., None])[..., 0] for at in (x, y)]
+    somewhere = np.isfinite(np.concatenate(whole, axis=1)).all(axis=1, keepdims=True)
+    across, down = (np.where(somewhere, *each) for each in zip(whole, parts, strict=True))
+    return across, down
 
 
 def _kept(faces: Faces) -> Bools:
