@@ -9,6 +9,7 @@ from random import Random
 from . import declarations, kernels
 from .expansions import SPREAD, expansion
 from .expressions import FUEL, Writer
+from .frames import frame, render_states
 from .rules import GEOMETRIC, TYPES
 from .scope import (
     FRAGMENT,
@@ -112,8 +113,13 @@ class _Program:
         materials = list(self._materials(replace(outside, callables=usable)))
         passes = [self._any_pass(usable)] if writer.maybe(0.3) else []
         rigs = [declarations.rig(writer, own=own_light, any_number=self.has_buffers)]
+        frames = [
+            frame(writer, drawn, [*materials, drawn])
+            for drawn in passes
+            if drawn.name and writer.maybe(0.5)
+        ]
         imports = [Node(f"import {path}", optional=True) for path in dict.fromkeys(self.imports)]
-        items = [*imports, *self.file, *materials, *passes, *rigs]
+        items = [*imports, *self.file, *materials, *passes, *rigs, *frames]
         if writer.maybe(0.1):
             items.insert(0, Node("burnish 1", optional=True))
         return listed("{}\n", items, "\n", "file")
@@ -325,19 +331,22 @@ class _Program:
             before = replace(scope, leaves=scope.leaves[2:])
             items += expansion(writer, before, layers=writer.chance.choice((0, 2, 3)))
             scope = scope.having(SPREAD)
+        adds = writer.maybe(0.25)
         for number in range(writer.chance.randint(0, 2)):
             type_ = writer.chance.choice([*FORMATS])
             value = self._tamed(writer.expression(type_, scope, FUEL // 2))
             text = f"target o{number} : {writer.chance.choice(FORMATS[type_])} = {{}}"
-            if writer.maybe(0.3) or type_ != "vec4":
-                text += f" blend {self._blend(type_)}"
-            items.append(Node(text, (value,), role="target", optional=True))
+            if adds or writer.maybe(0.3) or type_ != "vec4":
+                text += f" blend {'add' if adds else self._blend(type_)}"
+            items.append(Node(text, (value,), role="target", optional=True, name=f"o{number}"))
         if writer.maybe(0.3):
             condition = writer.expression("bool", scope, FUEL // 2)
             items.append(Node("discard when {}", (condition,), role="discard", optional=True))
-        blend = f" blend {self._blend('vec4')}" if writer.maybe(0.4) else ""
+        items += render_states(writer)
+        blended = adds or writer.maybe(0.4)
+        blend = f" blend {'add' if adds else self._blend('vec4')}" if blended else ""
         form = f"pass Drawn : Forward{blend} {{{{\n    {{}}\n}}}}"
-        return replace(listed(form, items, "\n    ", "pass"), optional=True)
+        return replace(listed(form, items, "\n    ", "pass"), optional=True, name="Drawn")
 
     def _blend(self, type_: str) -> str:
         """How a target of a type is blended."""

@@ -1,0 +1,77 @@
+"""Random render states of passes, and random frames that draw with the pass of a program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from .expressions import FUEL, Writer
+from .scope import Scope, variable
+from .tree import Node, listed, walk
+
+FACES = ("none", "front", "back")
+COMPARISONS = ("less", "less_equal", "greater", "always")
+_NUMBERS = Scope((variable("amount", "float"), variable("float(many)", "float")))
+"""What a frame computes numbers of."""
+
+
+def render_states(writer: Writer) -> list[Node]:
+    """Which faces the pass of a program draws, and what it does with depths."""
+    found = []
+    if writer.maybe(0.2):
+        found.append(f"raster {{{{ cull = {writer.chance.choice(FACES)} }}}}")
+    if writer.maybe(0.2):
+        compare = f"compare = {writer.chance.choice(COMPARISONS)}"
+        found.append(f"depth {{{{ {compare}{writer.chance.choice(('', ', write = false'))} }}}}")
+    return [Node(text, optional=True) for text in found]
+
+
+def frame(writer: Writer, drawn: Node, program: Sequence[Node]) -> Node:
+    """A frame that draws all models with the pass ``drawn``, and shows each of its targets.
+
+    It declares the textures and buffers that parts of the ``program`` read, and computes some of
+    the pass's parameters.
+    """
+    bound = [*_bound(program)]
+    inputs = [Node(f"{each.name} = {each.name}") for each in bound]
+    inputs += _computed(writer, drawn)
+    with_ = listed(" with {{ {} }}", inputs, ", ") if inputs else Node("")
+    repeated = "sum lamp in rig : " if _adds(drawn) and writer.maybe(0.7) else ""
+    items = (
+        Node("param amount : float = 0.5"),
+        Node("param many : int in 1..4 = 2"),
+        Node("models scene"),
+        *bound,
+        Node(f"first = {repeated}Drawn(scene){{}}", (with_,)),
+        *(Node(f"output {name} = first.{name}") for name in _targets(drawn)),
+    )
+    made = listed("frame Shown {{\n    {}\n}}", items, "\n    ", "frame")
+    return replace(made, optional=True)
+
+
+def _bound(program: Sequence[Node]) -> Iterator[Node]:
+    """The textures without defaults, and the buffers, that a program declares."""
+    for part in program:
+        for _, node in walk(part):
+            if node.role == "buffer" or (node.role == "map" and " = " not in node.form):
+                keyword, name, _, type_ = node.form.split()[:4]
+                yield Node(f"{keyword} {name} : {type_}", name=name)
+
+
+def _computed(writer: Writer, drawn: Node) -> Iterator[Node]:
+    """Parameters of a pass to which the frame gives other numbers."""
+    for _, node in walk(drawn):
+        if node.role == "parameter" and node.form.split()[3] == "float" and writer.maybe(0.5):
+            number = writer.expression("float", _NUMBERS, FUEL // 4)
+            yield Node(f"{node.name} = {{}}", (number,), optional=True)
+
+
+def _targets(drawn: Node) -> Iterator[str]:
+    yield "color"
+    yield from (node.name for _, node in walk(drawn) if node.role == "target")
+
+
+def _adds(drawn: Node) -> bool:
+    """Whether a pass can be drawn once for each light: all of its targets are added up."""
+    targets = [node for _, node in walk(drawn) if node.role == "target"]
+    return all(" blend add" in each.form for each in (drawn, *targets))
