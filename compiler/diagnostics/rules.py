@@ -1083,7 +1083,8 @@ NOT_DRAWN = _error(
     "B0804",
     "a pass cannot draw this",
     "The first argument says what is drawn: models that the frame declares by `models name`, or "
-    "`screen`, which is one triangle over the whole result.",
+    "`screen`, which is one triangle over the whole result, or `vertices(n)`, as many vertices as "
+    "that which have nothing but their numbers.",
 )
 STEP_ARGUMENTS = _error(
     "B0805",
@@ -1150,4 +1151,16 @@ NOTHING_BEFORE = _error(
     "in the first frame, nothing has left `{name}`",
     "A buffer has as many elements as what made it says, and before the first frame nothing did. "
     "`previous(moved.after, seeded.after)` reads the second buffer in the first frame.",
+)
+NO_VERTEX_INPUTS = _error(
+    "B0816",
+    "`{step}` reads the vertex input `{input}`, and there are no models that have it",
+    "`screen` and `vertices(n)` draw vertices that have nothing but their numbers: the pass makes "
+    "all else of `vertex_index`, as `std.frames.FullScreen` does with `clip_position` and `uv`.",
+)
+NO_SHARED_VERTICES = _error(
+    "B0818",
+    "`{step}` draws {primitives}, and vertices without models are points or triangles",
+    "Lines, primitives with what lies next to them, and patches come of a mesh, whose triangles "
+    "have vertices in common. Vertices that have nothing but their numbers share none.",
 )

@@ -112,9 +112,11 @@ class Drawn:
     """What a step draws, one draw behind the other."""
 
     models: str
-    """Models of the host's scene; empty for one triangle over everything."""
+    """Models of the host's scene; empty for vertices that have nothing but their numbers."""
+    vertices: int | None
+    """The number of the value that says how many of these there are."""
     uses: tuple[Use, ...]
-    """A shader for each material that they may have."""
+    """A shader for each material that the models may have."""
     light: str = ""
     """The entry of the rig for each of whose lights this is drawn once more."""
 

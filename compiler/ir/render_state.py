@@ -25,6 +25,11 @@ class DepthState:
     compare: Compare = "less"
     write: bool = True
 
+    @property
+    def is_used(self) -> bool:
+        """Whether a pass has to do with depths at all: frames give it an attachment for them."""
+        return self.write or self.compare != "always"
+
 
 @frozen
 class RenderState:

@@ -120,8 +120,12 @@ class _Document:
 
     def _size_row(self, image: Image) -> dict[str, Any]:
         size = image.size
-        value = None if size.value is None else self._values[self._frame.values[size.value]]
+        value = None if size.value is None else self._value(size.value)
         return {"value": value, "extent_of": size.kernel or None, "level": size.level}
+
+    def _value(self, number: int) -> int:
+        """The row of one of the frame's values."""
+        return self._values[self._frame.values[number]]
 
     def _result_rows(self) -> Iterator[dict[str, Any]]:
         numbers = {planned.step: n for n, planned in enumerate(self._plan.steps)}
@@ -208,6 +212,7 @@ class _Document:
     def _drawn_row(self, drawn: Drawn) -> dict[str, Any]:
         return {
             "models": drawn.models or None,
+            "vertices": None if drawn.vertices is None else self._value(drawn.vertices),
             "light": drawn.light or None,
             "uses": [{"material": use.material or None, **self._use_row(use)}
                      for use in drawn.uses],
@@ -222,7 +227,7 @@ class _Document:
     def _input_row(self, given: Given) -> dict[str, Any]:
         source = given.source
         if isinstance(source, int):
-            return {"name": given.name, "value": self._values[self._frame.values[source]]}
+            return {"name": given.name, "value": self._value(source)}
         if isinstance(source, Previous):
             assert source.of is not None
             initial = source.initially

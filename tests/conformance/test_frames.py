@@ -215,3 +215,45 @@ def test_depths_are_kept_and_read(studio: Studio, where: str) -> None:
     middle = SIZE[1] // 2, SIZE[0] // 2
     assert found["depth"][0][middle][0] == pytest.approx(0.25)
     assert found["value"][0][middle][:2].tolist() == [1, 0]
+
+
+BARS = """
+fn column(number: int, corner: vec2) -> point<clip> =
+    (vec4((2 * float(number) + 2 * corner.x) / 8 - 1, 2 * corner.y - 1, 0.5, 1) as point<clip>)
+
+/// Two triangles for each column of pixels.
+pass Bars {
+    number = int(vertex_index / 6u)
+    corner = [vec2(0, 0), vec2(1, 0), vec2(1, 1), vec2(0, 0), vec2(1, 1), vec2(0, 1)]
+    clip_position = @vertex column(number, corner[int(vertex_index mod 6u)])
+    shade : float = @vertex float(number + 1)
+    depth { compare = always, write = false }
+    target value : rgba32f = vec4(shade, 0, 0, 1)
+}
+
+/// A point for each column of pixels.
+pass Points {
+    shade : float
+    expand point {
+        strip of 4 as i {
+            clip_position = column(int(vertex_index), vec2(float(i / 2), float(i mod 2)))
+            shade = float(vertex_index) + 1
+        }
+    }
+    target value : rgba32f = vec4(shade, 0, 0, 1)
+}
+"""
+
+
+@EVERYWHERE
+@pytest.mark.parametrize("drawn", ["Bars(vertices(6 * many + 2))", "Points(vertices(many))"])
+def test_vertices_are_drawn_that_no_model_has(studio: Studio, where: str, drawn: str) -> None:
+    text = f"""{HEAD}{BARS}
+    frame F {{
+        param many : int in 0..100 = 3
+        one = {drawn}
+        output value = one.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    shades = found["value"][0][..., 0]
+    assert shades.tolist() == [[1, 2, 3, 0, 0, 0, 0, 0]] * SIZE[1]

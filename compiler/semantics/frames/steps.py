@@ -30,8 +30,8 @@ from ...ir.frame import (
     Step,
     Use,
 )
-from ...ir.leaves import Parameter, Resource
-from ...ir.node import Node
+from ...ir.leaves import Attribute, Parameter, Resource
+from ...ir.node import Node, reachable
 from ...ir.shader import RenderTarget
 from ...ir.stages import EXTENT, IMAGE, TARGET
 from ...ir.types import INT, IVEC2
@@ -50,6 +50,12 @@ from .values import Made, Numbers, StepValue
 
 SCREEN = "screen"
 """One triangle over everything."""
+CORNERS = 3
+"""Its vertices."""
+VERTICES = "vertices"
+"""``vertices(n)``: as many as that, which have nothing but their numbers."""
+BARE = ("point", "triangle")
+"""What vertices without a mesh can make."""
 FACES = 6
 MOST_STEPS = 256
 """That one repetition may come to."""
@@ -94,6 +100,16 @@ class Around:
     def inside(self) -> Around:
         """One expression deeper."""
         return changed(self, depth=self.depth + 1)
+
+
+@frozen(eq=False)
+class What:
+    """What a pass draws: models with materials, or vertices without them."""
+
+    models: str = ""
+    materials: tuple[Symbol | None, ...] = (None,)
+    vertices: int | None = None
+    """The number of the value that says how many."""
 
 
 @record
@@ -440,14 +456,12 @@ class Steps:
                 hint=f"write `{symbol.name}({SCREEN})` for one triangle over everything",
             )  # fmt: skip
             return FAILURE
-        materials = self._materials(e.arguments[0])
+        what = self._what(e.arguments[0], around.scope)
         place = around.place or Place()
         name = self._unique(around.name + place.suffix)
         within = changed(around, name=name, place=None, light=False)
         inputs = self._inputs(given, within)
-        draws = (
-            None if materials is None else self._draws(symbol, materials, inputs, e, around.light)
-        )
+        draws = None if what is None else self._draws(symbol, what, inputs, e, around.light)
         over = self._where(e, changed(within, name=f"{name}.over"))
         if not draws or over is None or inputs.report_unknown(symbol.name):
             return FAILURE
@@ -461,19 +475,30 @@ class Steps:
         attachments = [*step.attachments, *([step.depth] if step.depth else [])]
         return {each.target: each.image for each in attachments}
 
-    def _materials(self, e: ast.Expression) -> tuple[str, tuple[Symbol | None, ...]] | None:
-        """What is drawn: the name of models and their materials, or nothing but a triangle."""
+    def _what(self, e: ast.Expression, scope: Scope) -> What | None:
+        """What is drawn, by the first argument of a pass; ``None`` after reporting what is wrong
+        with it."""
         name = e.name if isinstance(e, ast.Reference) else ""
         if name in self._models:
-            models = self._models[name]
-            return (name, models.materials) if models.materials else None
+            materials = self._models[name].materials
+            return What(name, materials) if materials else None
+        tree = self._ctx.tree
         if name == SCREEN:
-            return "", (None,)
-        known = [*self._models, SCREEN]
+            return self._vertices(build.constant(tree, INT, CORNERS))
+        match e:
+            case ast.Call(callee=ast.Reference(name=called), arguments=(count,)):
+                if called == VERTICES:
+                    node = node_of(self._ctx, count, scope)
+                    return self._vertices(fit(self._ctx, node, INT, "int", count.span))
+        known = [*self._models, SCREEN, f"{VERTICES}(n)"]
         self._ctx.report.add(
             rules.NOT_DRAWN, e.span, hint=f"there is {', '.join(f'`{each}`' for each in known)}"
         )
         return None
+
+    def _vertices(self, count: Node | Failure) -> What | None:
+        number = self.numbers.number(count)
+        return None if isinstance(number, Failure) else What(vertices=number)
 
     def _inputs(self, given: Replacements, around: Around) -> Inputs:
         def made(e: ast.Expression, name: str) -> Made:
@@ -488,27 +513,29 @@ class Steps:
     def _draws(
         self,
         symbol: Symbol,
-        drawn: tuple[str, tuple[Symbol | None, ...]],
+        what: What,
         inputs: Inputs,
         e: ast.Call,
         by_light: bool,
     ) -> list[Drawn] | None:
         """What a pass draws, one behind the other; ``None`` after reporting what is wrong."""
-        models, materials = drawn
         rig = self._shaders.rig.declaration
         lights = rig.entries if by_light and isinstance(rig, ast.Rig) else (None,)
         draws = []
         for light in lights:
             uses = []
-            for material in materials:
+            for material in what.materials:
                 shader = self._shaders.drawn(symbol, material, light)
                 if shader is None or (light and not self._is_added(shader, symbol, e)):
+                    return None
+                if material is None and not self._is_bare(shader, symbol, e):
                     return None
                 use = self._use(material.name if material else "", shader, symbol, inputs, e)
                 if use is None:
                     return None
                 uses.append(use)
-            draws.append(Drawn(models, tuple(uses), light.name.text if light else ""))
+            named = light.name.text if light else ""
+            draws.append(Drawn(what.models, what.vertices, tuple(uses), named))
         return draws
 
     def _is_added(self, shader: FrameShader, symbol: Symbol, e: ast.Call) -> bool:
@@ -516,6 +543,23 @@ class Steps:
         for result in shader.shader.results_of(TARGET):
             if result.state is not None and result.state.blend == "none":
                 self._ctx.report.add(rules.NOT_ADDED, e.span, target=result.name, step=symbol.name)
+                return False
+        return True
+
+    def _is_bare(self, shader: FrameShader, symbol: Symbol, e: ast.Call) -> bool:
+        """Whether a shader can be drawn without a mesh."""
+        span, step = e.arguments[0].span, symbol.name
+        expansion = shader.shader.expansion
+        primitive = expansion.primitive if expansion else "triangle"
+        if shader.shader.tessellation:
+            primitive = "patch"
+        if primitive not in BARE:
+            kinds = primitive.replace("_", " with ") + ("es" if primitive == "patch" else "s")
+            self._ctx.report.add(rules.NO_SHARED_VERTICES, span, step=step, primitives=kinds)
+            return False
+        for node in reachable(shader.shader.roots):
+            if isinstance(node.data, Attribute):
+                self._ctx.report.add(rules.NO_VERTEX_INPUTS, span, step=step, input=node.data.name)
                 return False
         return True
 
@@ -572,7 +616,8 @@ class Steps:
             for result in shader.shader.results_of(TARGET)
             if result.state is not None
         )
-        depth = attached(DEPTH, DEPTH_FORMAT, "") if draws[0].models else None
+        uses_depth = shader.shader.render_state.depth.is_used
+        depth = attached(DEPTH, DEPTH_FORMAT, "") if uses_depth else None
         return RenderStep(name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span)
 
     def _where(self, e: ast.Call, around: Around) -> Mapping[str, Image] | Size | None:

@@ -12,15 +12,20 @@ from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
+from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
-from ..scene_state import CLEAR, SceneState, drawn_state
+from ..meshes import Mesh
+from ..scene_state import SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
 from .scenery import Model, Scenery
 
 VERSION = 1
 """The version of plans that this code executes."""
+
+MOST_VERTICES = 1 << 24
+"""That a step draws without models: as many as float32 can tell apart."""
 
 Row = Mapping[str, Any]
 
@@ -72,11 +77,18 @@ class FrameDraw:
     """By the shader's name for a texture or a buffer."""
 
 
-def triangle(instance: Instance, size: tuple[int, int]) -> SceneState:
-    """A triangle whose vertices have nothing but their numbers."""
-    width, height = size
-    clear = (CLEAR,) * len(instance.reflection["targets"])
-    return SceneState(width, height, {}, np.arange(3)[None], instance, clear)
+def bare_mesh(count: int, primitive: str = "triangle") -> Mesh:
+    """Points or triangles whose vertices have nothing but their numbers."""
+    corners = CORNERS[primitive]
+    whole = np.arange(count - count % corners)
+    places = np.zeros((count, 3))
+    return Mesh(
+        {"position": places}, whole.reshape(-1, 3) if corners == 3 else np.empty((0, 3), int)
+    )
+
+
+KERNEL = bare_mesh(3)
+"""What is drawn where a kernel is drawn: all pixels of a texture."""
 
 
 class FrameHost:
@@ -165,7 +177,9 @@ class FrameHost:
         instance = self._instances[step["shader"]].copied()
         reads = self._give(instance, step, is_first)
         self._kernels[step["name"]] = instance
-        return FrameDraw(step["shader"], triangle(instance, (1, 1)), reads)
+        return FrameDraw(
+            step["shader"], SceneState(1, 1, {}, KERNEL.triangles, instance, ()), reads
+        )
 
     def _lights(self, entry: str | None) -> Sequence[tuple[str, int | None] | None]:
         """Each light of an entry of the rig, by its name and number."""
@@ -186,7 +200,11 @@ class FrameHost:
     ) -> Iterator[FrameDraw]:
         uses = {use["material"]: use for use in drawn["uses"]}
         if drawn["models"] is None:
-            yield self._one(uses[None], None, light, size, is_first)
+            count = self._vertex_count(drawn["vertices"])
+            primitive = self._instances[uses[None]["shader"]].reflection["draw"]["primitive"]
+            if count >= CORNERS[primitive]:
+                mesh = bare_mesh(count, primitive)
+                yield self._one(uses[None], None, mesh, light, size, is_first)
             return
         for model in self.scenery.tagged(drawn["models"]):
             if model.material not in uses:
@@ -195,12 +213,21 @@ class FrameHost:
                     f"a model of `{drawn['models']}` has the material {model.material}, and the "
                     f"frame draws {known}"
                 )
-            yield self._one(uses[model.material], model, light, size, is_first)
+            yield self._one(uses[model.material], model, model.mesh, light, size, is_first)
+
+    def _vertex_count(self, value: int) -> int:
+        """How many vertices a step draws without models. Raises ``PlanError`` for numbers that
+        nobody means."""
+        count = int(self.number(value))
+        if not 0 <= count <= MOST_VERTICES:
+            raise PlanError(f"a step would draw {count} vertices; it can draw 0 to {MOST_VERTICES}")
+        return count
 
     def _one(
         self,
         use: Row,
         model: Model | None,
+        mesh: Mesh,
         light: tuple[str, int | None] | None,
         size: tuple[int, int],
         is_first: bool,
@@ -214,10 +241,7 @@ class FrameHost:
         scene.apply(instance, size[0] / size[1], self._given)
         self._shine(instance, light)
         reads = self._give(instance, use, is_first)
-        state = (
-            triangle(instance, size) if model is None else drawn_state(instance, model.mesh, size)
-        )
-        return FrameDraw(use["shader"], state, reads)
+        return FrameDraw(use["shader"], drawn_state(instance, mesh, size), reads)
 
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; of a single one, that of its entry."""
