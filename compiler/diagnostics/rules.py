@@ -1156,7 +1156,7 @@ NO_VERTEX_INPUTS = _error(
     "B0816",
     "`{step}` reads the vertex input `{input}`, and there are no models that have it",
     "`screen` and `vertices(n)` draw vertices that have nothing but their numbers: the pass makes "
-    "all else of `vertex_index`, as `std.frames.FullScreen` does with `clip_position` and `uv`.",
+    "all else of `vertex_index`, also `clip_position`.",
 )
 NO_SHARED_VERTICES = _error(
     "B0818",
