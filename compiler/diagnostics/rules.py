@@ -1158,6 +1158,12 @@ NO_VERTEX_INPUTS = _error(
     "`screen` and `vertices(n)` draw vertices that have nothing but their numbers: the pass makes "
     "all else of `vertex_index`, also `clip_position`.",
 )
+NOT_BROUGHT = _error(
+    "B0819",
+    "`{name}` of a {record} cannot be what a step leaves",
+    "Only lights bring the steps that make their textures, such as a shadow map. For all else a "
+    "frame says by `with` what is read.",
+)
 NO_SHARED_VERTICES = _error(
     "B0818",
     "`{step}` draws {primitives}, and vertices without models are points or triangles",

@@ -75,12 +75,28 @@ def resource(ctx: Context, definition: Definition, name: str, group: str) -> Res
         )  # fmt: skip
         return None
     kind = kind_of(declared.type)
-    default = kind.defaults[0] if member.default is None else member.default.text
-    if member.default is not None and default not in kind.defaults:
-        unknown_word(ctx, "texture default", member.default, kind.defaults)
+    default = kind.defaults[0]
+    if member.brought is not None:
+        _check_bringer(ctx, definition)
+    elif member.default is not None:
+        default = member.default.text
+        if default not in kind.defaults:
+            unknown_word(ctx, "texture default", member.default, kind.defaults)
     state = _sampler_state(ctx, member, kind, declared.text)
     found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
     return ResourceInfo(found, member.doc, member.name.span)
+
+
+def _check_bringer(ctx: Context, definition: Definition) -> None:
+    """Report a texture that a step of its own record leaves, if that is no light's."""
+    declaration = definition.owner.declaration
+    assert isinstance(declaration, ast.Record | ast.Mixin)
+    assert isinstance(definition.member, ast.Map) and definition.member.default is not None
+    if declaration.kind != "light":
+        ctx.report.add(
+            rules.NOT_BROUGHT, definition.member.default.span, name=definition.member.name.text,
+            record=declaration.kind,
+        )  # fmt: skip
 
 
 def _sampler_state(ctx: Context, member: ast.Map, kind: Kind, type_: str) -> dict[str, str]:

@@ -6,9 +6,9 @@ needs, however long a chain they form.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from ....frozen import fresh, frozen, record
+from ....frozen import EMPTY, fresh, frozen, record
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
@@ -46,6 +46,13 @@ def is_previous(e: object) -> bool:
     return isinstance(callee, ast.Reference) and callee.name == PREVIOUS
 
 
+def is_brought(record: Record, name: str) -> bool:
+    """Whether a slot is a step that a light brings to frames, of which nobody else knows."""
+    declaration = record.symbol.declaration
+    assert isinstance(declaration, ast.Record | ast.Mixin)
+    return declaration.kind == "light" and Dependencies(record, Report()).is_step((name, OUTERMOST))
+
+
 @frozen
 class Need:
     """A slot that an expression needs."""
@@ -62,12 +69,16 @@ class Dependencies:
 
     record: Record
     report: Report
+    overrides: Mapping[str, Definition] = EMPTY
+    """What is said of slots from outside: of a light, by its rig."""
     known: dict[Key, bool] = fresh(factory=dict)
     """Slots that have been asked for, and whether they are steps."""
 
     def definition(self, key: Key) -> Definition | None:
         """What the frame says of a slot at a level or further up."""
         name, level = key
+        if level == OUTERMOST and name in self.overrides:
+            return self.overrides[name]
         found = (d for d in self.record.definitions.get(name, ()) if d.level >= level)
         return next(found, None)
 

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from ....frozen import frozen
 from ...diagnostics import rules
@@ -24,10 +25,11 @@ from ..shading.host_names import Entry, names_taken
 from ..shading.instances import instance_of
 from ..shading.rigs import entries_of
 from ..state.context import Context
-from ..state.scope import OUTERMOST, Failure, Instance, Scope
-from .dependencies import Dependencies, Key, Need
+from ..state.scope import OUTERMOST, Failure, Instance
+from .around import Around, Owner
+from .dependencies import Dependencies, Need
 from .shaders import Shaders
-from .steps import Around, ModelsOf, Steps
+from .steps import ModelsOf, Steps
 
 
 @frozen
@@ -57,9 +59,9 @@ class _Checking:
         self._instance: Instance = instance_of(ctx, self._record, self._leaves)
         taken = names_taken((self._leaves,), symbol.module)
         self._entries: list[Entry] = entries_of(ctx, around.rig, taken)
-        ctx.lights.named.update(self._single_lights())
+        lights = dict(self._single_lights())
+        ctx.lights.named.update((name, light.instance) for name, light in lights.items())
         self._models = self._all_models()
-        self._dependencies = Dependencies(self._record, around.report)
         root = root_of(symbol.module, "material")
         assert root is not None
         shaders = Shaders(
@@ -67,7 +69,8 @@ class _Checking:
             around.reached,
         )  # fmt: skip
         self._shaders = shaders
-        self._steps = Steps(ctx, self._instance, shaders, self._dependencies, self._models)
+        self._own = Owner(self._instance, Dependencies(self._record, around.report))
+        self._steps = Steps(ctx, self._own, lights, shaders, self._models)
 
     def frame(self) -> Frame | None:
         declaration, ctx = self._symbol.declaration, self._ctx
@@ -113,10 +116,18 @@ class _Checking:
 
     # --- what the frame draws, and under which lights ---
 
-    def _single_lights(self) -> Iterator[tuple[str, Instance]]:
+    def _single_lights(self) -> Iterator[tuple[str, Owner]]:
         for entry, leaves in self._entries:
             if entry.kind == "single":
-                yield entry.short_name, instance_of(self._ctx, entry.record, leaves)
+                light = instance_of(self._ctx, entry.record, leaves)
+                light.replaced.update(entry.replaced)
+                overrides = {
+                    name: each.definition
+                    for name, each in entry.replaced.items()
+                    if each.definition is not None
+                }
+                dependencies = Dependencies(entry.record, self._ctx.report, overrides)
+                yield entry.short_name, Owner(light, dependencies, entry.short_name)
 
     def _all_models(self) -> dict[str, ModelsOf]:
         return {
@@ -146,32 +157,15 @@ class _Checking:
     def _outputs(self) -> Iterator[Output]:
         """The outputs, with all steps that they need."""
         written = list(self._record.every(ast.Output))
-        self._check_steps(
-            [
-                need
-                for member, _owner, level in written
-                for need in self._dependencies.needs(member.value, level)
-            ]
-        )
+        needs = (self._own.dependencies.needs(member.value, level) for member, _, level in written)
+        self._steps.check(self._own, list(chain.from_iterable(needs)))
         for member, owner, level in written:
-            scope = self._scope(owner, level)
-            made = self._steps.made(member.value, Around(scope, member.name.text))
+            around = Around(self._own, self._own.scope(owner, level), member.name.text)
+            made = self._steps.made(member.value, around)
             if isinstance(made, Image | Elements):
                 yield Output(member.name.text, made, member.doc, member.name.span)
             elif not isinstance(made, Failure):
                 self._ctx.report.add(rules.NOT_LEFT, member.value.span, what="result of a step")
-
-    def _check_steps(self, needs: list[Need]) -> list[Key]:
-        """Check steps that nobody has asked for yet, each behind those that it needs."""
-        keys = [key for key in self._dependencies.ordered(needs) if key not in self._steps.values]
-        for key in keys:
-            definition = self._dependencies.definition(key)
-            assert definition is not None and isinstance(definition.member, ast.Slot)
-            written = definition.member.value
-            assert written is not None
-            scope = self._scope(definition.owner, definition.level)
-            self._steps.values[key] = self._steps.made(written, Around(scope, key[0]))
-        return keys
 
     def _check_rest(self, needed: tuple[Step, ...]) -> None:
         """Check what no output needs: other steps, and numbers."""
@@ -180,18 +174,15 @@ class _Checking:
             if not isinstance(member, ast.Slot):
                 continue
             key, span = (name, OUTERMOST), member.name.span
-            if not self._dependencies.is_step(key):
+            if not self._own.dependencies.is_step(key):
                 slot(self._ctx, self._instance, name, span)
-            elif key not in self._steps.values:
-                self._check_steps([Need(key, span, before=True)])
+            elif key not in self._own.values:
+                self._steps.check(self._own, [Need(key, span, before=True)])
                 if definitions[0].owner.module is self._around.module and needed:
                     self._warn(name, member)
 
     def _warn(self, name: str, member: ast.ReadMember) -> None:
         self._ctx.report.add(rules.NOT_NEEDED, member.name.span, name=name)
-
-    def _scope(self, owner: Symbol, level: int) -> Scope:
-        return Scope(owner.module, self._instance, level)
 
 
 def _is_record(symbol: Symbol, kind: str) -> bool:

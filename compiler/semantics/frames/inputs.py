@@ -112,7 +112,7 @@ class Inputs:
         if isinstance(source, Failure):
             return source
         if isinstance(wanted, ResourceInfo):
-            return self._texture(source, written, wanted)
+            return self.texture(source, written, wanted)
         return self._buffer(source, written, wanted)
 
     def _number(self, written: ast.Expression, wanted: ParameterInfo) -> Source | Failure:
@@ -123,9 +123,10 @@ class Inputs:
         value = node_of(self._ctx, written, self._scope)
         return self._numbers.number(as_declared(self._ctx, value, declared, written, self._scope))
 
-    def _texture(
+    def texture(
         self, source: Made, written: ast.Expression, wanted: ResourceInfo
     ) -> Source | Failure:
+        """What has been made as the texture that a shader reads."""
         type_ = wanted.resource.type
         assert isinstance(type_, Texture)
         return self._read(source, written, type_, "texture")

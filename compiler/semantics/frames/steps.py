@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import count
 
-from ....frozen import EMPTY, changed, fresh, frozen, record
+from ....frozen import changed, frozen, record
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
@@ -41,8 +41,10 @@ from ..declarations.fitting import fit
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
-from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Scope
-from .dependencies import PREVIOUS, Dependencies, Key, applied, is_previous
+from ..state.scope import FAILURE, OUTERMOST, Failure, Scope
+from .around import WHOLE, Around, Owner, Place
+from .bringing import Bringing
+from .dependencies import PREVIOUS, Key, Need, applied, is_previous
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .shaders import Shaders, required_of
@@ -63,43 +65,6 @@ DEEPEST = 48
 """How deep expressions about steps nest."""
 
 DEPTH_FORMAT = "depth32f"
-
-
-@frozen(eq=False)
-class Place:
-    """Into which layers and levels of its images a step draws that is repeated."""
-
-    dimension: ImageDimension = "2d"
-    layers: int = 1
-    layer: int = 0
-    levels: int = 1
-    level: int = 0
-    images: dict[str, Image] = fresh(factory=dict)
-    """Those that the first of the steps has made, and all others draw into as well."""
-    suffix: str = ""
-    """What tells the names of the steps apart."""
-
-
-WHOLE = Place()
-
-
-@frozen(eq=False)
-class Around:
-    """Where an expression about steps stands."""
-
-    scope: Scope
-    name: str
-    """What the step is called that the expression makes."""
-    states: Mapping[str, Made] = EMPTY
-    """What the states of ``iterate`` are."""
-    place: Place | None = None
-    light: bool = False
-    """Whether each draw is repeated for each light of the rig."""
-    depth: int = 0
-
-    def inside(self) -> Around:
-        """One expression deeper."""
-        return changed(self, depth=self.depth + 1)
 
 
 @frozen(eq=False)
@@ -126,22 +91,35 @@ class Steps:
     def __init__(
         self,
         ctx: Context,
-        instance: Instance,
+        frame: Owner,
+        lights: Mapping[str, Owner],
         shaders: Shaders,
-        dependencies: Dependencies,
         models: Mapping[str, ModelsOf],
     ) -> None:
+        """``lights`` are the single lights of the rig, by name."""
         self._ctx = ctx
-        self._instance = instance
+        self._frame = frame
+        self._bringing = Bringing(ctx, lights, self.check, self.made)
         self._shaders = shaders
-        self._dependencies = dependencies
         self._models = models
         self.numbers = Numbers()
         self.steps: list[Step] = []
-        self.values: dict[Key, Made] = {}
         self._names: set[str] = set()
         self._previous: list[tuple[Previous, ast.Call, Around]] = []
         self._later: list[Later] = []
+
+    def check(self, owner: Owner, needs: list[Need]) -> None:
+        """Check steps that nobody has asked for yet, each behind those that it needs."""
+        for key in owner.dependencies.ordered(needs):
+            if key in owner.values:
+                continue
+            definition = owner.dependencies.definition(key)
+            assert definition is not None and isinstance(definition.member, ast.Slot)
+            written = definition.member.value
+            assert written is not None
+            scope = owner.scope(definition.owner, definition.level)
+            name = f"{owner.name}.{key[0]}" if owner.name else key[0]
+            owner.values[key] = self.made(written, Around(owner, scope, name))
 
     # --- expressions ---
 
@@ -162,7 +140,7 @@ class Steps:
             case ast.Reference():
                 return self._named(e, around)
             case ast.Field(operand=ast.Reference(name="inherited")):
-                return self._slot((e.name.text, around.scope.level + 1), e.span)
+                return self._slot((e.name.text, around.scope.level + 1), e.span, around.owner)
             case ast.Field():
                 return self._left(self.made(e.operand, inside), e)
             case ast.Call() if is_previous(e):
@@ -182,15 +160,15 @@ class Steps:
     def _named(self, e: ast.Reference, around: Around) -> Made:
         if e.name in around.states:
             return around.states[e.name]
-        if e.name in self._instance.resources:
+        if around.owner is self._frame and e.name in self._frame.instance.resources:
             return FromHost(e.name)
-        return self._slot((e.name, OUTERMOST), e.span)
+        return self._slot((e.name, OUTERMOST), e.span, around.owner)
 
-    def _slot(self, key: Key, span: Span) -> Made:
-        if key in self.values:
-            return self.values[key]
-        definitions = self._instance.record.definitions
-        if key[0] in definitions and self._dependencies.is_step(key):
+    def _slot(self, key: Key, span: Span, owner: Owner) -> Made:
+        if key in owner.values:
+            return owner.values[key]
+        definitions = owner.instance.record.definitions
+        if key[0] in definitions and owner.dependencies.is_step(key):
             return FAILURE  # It needs itself, which has been reported.
         if key[0] in definitions:
             return self._no_step(span)
@@ -424,7 +402,7 @@ class Steps:
             if isinstance(source, Previous):
                 source = source.initially
             if isinstance(source, FromHost):
-                read = self._instance.resources[source.name]
+                read = self._frame.instance.resources[source.name]
                 level = build.constant(tree, INT, 0)
                 return tree.node("call", IVEC2, (read, level), SIZE)
             is_whole = isinstance(source, Image) and not source.size.level
@@ -507,7 +485,7 @@ class Steps:
             )
 
         return Inputs(
-            self._ctx, self._instance, self.numbers, made, given, around.scope, self._later
+            self._ctx, self._frame.instance, self.numbers, made, given, around.scope, self._later
         )
 
     def _draws(
@@ -576,7 +554,10 @@ class Steps:
                 rules.INPUT_MISSING, e.span, step=symbol.name, name=name.text,
                 labels=[Label(name.span, "declared here, without a default")],
             )  # fmt: skip
-        return None if found is None or missing else Use(material, shader, found)
+        brought = self._bringing.given(shader.shader, inputs, e)
+        if found is None or brought is None or missing:
+            return None
+        return Use(material, shader, (*found, *brought))
 
     def _step(
         self,
@@ -659,13 +640,14 @@ class Steps:
             e = e.operand
         if isinstance(e, ast.Reference):
             named = (e.name, OUTERMOST)
-            return e.name in around.states or self._dependencies.is_step(named)
+            return e.name in around.states or around.owner.dependencies.is_step(named)
         return applied(e, around.scope.module) is not None
 
     def _whole_size(self, e: ast.Call) -> Size | None:
         """The size of what the host shows: the frame's own ``size``."""
         reference = ast.Reference(e.span, "size")
-        return self._size(reference, Scope(self._instance.record.root.module, self._instance))
+        frame = self._frame.instance
+        return self._size(reference, Scope(frame.record.root.module, frame))
 
     def _size(self, written: ast.Expression, scope: Scope) -> Size | None:
         node = node_of(self._ctx, written, scope)

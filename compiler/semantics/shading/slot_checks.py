@@ -7,6 +7,7 @@ from ...diagnostics.nearest import nearest, respelt
 from ...syntax import ast
 from ..checking.lights import light_instance
 from ..checking.slots import slot
+from ..frames.dependencies import is_brought
 from ..inheritance.records import Definition, is_abstract
 from ..state.context import Context
 from ..state.scope import Instance
@@ -43,14 +44,15 @@ def check_rig(ctx: Context, surface: Instance) -> None:
     for entry in ctx.rig:
         instance, _ = light_instance(ctx, entry, surface)
         for name, replacement in entry.replaced.items():
-            if replacement.definition is not None:
+            if replacement.definition is not None and not is_brought(instance.record, name):
                 slot(ctx, instance, name, replacement.definition.member.name.span)
 
 
 def check_instance(ctx: Context, instance: Instance) -> None:
-    """Check every slot of an instance."""
+    """Check every slot of an instance; frames check the steps that lights bring them."""
     for name, definitions in instance.record.definitions.items():
-        if isinstance(definitions[0].member, ast.Slot):
+        is_slot = isinstance(definitions[0].member, ast.Slot)
+        if is_slot and not is_brought(instance.record, name):
             slot(ctx, instance, name, definitions[0].member.name.span)
 
 

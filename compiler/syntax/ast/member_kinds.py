@@ -78,9 +78,9 @@ class MemberKind:
 
 def _map(
     span: Span, doc: str, name: Name, type_: TypeName, group: Name | None, default: Name | None,
-    *state: tuple[Name, Name],
+    result: Name | None, *state: tuple[Name, Name],
 ) -> members.Map:  # fmt: skip
-    return members.Map(span, doc, name, type_, group, default, state)
+    return members.Map(span, doc, name, type_, group, default, result, state)
 
 
 def _untyped_slot(span: Span, doc: str, name: Name, value: Expression) -> members.Slot:

@@ -9,7 +9,7 @@ from typing import Literal, Protocol, get_args
 
 from ....frozen import frozen
 from ...diagnostics.source import Span
-from .expressions import Expression, Name, Turns, TypeName
+from .expressions import Expression, Field, Name, Reference, Turns, TypeName
 
 RecordKind = Literal["material", "light", "pass", "kernel", "frame"]
 RECORD_KINDS: tuple[RecordKind, ...] = get_args(RecordKind)
@@ -39,7 +39,18 @@ class Map:
     type: TypeName
     group: Name | None
     default: Name | None
+    """A word for what a host may bind that has no picture; or a step of the light's own."""
+    result: Name | None
+    """What that step leaves: in frames the light brings the texture itself."""
     state: tuple[tuple[Name, Name], ...]
+
+    @property
+    def brought(self) -> Field | None:
+        """The expression for what a step leaves, if that is what the texture is."""
+        if self.default is None or self.result is None:
+            return None
+        span = self.default.span
+        return Field(span.to(self.result.span), Reference(span, self.default.text), self.result)
 
 
 @frozen(eq=False)

@@ -1,0 +1,103 @@
+"""The textures that lights bring by steps of their own: a shadow map, drawn with its own camera.
+
+``steps.py`` asks for those that the shader of a step reads, and makes the steps that a light's
+equations say, where the first shader needs them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...ir.frame import Given, Source
+from ...ir.leaves import Resource
+from ...ir.node import reachable
+from ...ir.shader import ResourceInfo, Shader
+from ...syntax import ast
+from ..inheritance.records import Definition
+from ..state.context import Context
+from ..state.scope import FAILURE, Failure
+from .around import Around, Owner
+from .dependencies import Need
+from .inputs import Inputs
+from .shaders import inputs_of
+from .values import Made
+
+
+class Bringing:
+    """What the single lights of a rig bring to the steps of one frame."""
+
+    def __init__(
+        self,
+        ctx: Context,
+        lights: Mapping[str, Owner],
+        check: Callable[[Owner, list[Need]], None],
+        made: Callable[[ast.Expression, Around], Made],
+    ) -> None:
+        """``check`` makes the steps that an expression needs, and ``made`` says what it is."""
+        self._ctx = ctx
+        self._lights = lights
+        self._check = check
+        self._made = made
+        self._pending: list[str] = []
+        """The textures that are being made."""
+
+    def given(self, shader: Shader, inputs: Inputs, e: ast.Call) -> tuple[Given, ...] | None:
+        """The textures of lights that a shader reads and that its step is not given otherwise;
+        ``None`` after reporting one that nobody makes."""
+        found = []
+        for light in self._lights.values():
+            for name, info in _textures(light, shader):
+                host, written = info.resource.name, f"{light.name}.{name}"
+                if inputs.sets(host) or inputs.sets(written):
+                    continue
+                definition = light.instance.record.definitions[name][0]
+                assert isinstance(definition.member, ast.Map)
+                if definition.member.brought is not None:
+                    source = self._source(light, definition, info, inputs)
+                    if isinstance(source, Failure):
+                        return None
+                    found.append(Given(host, source))
+                elif definition.member.default is None:
+                    self._report_missing(written, shader, definition.member, e)
+                    return None
+        return tuple(found)
+
+    def _source(
+        self, light: Owner, definition: Definition, info: ResourceInfo, inputs: Inputs
+    ) -> Source | Failure:
+        """What a light's texture is, with all steps that make it."""
+        member = definition.member
+        assert isinstance(member, ast.Map) and member.brought is not None
+        written, name = member.brought, f"{light.name}.{member.name.text}"
+        if name in self._pending:
+            cycle = [*self._pending[self._pending.index(name) :], name]
+            self._ctx.report.add(
+                rules.FRAME_CYCLE, written.span, name=name, cycle=" → ".join(cycle)
+            )
+            return FAILURE
+        self._pending.append(name)
+        self._check(light, list(light.dependencies.needs(written, definition.level)))
+        around = Around(light, light.scope(definition.owner, definition.level), name)
+        source = inputs.texture(self._made(written, around), written, info)
+        self._pending.pop()
+        return source
+
+    def _report_missing(self, name: str, shader: Shader, member: ast.Map, e: ast.Call) -> None:
+        self._ctx.report.add(
+            rules.INPUT_MISSING, e.span, step=shader.pass_name, name=name,
+            labels=[Label(member.name.span, "declared here, without a default")],
+        )  # fmt: skip
+
+
+def _textures(light: Owner, shader: Shader) -> Iterator[tuple[str, ResourceInfo]]:
+    """The textures of a light that a shader reads, by the light's names for them."""
+    read = {n.data.name for n in reachable(shader.roots) if isinstance(n.data, Resource)}
+    inputs = inputs_of(shader)
+    for name, (definition, *_) in light.instance.record.definitions.items():
+        if isinstance(definition.member, ast.Map):
+            for host in (f"{light.name}.{name}", f"{shader.rig_name}.{light.name}.{name}"):
+                info = inputs.get(host)
+                if isinstance(info, ResourceInfo) and host in read:
+                    yield name, info
