@@ -1151,3 +1151,10 @@ NOTHING_BEFORE = _error(
     "A buffer has as many elements as what made it says, and before the first frame nothing did. "
     "`previous(moved.after, seeded.after)` reads the second buffer in the first frame.",
 )
+NOT_ON_HOST = _error(
+    "B0816",
+    "a host cannot compute {what}",
+    "The numbers of a frame are computed by the program that draws it, from parameters and the "
+    "sizes of textures. It has no `iterate` and no structures, and reads no texels: a pass or a "
+    "kernel does.",
+)

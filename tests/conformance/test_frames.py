@@ -215,3 +215,25 @@ def test_depths_are_kept_and_read(studio: Studio, where: str) -> None:
     middle = SIZE[1] // 2, SIZE[0] // 2
     assert found["depth"][0][middle][0] == pytest.approx(0.25)
     assert found["value"][0][middle][:2].tolist() == [1, 0]
+
+
+@EVERYWHERE
+def test_a_frame_gives_arrays_of_numbers_and_of_matrices(studio: Studio, where: str) -> None:
+    text = f"""{HEAD}
+    pass Chosen : FullScreen {{
+        param weights : float[3]
+        param turns   : mat2[2]
+        column = int(frag_coord.x)
+        target value : rgba32f = vec4(weights[column mod 3], turns[column mod 2] * vec2(1, 10), 0)
+    }}
+    frame F {{
+        param n : float = 2
+        turns  = [mat2(vec2(n, 0), vec2(1, 0)), mat2(vec2(0, n), vec2(0, 1))]
+        chosen = Chosen(screen) with {{ weights = [n, 2 * n, 7], turns = turns }}
+        output value = chosen.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    row = found["value"][0][0]
+    assert row[:, 0].tolist() == [2, 4, 7, 2, 4, 7, 2, 4]
+    assert row[:, 1].tolist() == [12, 0] * 4
+    assert row[:, 2].tolist() == [0, 12] * 4
