@@ -1158,15 +1158,22 @@ NO_VERTEX_INPUTS = _error(
     "`screen` and `vertices(n)` draw vertices that have nothing but their numbers: the pass makes "
     "all else of `vertex_index`, also `clip_position`.",
 )
-NOT_BROUGHT = _error(
-    "B0819",
-    "`{name}` of a {record} cannot be what a step leaves",
-    "Only lights bring the steps that make their textures, such as a shadow map. For all else a "
-    "frame says by `with` what is read.",
+NOT_ON_HOST = _error(
+    "B0817",
+    "a host cannot compute {what}",
+    "The numbers of a frame are computed by the program that draws it, from parameters and the "
+    "sizes of textures. It has no `iterate` and no structures, and reads no texels: a pass or a "
+    "kernel does.",
 )
 NO_SHARED_VERTICES = _error(
     "B0818",
     "`{step}` draws {primitives}, and vertices without models are points or triangles",
     "Lines, primitives with what lies next to them, and patches come of a mesh, whose triangles "
     "have vertices in common. Vertices that have nothing but their numbers share none.",
+)
+NOT_BROUGHT = _error(
+    "B0819",
+    "`{name}` of a {record} cannot be what a step leaves",
+    "Only lights bring the steps that make their textures, such as a shadow map. For all else a "
+    "frame says by `with` what is read.",
 )

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-PLAIN = frozenset(("vector", "splat", "matrix", "index", "select", "apply"))
+PLAIN = frozenset(("vector", "splat", "matrix", "array", "index", "select", "apply"))
 """Operations that their arguments describe completely."""
 
 KEYS: Mapping[str, str] = {

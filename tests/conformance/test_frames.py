@@ -257,3 +257,25 @@ def test_vertices_are_drawn_that_no_model_has(studio: Studio, where: str, drawn:
     (found,) = outputs(text, where, studio)
     shades = found["value"][0][..., 0]
     assert shades.tolist() == [[1, 2, 3, 0, 0, 0, 0, 0]] * SIZE[1]
+
+
+@EVERYWHERE
+def test_a_frame_gives_arrays_of_numbers_and_of_matrices(studio: Studio, where: str) -> None:
+    text = f"""{HEAD}
+    pass Chosen : FullScreen {{
+        param weights : float[3]
+        param turns   : mat2[2]
+        column = int(frag_coord.x)
+        target value : rgba32f = vec4(weights[column mod 3], turns[column mod 2] * vec2(1, 10), 0)
+    }}
+    frame F {{
+        param n : float = 2
+        turns  = [mat2(vec2(n, 0), vec2(1, 0)), mat2(vec2(0, n), vec2(0, 1))]
+        chosen = Chosen(screen) with {{ weights = [n, 2 * n, 7], turns = turns }}
+        output value = chosen.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    row = found["value"][0][0]
+    assert row[:, 0].tolist() == [2, 4, 7, 2, 4, 7, 2, 4]
+    assert row[:, 1].tolist() == [12, 0] * 4
+    assert row[:, 2].tolist() == [0, 12] * 4

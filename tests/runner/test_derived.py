@@ -227,6 +227,9 @@ def test_values_are_taken_apart_and_joined() -> None:
     assert run(kit.graph.node("vector", VEC3, (kit.v, kit.a))) == (2.0, -5.0, 0.75)
     assert run(kit.graph.node("splat", VEC3, (kit.a,))) == (0.75,) * 3
     assert run(kit.graph.node("matrix", Matrix(2), (kit.v, kit.v))) == ((2.0, -5.0),) * 2
+    pair = kit.graph.node("array", Array(VEC2, 2), (kit.v, constant(kit.graph, VEC2, (1.0, 2.0))))
+    assert run(pair) == ((2.0, -5.0), (1.0, 2.0))
+    assert run(index(kit.graph, pair, one)) == (1.0, 2.0)
     assert run(constant(kit.graph, VEC2, (1.0, 2.0))) == (1.0, 2.0)
 
 

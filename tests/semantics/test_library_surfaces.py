@@ -199,7 +199,8 @@ def matrix(expression: str) -> Floats:
     """The value of a matrix of the module of transforms."""
     targets = "\n".join(f"target t{i} : rgba32f = material.m[{i}]" for i in range(4))
     whole = shader(
-        "import std.transforms.{translation, scaling, rotation, look_at, perspective}\n"
+        "import std.transforms.{translation, scaling, rotation, look_at, perspective, orthographic}\n"
+        "import std.shadows.{cascade}\n"
         f"material M {{ m = {expression} }}\npass P {{ {targets} }}",
         pass_="P",
     )
@@ -259,3 +260,38 @@ def test_perspective() -> None:
     assert projected(0, 0, -0.5) == close((0, 0, 0))
     assert projected(0, 0, -20) == close((0, 0, 1))
     assert lens @ (0, 0, -7, 1) == close((0, 0, 20 / 19.5 * 7 - 10 / 19.5, 7))
+
+
+def test_orthographic() -> None:
+    lens = matrix("orthographic(6, 4, 0.5, 20)")
+    assert lens @ (3, 2, -0.5, 1) == close((1, 1, 0, 1))
+    assert lens @ (-3, -2, -20, 1) == close((-1, -1, 1, 1))
+
+
+SUN = np.array([0.36, -0.8, 0.48])
+"""Where the light travels."""
+
+
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_a_cascade_contains_its_slice_of_the_view_and_what_shades_it(number: int) -> None:
+    camera = "perspective(60deg, 2, 1, 9) * look_at({eye}, {target}, {up})".format(
+        eye="(vec3(0, 0, 5) as point<world>)", target="(vec3(0) as point<world>)",
+        up="(vec3(0, 1, 0) as vector<world>)",
+    )  # fmt: skip
+    sun = "(vec3(0.36, -0.8, 0.48) as direction<world>)"
+    cascade = matrix(f"cascade({camera}, {sun}, {number}, 3, 7)")
+
+    # Half way between equal depths, 1 + 8 i / 3, and equal ratios, 9 ^ (i / 3).
+    ends = [0.5 * (1 + 8 * i / 3 + 9 ** (i / 3)) for i in (number, number + 1)]
+    steep = math.tan(math.radians(30))
+    corners = np.array([
+        (x * 2 * steep * d, y * steep * d, 5 - d) for d in ends for x in (-1, 1) for y in (-1, 1)
+    ])  # fmt: skip
+    shown = np.array([moved(cascade, corner) for corner in corners])
+    assert np.abs(shown[:, :2]).max() <= 1 + 1e-9
+    assert np.linalg.norm(shown[:, :2], axis=1).max() > 0.5
+    assert shown[:, 2].min() > 0 and shown[:, 2].max() <= 1 + 1e-9
+    for corner in corners:
+        before = moved(cascade, corner - 7 * SUN)
+        assert before[:2] == close(moved(cascade, corner)[:2])
+        assert before[2] >= -1e-9

@@ -24,7 +24,7 @@ from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from ..types.typenames import Declared
 from .shaders import Input, host_name, inputs_of
-from .values import Made, Numbers
+from .values import Made, Numbers, on_host
 
 Replacements = Sequence[tuple[ast.Name, ast.Expression]]
 """What stands behind ``with``."""
@@ -121,7 +121,8 @@ class Inputs:
             leaf.type, wanted.declared_type, changed(UNKNOWN, unit=leaf.fact.unit), leaf.meaning
         )
         value = node_of(self._ctx, written, self._scope)
-        return self._numbers.number(as_declared(self._ctx, value, declared, written, self._scope))
+        fitted = as_declared(self._ctx, value, declared, written, self._scope)
+        return self._numbers.number(on_host(self._ctx, fitted, written.span))
 
     def texture(
         self, source: Made, written: ast.Expression, wanted: ResourceInfo

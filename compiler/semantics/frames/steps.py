@@ -48,7 +48,7 @@ from .dependencies import PREVIOUS, Key, Need, applied, is_previous
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .shaders import Shaders, required_of
-from .values import Made, Numbers, StepValue
+from .values import Made, Numbers, StepValue, on_host
 
 SCREEN = "screen"
 """One triangle over everything."""
@@ -655,8 +655,9 @@ class Steps:
             return None
         if node.type == INT:
             node = build.splat(self._ctx.tree, node, 2)
-        fitted = self.numbers.number(fit(self._ctx, node, IVEC2, "ivec2", written.span))
-        return None if isinstance(fitted, Failure) else Size(fitted)
+        fitted = fit(self._ctx, node, IVEC2, "ivec2", written.span)
+        number = self.numbers.number(on_host(self._ctx, fitted, written.span))
+        return None if isinstance(number, Failure) else Size(number)
 
     def _unique(self, name: str) -> str:
         """A name that no step has yet."""

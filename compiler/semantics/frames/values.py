@@ -5,9 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ....frozen import fresh, frozen, record
+from ...diagnostics import rules
+from ...diagnostics.source import Span
 from ...ir.frame import Elements, FromHost, Image, Previous
-from ...ir.node import Node
+from ...ir.host import KNOWN_IN_TREES
+from ...ir.node import Node, reachable
+from ..shading.images import reads_only_sizes
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure
+
+_CALLED: Mapping[str, str] = {"iterate": "`iterate`", "struct": "a structure"}
+"""What messages call operations that a host lacks; the others read texels or belong to a stage."""
 
 
 @frozen(eq=False)
@@ -34,3 +42,15 @@ class Numbers:
             return FAILURE
         self.nodes.append(node)
         return len(self.nodes) - 1
+
+
+def on_host(ctx: Context, node: Node | Failure, written: Span) -> Node | Failure:
+    """``node``, if a host can compute it; reported if not."""
+    if isinstance(node, Failure):
+        return node
+    for part in reachable((node,)):
+        if part.op not in KNOWN_IN_TREES or not reads_only_sizes(part):
+            span, what = ctx.places.within(part, written), _CALLED.get(part.op, "this")
+            ctx.report.add(rules.NOT_ON_HOST, span, what=what)
+            return FAILURE
+    return node

@@ -265,6 +265,7 @@ _PLAIN: Mapping[str, Callable[[Row, list[Named]], Named]] = {
     "vector": lambda _row, arguments: tuple(lane for each in arguments for lane in each),
     "splat": lambda row, arguments: arguments[0] * int(row["type"][-1]),
     "matrix": lambda _row, arguments: tuple(arguments),
+    "array": lambda _row, arguments: tuple(arguments),
     "swizzle": lambda row, arguments: tuple(arguments[0][lane] for lane in row["lanes"]),
     "member": lambda row, arguments: arguments[0][row["member"]],
     "select": _select,

@@ -139,8 +139,9 @@ class Instance:
         """The value that steps compute of parameters and of the sizes of textures, as ``set`` takes
         it. Raises ``MissingValuesError``."""
         found = derived.compute(steps, self._read_by(steps, self._sizes()))
-        is_number = len(found) == 1 and not isinstance(found[0], tuple)
-        return found[0] if is_number else found
+        if steps[-1]["type"].endswith("]"):
+            return tuple(map(_without_lane, found))
+        return _without_lane(found)
 
     def having(self, name: str, value: object) -> Instance:
         """A copy that differs in one value. Raises ``ParameterError``, as ``set`` does."""
@@ -394,3 +395,9 @@ def _texture(row: Mapping[str, Any], value: object) -> Texture:
         given = described(value.dimension, value.sample)
         raise ParameterError(name, f"`{name}` takes {wanted}, and was given {given}")
     return value
+
+
+def _without_lane(value: Any) -> Any:
+    """A number in place of its single lane; anything else as it is."""
+    is_number = len(value) == 1 and not isinstance(value[0], tuple)
+    return value[0] if is_number else value
