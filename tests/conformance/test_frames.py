@@ -279,3 +279,46 @@ def test_a_frame_gives_arrays_of_numbers_and_of_matrices(studio: Studio, where: 
     assert row[:, 0].tolist() == [2, 4, 7, 2, 4, 7, 2, 4]
     assert row[:, 1].tolist() == [12, 0] * 4
     assert row[:, 2].tolist() == [0, 12] * 4
+
+
+@EVERYWHERE
+def test_lights_bring_what_their_steps_leave(studio: Studio, where: str) -> None:
+    """Each light has steps of its own; a rig may say others."""
+    text = f"""{HEAD}
+    import std.lights.{{Directional}}
+    pass Filled : FullScreen {{
+        param filled : float
+        target value : rgba32f = vec4(filled, 0, 0, 1)
+    }}
+    pass Doubled : FullScreen {{
+        map source : texture2d with {{ filter = nearest, mip = none }}
+        target value : rgba32f = 2 * source.load(ivec2(0))
+    }}
+    light Screened : Directional {{
+        param share : float = 3
+        share_left  = 10 * share
+        first       = Filled(screen, 2) with {{ filled = share_left }}
+        cookie_made = Doubled(screen, 2) with {{ source = first.value }}
+        map cookie : texture2d = cookie_made.value with {{ filter = nearest, mip = none }}
+        falloff = cookie.load(ivec2(1)).r
+    }}
+    rig Two {{
+        one : Screened
+        two : Screened {{ share_left = 7, cookie_made = inherited.first }}
+    }}
+    term arriving() -> rgb per light = vec3(light.falloff)
+    pass Lit : FullScreen {{
+        target value : rgba32f = vec4(arriving(), 1)
+    }}
+    pass Added : FullScreen blend add {{
+        target value : rgba16f = vec4(arriving(), 1)
+    }}
+    frame F {{
+        all  = Lit(screen)
+        each_one = sum lamp in rig : Added(screen)
+        output value = all.value
+        output added = each_one.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    assert found["value"][0][0, 0, 0] == 2 * 30 + 7
+    assert found["added"][0][0, 0, 0] == 2 * 30 + 7

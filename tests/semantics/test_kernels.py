@@ -117,11 +117,6 @@ WRONG = [
         "the number of elements of `r` is not known to the host",
     ),
     (
-        "param k : int in 0..1  result r : float[[4, 8][k]] = 1",
-        "B0512",
-        "the number of elements of `r` is not known to the host",
-    ),
-    (
         "result r : float[index] = 1",
         "B0201",
         "unknown name `index`",

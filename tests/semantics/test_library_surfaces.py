@@ -199,7 +199,8 @@ def matrix(expression: str) -> Floats:
     """The value of a matrix of the module of transforms."""
     targets = "\n".join(f"target t{i} : rgba32f = material.m[{i}]" for i in range(4))
     whole = shader(
-        "import std.transforms.{translation, scaling, rotation, look_at, perspective, orthographic}\n"
+        "import std.transforms.{translation, scaling, rotation, look_at}\n"
+        "import std.transforms.{perspective, orthographic}\n"
         "import std.shadows.{cascade}\n"
         f"material M {{ m = {expression} }}\npass P {{ {targets} }}",
         pass_="P",

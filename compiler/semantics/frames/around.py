@@ -9,9 +9,9 @@ from collections.abc import Mapping
 
 from ....frozen import EMPTY, changed, fresh, frozen
 from ...ir.frame import Image, ImageDimension
+from ..checking.step_needs import Dependencies, Key
 from ..names.modules import Symbol
 from ..state.scope import Instance, Scope
-from .dependencies import Dependencies, Key
 from .values import Made
 
 

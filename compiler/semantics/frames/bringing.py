@@ -15,11 +15,11 @@ from ...ir.leaves import Resource
 from ...ir.node import reachable
 from ...ir.shader import ResourceInfo, Shader
 from ...syntax import ast
+from ..checking.step_needs import Need
 from ..inheritance.records import Definition
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from .around import Around, Owner
-from .dependencies import Need
 from .inputs import Inputs
 from .shaders import inputs_of
 from .values import Made
@@ -80,9 +80,9 @@ class Bringing:
         self._pending.append(name)
         self._check(light, list(light.dependencies.needs(written, definition.level)))
         around = Around(light, light.scope(definition.owner, definition.level), name)
-        source = inputs.texture(self._made(written, around), written, info)
+        made = self._made(written, around)
         self._pending.pop()
-        return source
+        return made if isinstance(made, Failure) else inputs.texture(made, written, info)
 
     def _report_missing(self, name: str, shader: Shader, member: ast.Map, e: ast.Call) -> None:
         self._ctx.report.add(

@@ -15,6 +15,7 @@ from ...ir.frame import Elements, Frame, Image, Models, Output, Step
 from ...syntax import ast
 from ..checking.expressions import RULES
 from ..checking.slots import slot
+from ..checking.step_needs import Dependencies, Need
 from ..checking.unknown_names import unknown
 from ..declarations.parameters import Leaves, all_parameters, leaves_of
 from ..inheritance.flattening import Records, root_of
@@ -27,7 +28,6 @@ from ..shading.rigs import entries_of
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Failure, Instance
 from .around import Around, Owner
-from .dependencies import Dependencies, Need
 from .shaders import Shaders
 from .steps import ModelsOf, Steps
 

@@ -36,6 +36,7 @@ from ...ir.shader import RenderTarget
 from ...ir.stages import EXTENT, IMAGE, TARGET
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
+from ..checking.step_needs import PREVIOUS, Key, Need, applied, is_previous
 from ..checking.unknown_names import unknown
 from ..declarations.fitting import fit
 from ..names.modules import Symbol
@@ -44,7 +45,6 @@ from ..state.evaluation import node_of
 from ..state.scope import FAILURE, OUTERMOST, Failure, Scope
 from .around import WHOLE, Around, Owner, Place
 from .bringing import Bringing
-from .dependencies import PREVIOUS, Key, Need, applied, is_previous
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .shaders import Shaders, required_of
@@ -467,7 +467,8 @@ class Steps:
             case ast.Call(callee=ast.Reference(name=called), arguments=(count,)):
                 if called == VERTICES:
                     node = node_of(self._ctx, count, scope)
-                    return self._vertices(fit(self._ctx, node, INT, "int", count.span))
+                    number = fit(self._ctx, node, INT, "int", count.span)
+                    return self._vertices(on_host(self._ctx, number, count.span))
         known = [*self._models, SCREEN, f"{VERTICES}(n)"]
         self._ctx.report.add(
             rules.NOT_DRAWN, e.span, hint=f"there is {', '.join(f'`{each}`' for each in known)}"

@@ -7,7 +7,7 @@ from ...diagnostics.nearest import nearest, respelt
 from ...syntax import ast
 from ..checking.lights import light_instance
 from ..checking.slots import slot
-from ..frames.dependencies import is_brought
+from ..checking.step_needs import is_brought
 from ..inheritance.records import Definition, is_abstract
 from ..state.context import Context
 from ..state.scope import Instance

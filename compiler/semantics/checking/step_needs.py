@@ -1,6 +1,6 @@
 """Which slots of a frame are steps, and which of them each one needs.
 
-``checking`` asks before it evaluates anything, so that every step is checked behind those that it
+``frames`` asks before it evaluates anything, so that every step is checked behind those that it
 needs, however long a chain they form.
 """
 
