@@ -120,15 +120,15 @@ class _Package:
         )
         shaders = sorted(self._shaders_of(model))
         roles = {role for each in shaders for role in value_roles(self._reflection(each)).values()}
-        words = {word for each in shaders for word in texture_roles(self._reflection(each)).values()}
+        words = {
+            word for each in shaders for word in texture_roles(self._reflection(each)).values()
+        }
         mesh = self._mesh(model.mesh)
         return {
             "material": model.material,
             "tags": ["scene", *sorted(model.tags)],
             "mesh": mesh,
-            "primitives": {
-                str(each): self._primitives(mesh, model.mesh, each) for each in shaders
-            },
+            "primitives": {str(each): self._primitives(mesh, model.mesh, each) for each in shaders},
             "values": {
                 role: value
                 for role, value in scene.values(_SQUARE).items()
