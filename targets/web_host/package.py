@@ -8,8 +8,8 @@ declarations mean in a scene, the primitives of meshes, and the patterns of patc
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,7 +23,7 @@ from ..runner.mesh_buffers import KINDS
 from ..runner.meshes import Indices, Mesh
 from ..runner.patches import patches, pattern
 from ..runner.primitives import primitives
-from ..runner.scene import Scene, inputs_of_mesh, texture_roles, value_roles, vertex_data
+from ..runner.scene import inputs_of_mesh, texture_roles, value_roles, vertex_data
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
 
