@@ -122,7 +122,7 @@ export interface Plan {
   plan: 1;
   frame: string;
   parameters: Parameter[];
-  lights: Light[];
+  lights: LightRow[];
   host_textures: { name: string; dimension: Dimension; sample: string }[];
   host_buffers: BufferRow[];
   values: { representation: string; steps: Operation[] }[];
@@ -222,7 +222,7 @@ export interface Reflection {
   blocks: { name: string; size: number }[];
   parameters: Parameter[];
   derived: Derived[];
-  lights: Light[];
+  lights: LightRow[];
   buffers: BufferRow[];
   results: ResultRow[];
   extent: Operation[] | null;
@@ -286,7 +286,7 @@ export interface Operation {
   bound?: number;
 }
 
-export interface Light {
+export interface LightRow {
   name: string;
   capacity: number | null;
   count: string | null;
