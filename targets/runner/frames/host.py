@@ -24,6 +24,9 @@ from .scenery import Model, Scenery
 VERSION = 1
 """The version of plans that this code executes."""
 
+NUMBERS = 1 << 24
+"""How many frames are told apart: then `number` is 0 again."""
+
 MOST_VERTICES = 1 << 24
 """That a step draws without models: as many as float32 can tell apart."""
 
@@ -106,9 +109,9 @@ class FrameHost:
         self.values = Instance(_as_reflection(plan))
         width, height = size
         scenery.scene.apply(self.values, width / height)
-        self.values.set("size", size)
         self.given: frozenset[str] = frozenset()
         """The names of what has been set; a scene leaves that alone."""
+        self._tell("size", size)
         self.instances = [Instance(shader.reflection) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
         self._kernels: dict[str, Instance] = {}
@@ -133,6 +136,16 @@ class FrameHost:
                     return
         if len(unknown) == len(self.instances) + 1:
             raise unknown[0]
+
+    def begin(self, drawn: int) -> None:
+        """Tell the frame how many were drawn before it. To be called before its first step."""
+        self._tell("number", drawn % NUMBERS)
+
+    def _tell(self, name: str, value: object) -> None:
+        """Set what hosts tell every frame, unless this one says it itself or it has been set."""
+        known = {row["name"] for row in self.plan["parameters"]}
+        if name in known and name not in self.given:
+            self.values.set(name, value)
 
     # --- numbers ---------------------------------------------------------------------------------
 
