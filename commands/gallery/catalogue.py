@@ -15,8 +15,11 @@ README = "README.md"
 OTHERS = "Others"
 """The heading of what no table lists."""
 
-_HEADING = re.compile(r"^#{2,6} +(.+?)\s*$")
-_ROW = re.compile(r"^\|\s*(.+?)\s*\|\s*\[[^\]]*\]\(([^)\s]+\.burnish)\)\s*\|\s*$")
+_HEADING = re.compile(r"^#{1,6} +(.+?)\s*$")
+_LINK = r"\[[^\]]*\]\(([^)\s]+\.burnish)\)"
+_ROW = re.compile(rf"^\|\s*(?P<what>.+?)\s*\|\s*{_LINK}\s*\|\s*$")
+_MENTION = re.compile(rf"{_LINK}(?:: (?P<what>[^.]+))?")
+"""A link within a text, which may say behind a colon what the file shows."""
 
 
 class Listed(NamedTuple):
@@ -59,21 +62,40 @@ def _files(folder: Path) -> Iterator[Path]:
             yield path
 
 
-def _tables(readme: Path) -> Iterator[tuple[str, str, dict[str, str]]]:
-    """The headings with their texts and tables: what each file shows, by its name."""
+def title_of(folder: Path) -> str:
+    """What the README calls the folder, or the folder's name."""
+    for line in _lines(folder / README):
+        if heading := _HEADING.match(line):
+            return heading[1]
+    return folder.resolve().name
+
+
+def _lines(readme: Path) -> list[str]:
     try:
-        lines = readme.read_text("utf-8").splitlines()
+        return readme.read_text("utf-8").splitlines()
     except (OSError, UnicodeDecodeError):
-        return
-    title, intro, rows = "", [""], dict[str, str]()
-    for line in [*lines, "## "]:
-        heading = _HEADING.match(line) or (line == "## " and line)
-        if heading:
-            if rows:
-                yield title, " ".join(filter(None, intro)), rows
-            title = heading[1] if not isinstance(heading, str) else ""
-            intro, rows = [], {}
-        elif row := _ROW.match(line):
-            rows.setdefault(row[2], row[1])
-        elif not rows and not line.startswith("|"):
-            intro.append(line.strip())
+        return []
+
+
+def _sections(readme: Path) -> Iterator[tuple[str, list[str]]]:
+    """The headings of a text, each with the lines below it."""
+    title, lines = "", list[str]()
+    for line in _lines(readme):
+        if heading := _HEADING.match(line):
+            yield title, lines
+            title, lines = heading[1], []
+        else:
+            lines.append(line.strip())
+    yield title, lines
+
+
+def _tables(readme: Path) -> Iterator[tuple[str, str, dict[str, str]]]:
+    """The headings with their texts, and what each file shows that stands below, by its name."""
+    for title, lines in _sections(readme):
+        rows = {found[2]: found["what"] for line in lines if (found := _ROW.match(line))}
+        begun = next((n for n, line in enumerate(lines) if line.startswith("|")), len(lines))
+        intro = " ".join(filter(None, lines[:begun]))
+        for found in _MENTION.finditer(intro):
+            rows.setdefault(found[1], found["what"] or "")
+        if rows:
+            yield title, intro, rows

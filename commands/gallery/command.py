@@ -65,7 +65,11 @@ class Request(NamedTuple):
     "-j", "--jobs", metavar="N", default=os.cpu_count() or 1, type=click.IntRange(1, 64),
     help="How many processes work at once; by default, one for each processor.",
 )  # fmt: skip
-@click.option("--title", metavar="TEXT", help="The heading; by default, the folder's name.")
+@click.option(
+    "--title",
+    metavar="TEXT",
+    help="The heading; by default, that of the README, or the folder's name.",
+)
 @click.option("--cache/--no-cache", default=True, help="Make unchanged files anew, or not.")
 def gallery(**chosen: object) -> None:
     """Make pages that show all materials, kernels and frames of FOLDER.
@@ -91,7 +95,7 @@ def gallery(**chosen: object) -> None:
 def _make(request: Request) -> None:
     from ...targets.runner.routes import select
     from ..output import obstacle, unwritable
-    from .catalogue import catalogue
+    from .catalogue import catalogue, title_of
     from .pages import pages
 
     begun = monotonic()
@@ -110,15 +114,17 @@ def _make(request: Request) -> None:
         entries[listed.name] = entry
         made += is_new
         _tell(listed, entry, len(entries), len(files), is_new=is_new)
-    title = request.title or request.folder.resolve().name
+    title = request.title or title_of(request.folder)
     _write(request.output, pages(title, groups, entries, routes))
     wrong = [name for name, entry in sorted(entries.items()) if entry["errors"]]
+    count = f"{len(files)} file{'s' if len(files) > 1 else ''}"
     click.echo(
-        f"{len(files)} files, {made} of them made anew, in {monotonic() - begun:.0f} s: "
+        f"{count}, {made} of them made anew, in {monotonic() - begun:.0f} s: "
         f"{request.output / 'index.html'}"
     )
     if wrong:
-        remark("error", f"something is wrong with {', '.join(wrong)}: their pages say what")
+        names = ", ".join(wrong)
+        remark("error", f"something is wrong with {names}: the pages of these files say what")
         click.get_current_context().exit(FAILED)
 
 

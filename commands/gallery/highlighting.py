@@ -1,4 +1,4 @@
-"""Shows texts in colours: Burnish by its own lexer, shaders by the reserved words of their language.
+"""Shows texts in colours: Burnish by its own lexer, shaders by their language's reserved words.
 
 ``pages.py`` calls both functions. They return HTML with the text escaped, a line in each ``span``.
 """

@@ -193,6 +193,15 @@ def _comment(source: str) -> list[str]:
 
 
 def _marked(text: str) -> Markup:
-    """A line of Markdown with its code; links become their words."""
+    """A line of Markdown with code and emphasis; links become their words."""
     plain = re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", text)
-    return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", escape(plain)))
+    pieces = re.split(r"(`[^`]+`|\*\*?[^*`\s][^*`]*\*\*?)", escape(plain))
+    return Markup("".join(map(_styled, pieces)))
+
+
+def _styled(piece: str) -> str:
+    if piece.startswith("`"):
+        return f"<code>{piece[1:-1]}</code>"
+    if piece.startswith("*") and piece.endswith("*") and piece.strip("*"):
+        return f"<em>{piece.strip('*')}</em>"
+    return piece
