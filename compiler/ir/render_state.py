@@ -24,11 +24,18 @@ class DepthState:
 
     compare: Compare = "less"
     write: bool = True
+    clear: float = 1.0
+    """What depths are before anything is drawn."""
 
     @property
     def is_used(self) -> bool:
         """Whether a pass has to do with depths at all: frames give it an attachment for them."""
         return self.write or self.compare != "always"
+
+    @property
+    def keeps_nearest(self) -> bool:
+        """Whether of several fragments at a place only the nearest one is left."""
+        return self.write and self.compare == "less"
 
 
 @frozen

@@ -7,6 +7,7 @@ from typing import Any
 
 from ...stdlib.builtins.geometry import SHORTEST
 from ..diagnostics.source import Span
+from ..ir.blending import REPLACES, Blend
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
@@ -94,7 +95,11 @@ def _render_state_row(state: RenderState) -> dict[str, Any]:
     """What a host sets of the pipeline, as the pass asks for it."""
     return {
         "cull": state.cull,
-        "depth": {"compare": state.depth.compare, "write": state.depth.write},
+        "depth": {
+            "compare": state.depth.compare,
+            "write": state.depth.write,
+            "clear": state.depth.clear,
+        },
     }
 
 
@@ -231,9 +236,25 @@ def _target_rows(shader: Shader) -> Iterable[dict[str, Any]]:
             "representation": str(result.value.type),
             "location": location,
             "format": result.state.format,
-            "blend": result.state.blend,
+            "blend": _blend_row(result.state.blend),
+            "mask": result.state.mask,
+            "clear": result.state.clear and list(result.state.clear),
             "doc": result.doc,
         }
+
+
+def _blend_row(blend: Blend) -> dict[str, Any] | None:
+    """Both equations; ``None`` where nothing is blended."""
+    if blend == REPLACES:
+        return None
+    return {
+        part: {
+            "source": equation.source,
+            "destination": equation.destination,
+            "operation": equation.operation,
+        }
+        for part, equation in (("color", blend.color), ("alpha", blend.alpha))
+    }
 
 
 def _backend_row(table: BackendTable) -> dict[str, Any]:

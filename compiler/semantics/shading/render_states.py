@@ -25,14 +25,17 @@ SETTINGS: Mapping[Stated, Mapping[str, tuple[str, ...]]] = {
 """What can be said in members of each kind, each with its values."""
 
 
-def render_state_of(drawn: Record) -> RenderState:
-    """What a pass asks for; where it says nothing, or something wrong, the defaults hold."""
+def render_state_of(drawn: Record, cleared: float | None = None) -> RenderState:
+    """What a pass asks for; where it says nothing, or something wrong, the defaults hold.
+
+    ``cleared`` is what it wants depths to be at first (``clears.py``)."""
     raster, depth, usual = _said(drawn, ast.Raster), _said(drawn, ast.Depth), DepthState()
     return RenderState(
         cull=cast(Cull, raster.get("cull", RenderState().cull)),
         depth=DepthState(
             compare=cast(Compare, depth.get("compare", usual.compare)),
             write=depth["write"] == "true" if "write" in depth else usual.write,
+            clear=usual.clear if cleared is None else cleared,
         ),
     )
 

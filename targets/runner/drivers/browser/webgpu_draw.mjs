@@ -20,8 +20,9 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
     const screen = job.targets.map(({ format }) => keep(makeTarget(device, format, size)));
     const depth = keep(makeTarget(device, "depth32float", size));
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass(passDescriptor(screen, depth, draw.clear));
+    const pass = encoder.beginRenderPass(passDescriptor(screen, depth, draw));
     pass.setPipeline(pipeline);
+    pass.setBlendConstant(draw.blend_constant);
     const storage = makeStorage(device, job, draw, keep);
     bindGroups(device, job, layouts, draw, storage, keep).forEach((group, at) =>
       pass.setBindGroup(at, group),
@@ -48,17 +49,17 @@ function makeTarget(device, format, size) {
   });
 }
 
-function passDescriptor(screen, depth, clear) {
+function passDescriptor(screen, depth, draw) {
   return {
     colorAttachments: screen.map((target, at) => ({
       view: target.createView(),
-      clearValue: clear[at],
+      clearValue: draw.clear[at],
       loadOp: "clear",
       storeOp: "store",
     })),
     depthStencilAttachment: {
       view: depth.createView(),
-      depthClearValue: 1,
+      depthClearValue: draw.clear_depth,
       depthLoadOp: "clear",
       depthStoreOp: "discard",
     },

@@ -7,18 +7,7 @@ export const COMPUTE_STAGE = 4; // GPUShaderStage.COMPUTE
 const BOTH_STAGES = 3; // GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT
 const FLOAT32_TARGETS = ["r32float", "rg32float", "rgba32float"];
 
-const sum = (srcFactor, dstFactor) => ({ operation: "add", srcFactor, dstFactor });
-const alike = (factors) => ({ color: factors, alpha: factors });
-const BLENDS = {
-  none: undefined,
-  alpha: {
-    color: sum("src-alpha", "one-minus-src-alpha"),
-    alpha: sum("one", "one-minus-src-alpha"),
-  },
-  premultiplied: alike(sum("one", "one-minus-src-alpha")),
-  add: alike(sum("one", "one")),
-  multiply: alike(sum("dst", "zero")),
-};
+const LANES = { r: 1, g: 2, b: 4, a: 8 }; // GPUColorWrite
 
 /** The pipeline, and the layouts of its bind groups. */
 export async function makePipeline(device, job) {
@@ -92,12 +81,21 @@ export async function makeModule(device, stage, code) {
   return module;
 }
 
-function targetState(device, { format, blend }) {
+function targetState(device, { format, blend, mask }) {
   const float32 = FLOAT32_TARGETS.includes(format);
-  if (blend !== "none" && float32 && !device.features.has("float32-blendable")) {
+  if (blend && float32 && !device.features.has("float32-blendable")) {
     throw new Refusal(`the WebGPU adapter cannot blend ${format}: it lacks float32-blendable`);
   }
-  return { format, blend: BLENDS[blend] };
+  const lanes = mask === "none" ? [] : [...mask];
+  const writeMask = lanes.reduce((bits, lane) => bits | LANES[lane], 0);
+  if (!blend) return { format, writeMask };
+  return { format, writeMask, blend: { color: equation(blend.color), alpha: equation(blend.alpha) } };
+}
+
+/** An equation in WebGPU's words. */
+function equation({ source, destination, operation }) {
+  const [srcFactor, dstFactor] = [source, destination].map((factor) => factor.replaceAll("_", "-"));
+  return { operation: operation.replace("_", "-"), srcFactor, dstFactor };
 }
 
 /** The slots' bindings by group, with an empty group for each unused number. */

@@ -12,6 +12,7 @@ import moderngl
 from ..draw import Dispatch, Draw, DriverError, Pipeline
 from ..frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
 from .bindings import bound, bound_at
+from .blending import set_blending, write_everything
 from .context import (
     GL_COLOR,
     GL_COLOR_ATTACHMENT0,
@@ -21,7 +22,6 @@ from .context import (
 )
 from .frame_textures import make_frame_texture
 from .program import link, link_kernel
-from .screen import set_blending
 from .state import set_state
 from .vertices import MODES, vertices
 
@@ -92,6 +92,7 @@ class _Frame:
             self._program(drawn)  # moderngl may bind a framebuffer when it links
         with self._framebuffer(step):
             self._functions.glViewport(0, 0, width, height)
+            write_everything(self._functions, len(step.targets))
             for number, target in enumerate(step.targets):
                 self._clear(target, GL_COLOR, number)
             if step.depth is not None:
@@ -119,7 +120,6 @@ class _Frame:
     def _clear(self, attachment: Attachment, part: int, number: int) -> None:
         if attachment.loads:
             return
-        self._functions.glDepthMask(1)
         count = 1 if part == GL_DEPTH else len(attachment.clear)
         lanes = (ctypes.c_float * count)(*attachment.clear[:count])
         self._functions.glClearBufferfv(part, number, lanes)
@@ -130,7 +130,7 @@ class _Frame:
         if not draw.indices:
             return
         set_state(self._context, self._functions, pipeline, has_depth=step.depth is not None)
-        set_blending(self._functions, pipeline.targets)
+        set_blending(self._functions, pipeline.targets, step.blend_constant)
         program = self._program(drawn)
         with (
             vertices(self._context, program, pipeline, draw) as array,

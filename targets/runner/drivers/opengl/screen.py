@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 import moderngl
 
-from ..draw import Blend, Pipeline, RenderTarget, TargetFormat
+from ..draw import Pipeline, RenderTarget, TargetFormat
 from ..readback import to_float
+from .blending import write_everything
 from .context import (
-    GL_BLEND,
     GL_COLOR,
     GL_DEPTH,
     GL_DEPTH_ATTACHMENT,
@@ -33,16 +33,6 @@ STORAGE: dict[TargetFormat, tuple[int, str, int]] = {
     "rgba32float": (4, "f4", 0x8814),
 }
 """The number of lanes, moderngl's type of a lane, and OpenGL's internal format."""
-
-ZERO, ONE, DST_COLOR = 0, 1, 0x0306
-SRC_ALPHA, ONE_MINUS_SRC_ALPHA = 0x0302, 0x0303
-BLEND_FACTORS: dict[Blend, tuple[int, int, int, int]] = {
-    "alpha": (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA),
-    "premultiplied": (ONE, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA),
-    "add": (ONE, ONE, ONE, ONE),
-    "multiply": (DST_COLOR, ZERO, DST_COLOR, ZERO),
-}
-"""The factors of source and destination for the colour, then for alpha."""
 
 
 class Screen:
@@ -73,17 +63,13 @@ class Screen:
             GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, self._depth
         )
 
-    def clear(self, colors: Sequence[tuple[float, float, float, float]]) -> None:
-        """Clear every target to its colour, and the depth to 1."""
-        self._functions.glDepthMask(1)
+    def clear(self, colors: Sequence[tuple[float, float, float, float]], depth: float) -> None:
+        """Clear every target to its colour, and the depths."""
+        write_everything(self._functions, len(colors))
         for number, color in enumerate(colors):
             lanes = (ctypes.c_float * 4)(*color)
             self._functions.glClearBufferfv(GL_COLOR, number, lanes)
-        self._functions.glClearBufferfv(GL_DEPTH, 0, (ctypes.c_float * 1)(1.0))
-
-    def set_blending(self) -> None:
-        """Set the blend mode of each target."""
-        set_blending(self._functions, self._targets)
+        self._functions.glClearBufferfv(GL_DEPTH, 0, (ctypes.c_float * 1)(depth))
 
     def read(self, pipeline: Pipeline) -> tuple[bytes, ...]:
         """Each target in the form of a ``Picture``."""
@@ -103,16 +89,6 @@ class Screen:
         for attachment in self._framebuffer.color_attachments:
             attachment.release()
         self._framebuffer.release()
-
-
-def set_blending(functions: Functions, targets: Sequence[RenderTarget]) -> None:
-    """Set the blend mode of each target of the framebuffer that is bound."""
-    for number, target in enumerate(targets):
-        if target.blend == "none":
-            functions.glDisablei(GL_BLEND, number)
-            continue
-        functions.glEnablei(GL_BLEND, number)
-        functions.glBlendFuncSeparatei(number, *BLEND_FACTORS[target.blend])
 
 
 def widened_format(encoded: TargetFormat) -> TargetFormat:

@@ -9,7 +9,19 @@ from typing import Any, Literal
 import vulkan as vk
 
 from ..checks import lane_count
-from ..draw import Blend, Code, Cull, Pipeline, Primitive, StepMode, VertexInput
+from ..draw import (
+    Blend,
+    BlendEquation,
+    Code,
+    Cull,
+    Factor,
+    Operation,
+    Pipeline,
+    Primitive,
+    RenderTarget,
+    StepMode,
+    VertexInput,
+)
 from .device import Gpu
 from .formats import VERTICES
 from .texture_images import COMPARES
@@ -20,25 +32,39 @@ CULL: dict[Cull, int] = {
     "front": vk.VK_CULL_MODE_FRONT_BIT,
 }
 
-ZERO, ONE = vk.VK_BLEND_FACTOR_ZERO, vk.VK_BLEND_FACTOR_ONE
-ALPHA, REST = vk.VK_BLEND_FACTOR_SRC_ALPHA, vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA
-UNDERNEATH = vk.VK_BLEND_FACTOR_DST_COLOR, vk.VK_BLEND_FACTOR_DST_ALPHA
-
-BLENDS: dict[Blend, tuple[int, int, int, int]] = {
-    "none": (ONE, ZERO, ONE, ZERO),
-    "alpha": (ALPHA, REST, ONE, REST),
-    "premultiplied": (ONE, REST, ONE, REST),
-    "add": (ONE, ONE, ONE, ONE),
-    "multiply": (UNDERNEATH[0], ZERO, UNDERNEATH[1], ZERO),
+FACTORS: dict[Factor, int] = {
+    "zero": vk.VK_BLEND_FACTOR_ZERO,
+    "one": vk.VK_BLEND_FACTOR_ONE,
+    "src": vk.VK_BLEND_FACTOR_SRC_COLOR,
+    "one_minus_src": vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR,
+    "src_alpha": vk.VK_BLEND_FACTOR_SRC_ALPHA,
+    "one_minus_src_alpha": vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+    "dst": vk.VK_BLEND_FACTOR_DST_COLOR,
+    "one_minus_dst": vk.VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR,
+    "dst_alpha": vk.VK_BLEND_FACTOR_DST_ALPHA,
+    "one_minus_dst_alpha": vk.VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA,
+    "src_alpha_saturated": vk.VK_BLEND_FACTOR_SRC_ALPHA_SATURATE,
+    "constant": vk.VK_BLEND_FACTOR_CONSTANT_COLOR,
+    "one_minus_constant": vk.VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR,
 }
-"""The factors of source and destination for the colour, then for alpha; the products are added."""
+"""Of alpha, a factor of a colour is its alpha."""
 
-ALL_LANES = (
-    vk.VK_COLOR_COMPONENT_R_BIT
-    | vk.VK_COLOR_COMPONENT_G_BIT
-    | vk.VK_COLOR_COMPONENT_B_BIT
-    | vk.VK_COLOR_COMPONENT_A_BIT
-)
+OPERATIONS: dict[Operation, int] = {
+    "add": vk.VK_BLEND_OP_ADD,
+    "subtract": vk.VK_BLEND_OP_SUBTRACT,
+    "reverse_subtract": vk.VK_BLEND_OP_REVERSE_SUBTRACT,
+    "min": vk.VK_BLEND_OP_MIN,
+    "max": vk.VK_BLEND_OP_MAX,
+}
+
+LANES: dict[str, int] = {
+    "r": vk.VK_COLOR_COMPONENT_R_BIT,
+    "g": vk.VK_COLOR_COMPONENT_G_BIT,
+    "b": vk.VK_COLOR_COMPONENT_B_BIT,
+    "a": vk.VK_COLOR_COMPONENT_A_BIT,
+}
+
+REPLACED = Blend(BlendEquation(), BlendEquation())
 
 
 STAGES: dict[str, int] = {
@@ -91,7 +117,7 @@ def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:
 def make_pipeline(
     owned: ExitStack, gpu: Gpu, pipeline: Pipeline, layout: Any, render_pass: Any
 ) -> Any:
-    """The pipeline; viewport and scissors are set for each draw.
+    """The pipeline; viewport, scissors and the blend constant are set for each draw.
 
     Structures in lists have names here: the binding copies them, and what they point to only lives
     as long as they do.
@@ -101,8 +127,12 @@ def make_pipeline(
             make_stage(modules, gpu, STAGES[name], code) for name, code in pipeline.stages.items()
         ]
         gpu.messages.check()
-        blends = [_blend(target.blend) for target in pipeline.targets]
-        dynamic = (vk.VK_DYNAMIC_STATE_VIEWPORT, vk.VK_DYNAMIC_STATE_SCISSOR)
+        blends = [_blend(target) for target in pipeline.targets]
+        dynamic = (
+            vk.VK_DYNAMIC_STATE_VIEWPORT,
+            vk.VK_DYNAMIC_STATE_SCISSOR,
+            vk.VK_DYNAMIC_STATE_BLEND_CONSTANTS,
+        )
         info = vk.VkGraphicsPipelineCreateInfo(
             pStages=stages,
             pVertexInputState=_vertex_inputs(pipeline.inputs),
@@ -169,15 +199,15 @@ def _rasterization(pipeline: Pipeline) -> Any:
     )
 
 
-def _blend(blend: Blend) -> Any:
-    colour_source, colour_below, alpha_source, alpha_below = BLENDS[blend]
+def _blend(target: RenderTarget) -> Any:
+    blend = target.blend or REPLACED
     return vk.VkPipelineColorBlendAttachmentState(
-        blendEnable=blend != "none",
-        srcColorBlendFactor=colour_source,
-        dstColorBlendFactor=colour_below,
-        colorBlendOp=vk.VK_BLEND_OP_ADD,
-        srcAlphaBlendFactor=alpha_source,
-        dstAlphaBlendFactor=alpha_below,
-        alphaBlendOp=vk.VK_BLEND_OP_ADD,
-        colorWriteMask=ALL_LANES,
+        blendEnable=target.blend is not None,
+        srcColorBlendFactor=FACTORS[blend.color.source],
+        dstColorBlendFactor=FACTORS[blend.color.destination],
+        colorBlendOp=OPERATIONS[blend.color.operation],
+        srcAlphaBlendFactor=FACTORS[blend.alpha.source],
+        dstAlphaBlendFactor=FACTORS[blend.alpha.destination],
+        alphaBlendOp=OPERATIONS[blend.alpha.operation],
+        colorWriteMask=sum(bit for lane, bit in LANES.items() if target.writes(lane)),
     )

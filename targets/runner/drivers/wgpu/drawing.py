@@ -38,12 +38,13 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
         ],
         depth_stencil_attachment={
             "view": _target(gpu, DEPTH, draw).create_view(),
-            "depth_clear_value": 1.0,
+            "depth_clear_value": draw.clear_depth,
             "depth_load_op": "clear",
             "depth_store_op": "discard",
         },
     )
     drawn.set_pipeline(made.handle)
+    drawn.set_blend_constant(draw.blend_constant)
     storage = make_storage(gpu, pipeline.buffers, draw.buffers)
     for number, group in enumerate(bind_groups(gpu, made.layouts, made.groups, draw, storage)):
         drawn.set_bind_group(number, group)
