@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
 from ....frozen import changed
 from ...diagnostics import rules
@@ -42,7 +42,7 @@ from .group_results import check_no_groups
 from .host_names import check_host_names
 from .instances import pass_scope
 from .layers import layer_count, layer_of
-from .render_states import check_render_state, render_state_of
+from .render_states import render_state_of
 from .slot_checks import check_rig, check_slots
 
 
@@ -70,7 +70,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
-    check_render_state(ctx, passing.record)
+    render_state_of(ctx, passing.record)
     layers = layer_count(ctx, passing.record)
     return (
         *layer_of(ctx, passing, layers),
@@ -119,9 +119,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         pattern=PatchPattern(*told) if told else None,
         capture=capture_of(setting.passing.record, results),
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
-        render_state=render_state_of(
-            setting.passing.record, clears_of(ctx, setting.passing.record).depth
-        ),
+        render_state=render_state_of(ctx, setting.passing.record),
     )
 
 
@@ -179,8 +177,10 @@ def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Ite
     if is_empty and not ctx.report.unread_names:  # What could not be read may have been a target.
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     cleared = clears_of(ctx, drawn).targets
-    found = (_target(ctx, drawn, passing, layers, cleared, *row) for row in written)
-    return (target for target in found if target is not None)
+    for row in written:
+        found = _target(ctx, drawn, passing, layers, *row)
+        if found is not None and found.state is not None:
+            yield changed(found, state=changed(found.state, clear=cleared.get(found.name)))
 
 
 def _target(
@@ -188,7 +188,6 @@ def _target(
     drawn: Record,
     passing: Instance,
     layers: int,
-    cleared: Mapping[str, tuple[float, ...]],
     target: ast.Target,
     owner: Symbol,
     level: int,
@@ -197,8 +196,7 @@ def _target(
     value = texel_value(ctx, target.format, target.value, pass_scope(owner, passing, level))
     if isinstance(value, Failure):
         return None
-    name = target.name.text
-    state = RenderTarget(target.format.text, blend, layers, mask, cleared.get(name))
+    name, state = target.name.text, RenderTarget(target.format.text, blend, layers, mask)
     ctx.notes.names.setdefault(value.id, name)
     return Result(TARGET, FRAGMENT, value, name, target.doc, state)
 
