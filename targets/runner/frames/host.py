@@ -99,7 +99,7 @@ class FrameHost:
         plan = subject.plan
         if plan.get("plan") != VERSION:
             raise PlanError(f"this is no plan of version {VERSION}")
-        check_plan(plan)
+        check_plan(plan, [shader.reflection for shader in subject.shaders])
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery
