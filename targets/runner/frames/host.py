@@ -12,6 +12,7 @@ from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
+from ....compiler.ir.frame import Frame
 from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
@@ -33,8 +34,8 @@ MOST_VERTICES = 1 << 24
 Row = Mapping[str, Any]
 
 
-class FrameSubject(Protocol):
-    """A compiled frame, as ``burnish.compile`` returns it."""
+class PlannedFrame(Protocol):
+    """All of a frame that is needed to execute its plan."""
 
     @property
     def name(self) -> str:
@@ -47,6 +48,14 @@ class FrameSubject(Protocol):
     @property
     def shaders(self) -> Sequence[Subject]:
         """The shaders, in the order of the plan."""
+
+
+class FrameSubject(PlannedFrame, Protocol):
+    """A compiled frame, as ``burnish.compile`` returns it."""
+
+    @property
+    def frame(self) -> Frame:
+        """What was checked, of which the plan was made."""
 
 
 def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
@@ -97,7 +106,7 @@ KERNEL = bare_mesh(3)
 class FrameHost:
     """The values of one frame."""
 
-    def __init__(self, subject: FrameSubject, scenery: Scenery, size: tuple[int, int]) -> None:
+    def __init__(self, subject: PlannedFrame, scenery: Scenery, size: tuple[int, int]) -> None:
         """Raises ``PlanError`` for a plan of another version, or one that cannot be executed."""
         plan = subject.plan
         if plan.get("plan") != VERSION:

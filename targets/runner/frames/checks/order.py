@@ -163,7 +163,8 @@ class _Execution:
         self._finds(source["texture"], source["result"])
         self._written(target["texture"], "copied_to")
         whole = places(self._plan["textures"][target["texture"]])
-        self._holds[target["texture"]] = dict.fromkeys(whole, target["result"])
+        result: str = target["result"]
+        self._holds[target["texture"]] = dict.fromkeys(whole, result)
         self._copies[target["texture"]] = source["result"]
 
     def _draw(self, target: Row, use: str) -> None:
