@@ -53,8 +53,6 @@ def alike(found: Any, wanted: Any) -> bool:
     return math.isclose(one, other, rel_tol=CLOSE, abs_tol=1e-300)
 
 
-
-
 def test_all_functions_mean_what_they_mean_elsewhere() -> None:
     chance = np.random.default_rng(5)
     cases = [
