@@ -21,7 +21,8 @@ const read = async () => {{
   return JSON.parse(Buffer.concat(parts).toString());
 }};
 // JSON has no such numbers.
-const kept = (_, value) => (typeof value === "number" && !Number.isFinite(value) ? `${{value}}` : value);
+const isShown = (value) => typeof value !== "number" || Number.isFinite(value);
+const kept = (_, value) => (isShown(value) ? value : `${{value}}`);
 const given = await read();
 const body = {body};
 console.log(JSON.stringify(given.map(body), kept));

@@ -6,11 +6,10 @@ import math
 from typing import Any
 
 import numpy as np
-import pytest
 
 from burnish.compiler.reference.functions import evaluate
 
-from ..builtins.overloads import COMPUTING, Overload, Shape, overloads
+from ..builtins.overloads import COMPUTING, Shape, overloads
 from ..builtins.samples import SPECIAL, SPECIAL_INTEGERS
 from .kit import in_node
 
