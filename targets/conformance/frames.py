@@ -20,7 +20,6 @@ from ...compiler.reference.picture import Expected, formats
 from ...compiler.reflection.plan import plan_document
 from ..runner.drivers.draw import Device
 from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
-from ..runner.frames.by_route import draw_frames
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame, Row
 from ..runner.frames.scenery import in_a_row
@@ -28,6 +27,7 @@ from ..runner.kernels import drawable
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..toolchain import Toolchain
+from ..web_host.drawing import draw_frames
 from .cases import Size
 from .compare import Comparison, compare
 from .once import Known
