@@ -15,13 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.shader import Shader
-from ...compiler.planning.plan import plan
 from ...compiler.reference.picture import Expected, formats
-from ...compiler.reflection.plan import plan_document
 from ..runner.drivers.draw import Device
 from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
 from ..runner.frames.checking import PlanError
-from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame, Row
+from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable
 from ..runner.routes import Route
@@ -56,7 +54,7 @@ class _Meant:
     def __init__(self, subject: FrameSubject) -> None:
         self.name = subject.name
         self.shaders = subject.shaders
-        self.plan: Row = plan_document(plan(subject.frame, shares=False))
+        self.plan = subject.plan_of_reference
 
 
 class FramePlan:

@@ -96,7 +96,9 @@ def _results(studio: Studio, change: Callable[[Plan], None]) -> list[bool]:
     (frame,) = burnish.compile(FRAME, (ROUTE.profile,)).frames
     plan = copy.deepcopy(frame.plan)
     change(plan)
-    planted = SimpleNamespace(name="F", shaders=frame.shaders, frame=frame.frame, plan=plan)
+    planted = SimpleNamespace(
+        name="F", shaders=frame.shaders, plan=plan, plan_of_reference=frame.plan_of_reference
+    )
     drawn = FramePlan("F", cast(FrameSubject, planted), SIZE)
     device = studio.runner.device(ROUTE)
     results = list(drawn.results(ROUTE, device, studio.runner, studio.toolchain))

@@ -12,7 +12,6 @@ from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
-from ....compiler.ir.frame import Frame
 from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
@@ -54,8 +53,8 @@ class FrameSubject(PlannedFrame, Protocol):
     """A compiled frame, as ``burnish.compile`` returns it."""
 
     @property
-    def frame(self) -> Frame:
-        """What was checked, of which the plan was made."""
+    def plan_of_reference(self) -> Row:
+        """What the reference does: a plan of its own, in which results share nothing."""
 
 
 def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
