@@ -137,12 +137,11 @@ class Canvas:
         through = self.stencil.tested(stencil, at)
         there = Outcomes(~shades.discarded[members], shades.undecided[members])
         self.stencil.change(stencil, at, there, through, nearer)
-        let = through.both(nearer)
-        passes, doubtful = let.holds, let.open
-        unsure = doubtful | (shades.undecided[members] & let.may_hold)
+        drawing = there.both(through.both(nearer))
+        unsure = drawing.open
         if self.is_opaque and (test.write or not self.has_depth):
             # Whatever is behind a fragment that certainly wins is not undecided any more.
-            wins = passes & ~unsure & ~shades.discarded[members]
+            wins = drawing.holds & ~unsure
             wins &= self._passes_in_any_case(test, new + off[members], at)
             self.shaky[pixel[members[wins]]] = False
         if self._shows(test):
@@ -150,7 +149,7 @@ class Canvas:
         # It may have been drawn or not, so that either of the two depths may be there.
         nearest_there = np.minimum(new - off[members], before - self.depth_off[at])
         self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], nearest_there[unsure])
-        drawn = members[passes & ~shades.discarded[members]]
+        drawn = members[drawing.holds]
         at = pixel[drawn]
         if test.write:
             self.depth[at] = depth[drawn]
