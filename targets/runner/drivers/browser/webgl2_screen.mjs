@@ -41,13 +41,17 @@ const OPERATIONS = {
 };
 
 /** A framebuffer, which is bound, and its renderbuffers. */
-export function makeScreen(gl, targets, size) {
+export function makeScreen(gl, { targets, stencil }, size) {
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   const buffers = targets.map(({ format }, at) =>
     attach(gl, gl.COLOR_ATTACHMENT0 + at, gl[STORAGE[format]], size),
   );
-  buffers.push(attach(gl, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F, size));
+  buffers.push(
+    stencil
+      ? attach(gl, gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH32F_STENCIL8, size)
+      : attach(gl, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F, size),
+  );
   gl.drawBuffers(targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at));
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
     const formats = targets.map(({ format }) => format).join(", ");
@@ -71,11 +75,14 @@ export function deleteScreen(gl, { framebuffer, buffers }) {
 }
 
 /** Clear everything; what is cleared obeys the masks. */
-export function clear(gl, colors, depth) {
+export function clear(gl, { stencil }, draw) {
   gl.colorMask(true, true, true, true);
-  colors.forEach((color, at) => gl.clearBufferfv(gl.COLOR, at, color));
+  draw.clear.forEach((color, at) => gl.clearBufferfv(gl.COLOR, at, color));
   gl.depthMask(true);
-  gl.clearBufferfv(gl.DEPTH, 0, [depth]);
+  gl.clearBufferfv(gl.DEPTH, 0, [draw.clear_depth]);
+  if (!stencil) return;
+  gl.stencilMask(0xff);
+  gl.clearBufferiv(gl.STENCIL, 0, [0]);
 }
 
 /** Set how each target is blended, which lanes are written, and what `constant` means. */

@@ -54,8 +54,7 @@ def set_blending(
         functions.glBlendFuncSeparatei(number, *(FACTORS[factor] for factor in factors))
 
 
-def write_everything(functions: Functions, targets: int) -> None:
-    """Let all lanes of all targets, and all depths, be written: what is cleared obeys the masks."""
-    functions.glDepthMask(1)
+def write_all_lanes(functions: Functions, targets: int) -> None:
+    """Let all lanes of all targets be written: what is cleared obeys the masks."""
     for number in range(targets):
         functions.glColorMaski(number, 1, 1, 1, 1)

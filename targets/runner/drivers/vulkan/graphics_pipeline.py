@@ -4,24 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import ExitStack
-from typing import Any, Literal
+from typing import Any
 
 import vulkan as vk
 
 from ..checks import lane_count
 from ..draw import (
-    Blend,
-    BlendEquation,
     Code,
     Cull,
-    Factor,
-    Operation,
+    Fill,
     Pipeline,
     Primitive,
-    RenderTarget,
+    Stencil,
+    StencilOperation,
+    StencilSide,
     StepMode,
     VertexInput,
+    Winding,
 )
+from .blending import blend_state
 from .device import Gpu
 from .formats import VERTICES
 from .texture_images import COMPARES
@@ -31,41 +32,6 @@ CULL: dict[Cull, int] = {
     "back": vk.VK_CULL_MODE_BACK_BIT,
     "front": vk.VK_CULL_MODE_FRONT_BIT,
 }
-
-FACTORS: dict[Factor, int] = {
-    "zero": vk.VK_BLEND_FACTOR_ZERO,
-    "one": vk.VK_BLEND_FACTOR_ONE,
-    "src": vk.VK_BLEND_FACTOR_SRC_COLOR,
-    "one_minus_src": vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR,
-    "src_alpha": vk.VK_BLEND_FACTOR_SRC_ALPHA,
-    "one_minus_src_alpha": vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-    "dst": vk.VK_BLEND_FACTOR_DST_COLOR,
-    "one_minus_dst": vk.VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR,
-    "dst_alpha": vk.VK_BLEND_FACTOR_DST_ALPHA,
-    "one_minus_dst_alpha": vk.VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA,
-    "src_alpha_saturated": vk.VK_BLEND_FACTOR_SRC_ALPHA_SATURATE,
-    "constant": vk.VK_BLEND_FACTOR_CONSTANT_COLOR,
-    "one_minus_constant": vk.VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR,
-}
-"""Of alpha, a factor of a colour is its alpha."""
-
-OPERATIONS: dict[Operation, int] = {
-    "add": vk.VK_BLEND_OP_ADD,
-    "subtract": vk.VK_BLEND_OP_SUBTRACT,
-    "reverse_subtract": vk.VK_BLEND_OP_REVERSE_SUBTRACT,
-    "min": vk.VK_BLEND_OP_MIN,
-    "max": vk.VK_BLEND_OP_MAX,
-}
-
-LANES: dict[str, int] = {
-    "r": vk.VK_COLOR_COMPONENT_R_BIT,
-    "g": vk.VK_COLOR_COMPONENT_G_BIT,
-    "b": vk.VK_COLOR_COMPONENT_B_BIT,
-    "a": vk.VK_COLOR_COMPONENT_A_BIT,
-}
-
-REPLACED = Blend(BlendEquation(), BlendEquation())
-
 
 STAGES: dict[str, int] = {
     "vertex": vk.VK_SHADER_STAGE_VERTEX_BIT,
@@ -89,11 +55,24 @@ RATES: dict[StepMode, int] = {
     "instance": vk.VK_VERTEX_INPUT_RATE_INSTANCE,
 }
 
-FRONT: dict[Literal["ccw", "cw"], int] = {
+FRONT: dict[Winding, int] = {
     "ccw": vk.VK_FRONT_FACE_COUNTER_CLOCKWISE,
     "cw": vk.VK_FRONT_FACE_CLOCKWISE,
 }
 """Windings. Vulkan determines them in the framebuffer, so after the effect of ``viewport``."""
+
+FILLS: dict[Fill, int] = {"faces": vk.VK_POLYGON_MODE_FILL, "lines": vk.VK_POLYGON_MODE_LINE}
+
+OPERATIONS: dict[StencilOperation, int] = {
+    "keep": vk.VK_STENCIL_OP_KEEP,
+    "zero": vk.VK_STENCIL_OP_ZERO,
+    "replace": vk.VK_STENCIL_OP_REPLACE,
+    "invert": vk.VK_STENCIL_OP_INVERT,
+    "increment_clamp": vk.VK_STENCIL_OP_INCREMENT_AND_CLAMP,
+    "decrement_clamp": vk.VK_STENCIL_OP_DECREMENT_AND_CLAMP,
+    "increment_wrap": vk.VK_STENCIL_OP_INCREMENT_AND_WRAP,
+    "decrement_wrap": vk.VK_STENCIL_OP_DECREMENT_AND_WRAP,
+}
 
 
 def viewport(pipeline: Pipeline, width: int, height: int) -> Any:
@@ -127,7 +106,7 @@ def make_pipeline(
             make_stage(modules, gpu, STAGES[name], code) for name, code in pipeline.stages.items()
         ]
         gpu.messages.check()
-        blends = [_blend(target) for target in pipeline.targets]
+        blends = [blend_state(target) for target in pipeline.targets]
         dynamic = (
             vk.VK_DYNAMIC_STATE_VIEWPORT,
             vk.VK_DYNAMIC_STATE_SCISSOR,
@@ -145,11 +124,7 @@ def make_pipeline(
             pMultisampleState=vk.VkPipelineMultisampleStateCreateInfo(
                 rasterizationSamples=vk.VK_SAMPLE_COUNT_1_BIT
             ),
-            pDepthStencilState=vk.VkPipelineDepthStencilStateCreateInfo(
-                depthTestEnable=vk.VK_TRUE,
-                depthWriteEnable=pipeline.depth_write,
-                depthCompareOp=COMPARES[pipeline.depth_compare],
-            ),
+            pDepthStencilState=_depth_stencil(pipeline),
             pColorBlendState=vk.VkPipelineColorBlendStateCreateInfo(pAttachments=blends),
             pDynamicState=vk.VkPipelineDynamicStateCreateInfo(pDynamicStates=dynamic),
             layout=layout,
@@ -190,8 +165,13 @@ def _tessellation(pipeline: Pipeline) -> Any:
 
 
 def _rasterization(pipeline: Pipeline) -> Any:
+    bias = pipeline.depth_bias
     return vk.VkPipelineRasterizationStateCreateInfo(
-        polygonMode=vk.VK_POLYGON_MODE_FILL,
+        depthBiasEnable=pipeline.has_bias,
+        depthBiasConstantFactor=bias.constant,
+        depthBiasSlopeFactor=bias.slope,
+        depthBiasClamp=bias.clamp,
+        polygonMode=FILLS[pipeline.fill],
         cullMode=CULL[pipeline.cull],
         frontFace=FRONT[pipeline.front_face],
         lineWidth=1.0,
@@ -199,15 +179,32 @@ def _rasterization(pipeline: Pipeline) -> Any:
     )
 
 
-def _blend(target: RenderTarget) -> Any:
-    blend = target.blend or REPLACED
-    return vk.VkPipelineColorBlendAttachmentState(
-        blendEnable=target.blend is not None,
-        srcColorBlendFactor=FACTORS[blend.color.source],
-        dstColorBlendFactor=FACTORS[blend.color.destination],
-        colorBlendOp=OPERATIONS[blend.color.operation],
-        srcAlphaBlendFactor=FACTORS[blend.alpha.source],
-        dstAlphaBlendFactor=FACTORS[blend.alpha.destination],
-        alphaBlendOp=OPERATIONS[blend.alpha.operation],
-        colorWriteMask=sum(bit for lane, bit in LANES.items() if target.writes(lane)),
+def _depth_stencil(pipeline: Pipeline) -> Any:
+    stencil = pipeline.stencil
+    sides = (
+        {}
+        if stencil is None
+        else {
+            "stencilTestEnable": vk.VK_TRUE,
+            "front": _stencil_side(stencil, stencil.front),
+            "back": _stencil_side(stencil, stencil.back),
+        }
+    )
+    return vk.VkPipelineDepthStencilStateCreateInfo(
+        depthTestEnable=vk.VK_TRUE,
+        depthWriteEnable=pipeline.depth_write,
+        depthCompareOp=COMPARES[pipeline.depth_compare],
+        **sides,
+    )
+
+
+def _stencil_side(stencil: Stencil, side: StencilSide) -> Any:
+    return vk.VkStencilOpState(
+        failOp=OPERATIONS[side.fail],
+        passOp=OPERATIONS[side.passed],
+        depthFailOp=OPERATIONS[side.depth_fail],
+        compareOp=COMPARES[side.compare],
+        compareMask=stencil.read_mask,
+        writeMask=stencil.write_mask,
+        reference=stencil.reference,
     )

@@ -48,7 +48,7 @@ class Painter:
         self._owned = owned
         self._gpu = gpu
         self._description = job.pipeline
-        self._render_pass = make_render_pass(owned, gpu, job.pipeline.targets)
+        self._render_pass = make_render_pass(owned, gpu, job.pipeline)
         self._bindings = make_descriptor_sets(owned, gpu, job.pipeline)
         self._layout = make_layout(owned, gpu, self._bindings.layouts)
         self._pipeline = make_pipeline(owned, gpu, job.pipeline, self._layout, self._render_pass)
@@ -116,12 +116,7 @@ class Painter:
         width, height = size
         if (width, height) not in self._canvases:
             self._canvases[width, height] = make_canvas(
-                self._owned,
-                self._gpu,
-                self._description.targets,
-                self._render_pass,
-                (width, height),
-                self._description.layers,
+                self._owned, self._gpu, self._description, self._render_pass, (width, height)
             )
         return self._canvases[width, height]
 
@@ -138,7 +133,7 @@ class Painter:
 
 
 def _clear_values(draw: Draw) -> list[Any]:
-    """The clear colours of the targets, and the depth that is cleared to."""
+    """The clear colours of the targets, the depth that is cleared to, and a stencil value of 0."""
     cleared = [
         vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in draw.clear
     ]
