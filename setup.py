@@ -63,8 +63,9 @@ setup(
     package_data={
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],
+        "burnish.targets.web_host": ["webgpu/*.ts", "modules/*.js", "modules/webgpu/*.js"],
         **{
-            f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs"]
+            f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs", "*.ts"]
             for name in sub_packages
             if name.startswith(("compiler", "targets"))
         },
