@@ -162,13 +162,13 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
         case "block":
           return this.arena.put(blocks.get(slot.name)!);
         case "buffer":
-          return { buffer: bound.buffers.get(slot.name)! };
+          return { buffer: given(bound.buffers, slot.name, bound) };
         case "image":
           return layerOf(images[slot.number].gpu, 0, 0);
         case "sampler":
           return this.sampler(bound.shader, slot.name);
         case "texture":
-          return viewOf(bound.textures.get(slot.name)!, textures.find(({ name }) => name === slot.name)!);
+          return viewOf(given(bound.textures, slot.name, bound), textures.find(({ name }) => name === slot.name)!);
       }
     };
     this.slots[bound.shader].forEach((slots, group) => {
@@ -245,6 +245,12 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
       buffer.destroy();
     }
   }
+}
+
+function given<Item>(items: Map<string, Item>, name: string, { values }: Bound<unknown, unknown>): Item {
+  const found = items.get(name);
+  if (found === undefined) throw new Error(`nobody gives ${values.name} its \`${name}\``);
+  return found;
 }
 
 /** The view by which a shader reads a whole texture. */

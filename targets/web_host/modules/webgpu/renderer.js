@@ -129,13 +129,13 @@ export class WebGpuRenderer {
                 case "block":
                     return this.arena.put(blocks.get(slot.name));
                 case "buffer":
-                    return { buffer: bound.buffers.get(slot.name) };
+                    return { buffer: given(bound.buffers, slot.name, bound) };
                 case "image":
                     return layerOf(images[slot.number].gpu, 0, 0);
                 case "sampler":
                     return this.sampler(bound.shader, slot.name);
                 case "texture":
-                    return viewOf(bound.textures.get(slot.name), textures.find(({ name }) => name === slot.name));
+                    return viewOf(given(bound.textures, slot.name, bound), textures.find(({ name }) => name === slot.name));
             }
         };
         this.slots[bound.shader].forEach((slots, group) => {
@@ -209,6 +209,12 @@ export class WebGpuRenderer {
             buffer.destroy();
         }
     }
+}
+function given(items, name, { values }) {
+    const found = items.get(name);
+    if (found === undefined)
+        throw new Error(`nobody gives ${values.name} its \`${name}\``);
+    return found;
 }
 /** The view by which a shader reads a whole texture. */
 function viewOf({ gpu }, { layout: { viewDimension } }) {
