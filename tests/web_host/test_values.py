@@ -1,4 +1,4 @@
-"""The host's values and blocks against the bytes of Python's runtime, and what values it refuses."""
+"""The host's values and blocks against the bytes of Python's runtime, and what it refuses."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ NAMES = (
     "area_lights", "fog", "instances", "own_light", "plastic", "shadow_map", "skinned",
     "texture_shift", "water",
 )  # fmt: skip
-"""Together they have matrices, arrays of lights, tables, structures, and values derived by folds and
-functions."""
+"""Together they have matrices, arrays of lights, tables, structures, and values derived by folds
+and functions."""
 
 _BLOCKS = """({reflection, values}) => {
   const made = new call(reflection.material, reflection);
