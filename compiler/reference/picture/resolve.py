@@ -88,12 +88,8 @@ class Canvas:
         self.shaky = np.zeros(pixels, dtype=np.bool_)
         """Pixels that are undecided because of what has been drawn there so far."""
         self.is_opaque = all(state.is_replaced for state in self._states)
-        self._constants = [
-            clamped(
-                state.format, np.asarray(blend_constant, np.float32).astype(np.float64)
-            ).tolist()
-            for state in self._states
-        ]
+        constant = np.asarray(blend_constant, np.float32).astype(np.float64)
+        self._constants = [clamped(state.format, constant).tolist() for state in self._states]
         """What the factor ``constant`` means in each target."""
 
     def draw(
