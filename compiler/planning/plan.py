@@ -110,14 +110,16 @@ class Plan:
     kept: tuple[Kept, ...]
 
 
-def plan(frame: Frame) -> Plan:
-    """The plan of a frame."""
-    return _Planning(frame).plan()
+def plan(frame: Frame, *, shares: bool = True) -> Plan:
+    """The plan of a frame. Unless it ``shares``, every result has a texture of its own: this needs
+    more memory, and says what the frame means even if sharing is wrong."""
+    return _Planning(frame, shares=shares).plan()
 
 
 class _Planning:
-    def __init__(self, frame: Frame) -> None:
+    def __init__(self, frame: Frame, *, shares: bool) -> None:
         self._frame = frame
+        self._shares = shares
         self._lifetimes = Lifetimes.of(frame)
         self._stencils = Stencils.of(frame)
         self._textures: list[PlannedTexture] = []
@@ -181,7 +183,7 @@ class _Planning:
             image, over = attachment.image, attachment.over
             if over is None or image in self._texture_of:
                 continue
-            if over not in read and self._lifetimes.is_over(over, number):
+            if self._shares and over not in read and self._lifetimes.is_over(over, number):
                 self._share(image, self._texture_of[over])
             else:
                 self._allot(image)
@@ -197,7 +199,7 @@ class _Planning:
 
     def _allot(self, image: Image) -> None:
         free = self._free.get(self._key(image))
-        if free:
+        if free and self._shares:
             self._share(image, free.pop())
         else:
             self._texture_of[image] = self._new(image)
