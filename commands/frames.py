@@ -98,7 +98,7 @@ def draw_by(
 ) -> Sequence[Mapping[str, Floats]]:
     """The outputs, by name, of all frames that a request asks for; the route ``None`` is the
     reference."""
-    from ..targets.runner.frames.by_route import draw_frames
+    from ..targets.web_host.drawing import draw_frames
 
     if route is None:
         return list(_by_reference(made(), request, progress))

@@ -37,7 +37,7 @@ from .host import FrameHost, FrameSubject, Row
 
 Floats = NDArray[np.float64]
 
-DEPTH_FORMATS = {"depth32f": "depth32float"}
+DEPTH_FORMATS = {"depth32f": "depth32float", "depth32f_stencil8": "depth32float-stencil8"}
 WORD = 4
 """Bytes."""
 NEW = -1
@@ -65,10 +65,11 @@ def draw_frames(
         job.add_frame(number)
         job.add_reading(names)
     found = iter(runner.draw_frame(route, job.whole()))
-    return [{name: _array(next(found)) for name in names} for _ in range(count)]
+    return [{name: array_of(next(found)) for name in names} for _ in range(count)]
 
 
-def _array(texels: FrameTexels) -> Floats:
+def array_of(texels: FrameTexels) -> Floats:
+    """What came back of a texture: (layers, height, width, 4)."""
     shape = texels.layers, texels.height, texels.width, 4
     return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
 
@@ -233,7 +234,8 @@ class _Job:
         at = layer if target["layer"] is None else target["layer"]
         return Attachment(
             self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
-            target["store"], (clear, 0.0, 0.0, 0.0),
+            target["store"], "stencil" in target and target["stencil"]["store"],
+            (clear, 0.0, 0.0, 0.0),
         )  # fmt: skip
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:

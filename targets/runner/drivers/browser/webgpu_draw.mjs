@@ -2,7 +2,7 @@
 
 import { base64, bytes } from "./answers.mjs";
 import { bindGroups, makeBuffer, makeStorage } from "./webgpu_bindings.mjs";
-import { vertexBuffers } from "./webgpu_pipeline.mjs";
+import { depthFormat, vertexBuffers } from "./webgpu_pipeline.mjs";
 
 const ROW_ALIGNMENT = 256;
 const TEXEL_SIZES = {
@@ -18,10 +18,12 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   try {
     const size = [draw.width, draw.height];
     const screen = job.targets.map(({ format }) => keep(makeTarget(device, format, size)));
-    const depth = keep(makeTarget(device, "depth32float", size));
+    const depth = keep(makeTarget(device, depthFormat(job), size));
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass(passDescriptor(screen, depth, draw.clear));
+    const pass = encoder.beginRenderPass(passDescriptor(job, screen, depth, draw));
     pass.setPipeline(pipeline);
+    pass.setBlendConstant(draw.blend_constant);
+    if (job.stencil) pass.setStencilReference(job.stencil.reference);
     const storage = makeStorage(device, job, draw, keep);
     bindGroups(device, job, layouts, draw, storage, keep).forEach((group, at) =>
       pass.setBindGroup(at, group),
@@ -48,19 +50,24 @@ function makeTarget(device, format, size) {
   });
 }
 
-function passDescriptor(screen, depth, clear) {
+function passDescriptor(job, screen, depth, draw) {
   return {
     colorAttachments: screen.map((target, at) => ({
       view: target.createView(),
-      clearValue: clear[at],
+      clearValue: draw.clear[at],
       loadOp: "clear",
       storeOp: "store",
     })),
     depthStencilAttachment: {
       view: depth.createView(),
-      depthClearValue: 1,
+      depthClearValue: draw.clear_depth,
       depthLoadOp: "clear",
       depthStoreOp: "discard",
+      ...(job.stencil && {
+        stencilClearValue: 0,
+        stencilLoadOp: "clear",
+        stencilStoreOp: "discard",
+      }),
     },
   };
 }

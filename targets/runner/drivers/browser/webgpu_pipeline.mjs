@@ -7,18 +7,7 @@ export const COMPUTE_STAGE = 4; // GPUShaderStage.COMPUTE
 const BOTH_STAGES = 3; // GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT
 const FLOAT32_TARGETS = ["r32float", "rg32float", "rgba32float"];
 
-const sum = (srcFactor, dstFactor) => ({ operation: "add", srcFactor, dstFactor });
-const alike = (factors) => ({ color: factors, alpha: factors });
-const BLENDS = {
-  none: undefined,
-  alpha: {
-    color: sum("src-alpha", "one-minus-src-alpha"),
-    alpha: sum("one", "one-minus-src-alpha"),
-  },
-  premultiplied: alike(sum("one", "one-minus-src-alpha")),
-  add: alike(sum("one", "one")),
-  multiply: alike(sum("dst", "zero")),
-};
+const LANES = { r: 1, g: 2, b: 4, a: 8 }; // GPUColorWrite
 
 /** The pipeline, and the layouts of its bind groups. */
 export async function makePipeline(device, job) {
@@ -52,11 +41,7 @@ export async function makePipeline(device, job) {
       cullMode: job.cull,
       frontFace: job.front_face,
     },
-    depthStencil: {
-      format: "depth32float",
-      depthWriteEnabled: job.depth_write,
-      depthCompare: job.depth_compare.replace("_", "-"),
-    },
+    depthStencil: depthStencilState(device, job),
   });
   return { pipeline, layouts };
 }
@@ -92,12 +77,61 @@ export async function makeModule(device, stage, code) {
   return module;
 }
 
-function targetState(device, { format, blend }) {
+// The words of a job are WebGPU's, with other dashes.
+const dashed = (word) => word.replaceAll("_", "-");
+
+function depthStencilState(device, job) {
+  const format = depthFormat(job);
+  if (job.stencil && !device.features.has(format)) {
+    throw new Refusal(`the WebGPU adapter has no ${format}`);
+  }
+  const { constant, slope, clamp } = job.depth_bias;
+  const side = ({ compare, fail, depth_fail, passed }) => ({
+    compare: dashed(compare),
+    failOp: dashed(fail),
+    depthFailOp: dashed(depth_fail),
+    passOp: dashed(passed),
+  });
+  return {
+    format,
+    depthWriteEnabled: job.depth_write,
+    depthCompare: dashed(job.depth_compare),
+    // Only triangles are moved, and of anything else WebGPU wants to hear nothing of it.
+    ...(job.primitive === "triangle" && {
+      depthBias: constant,
+      depthBiasSlopeScale: slope,
+      depthBiasClamp: clamp,
+    }),
+    ...(job.stencil && {
+      stencilFront: side(job.stencil.front),
+      stencilBack: side(job.stencil.back),
+      stencilReadMask: job.stencil.read_mask,
+      stencilWriteMask: job.stencil.write_mask,
+    }),
+  };
+}
+
+/** The format of the depths that a job draws to, and of the stencil values beside them. */
+export const depthFormat = (job) => (job.stencil ? "depth32float-stencil8" : "depth32float");
+
+function targetState(device, { format, blend, mask }) {
   const float32 = FLOAT32_TARGETS.includes(format);
-  if (blend !== "none" && float32 && !device.features.has("float32-blendable")) {
+  if (blend && float32 && !device.features.has("float32-blendable")) {
     throw new Refusal(`the WebGPU adapter cannot blend ${format}: it lacks float32-blendable`);
   }
-  return { format, blend: BLENDS[blend] };
+  const lanes = mask === "none" ? [] : [...mask];
+  const writeMask = lanes.reduce((bits, lane) => bits | LANES[lane], 0);
+  if (!blend) return { format, writeMask };
+  return { format, writeMask, blend: { color: equation(blend.color), alpha: equation(blend.alpha) } };
+}
+
+/** An equation in WebGPU's words. */
+function equation({ source, destination, operation }) {
+  return {
+    operation: dashed(operation),
+    srcFactor: dashed(source),
+    dstFactor: dashed(destination),
+  };
 }
 
 /** The slots' bindings by group, with an empty group for each unused number. */

@@ -4,12 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import ExitStack
-from typing import Any, Literal
+from typing import Any
 
 import vulkan as vk
 
 from ..checks import lane_count
-from ..draw import Blend, Code, Cull, Pipeline, Primitive, StepMode, VertexInput
+from ..draw import (
+    Code,
+    Cull,
+    Fill,
+    Pipeline,
+    Primitive,
+    Stencil,
+    StencilOperation,
+    StencilSide,
+    StepMode,
+    VertexInput,
+    Winding,
+)
+from .blending import blend_state
 from .device import Gpu
 from .formats import VERTICES
 from .texture_images import COMPARES
@@ -19,27 +32,6 @@ CULL: dict[Cull, int] = {
     "back": vk.VK_CULL_MODE_BACK_BIT,
     "front": vk.VK_CULL_MODE_FRONT_BIT,
 }
-
-ZERO, ONE = vk.VK_BLEND_FACTOR_ZERO, vk.VK_BLEND_FACTOR_ONE
-ALPHA, REST = vk.VK_BLEND_FACTOR_SRC_ALPHA, vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA
-UNDERNEATH = vk.VK_BLEND_FACTOR_DST_COLOR, vk.VK_BLEND_FACTOR_DST_ALPHA
-
-BLENDS: dict[Blend, tuple[int, int, int, int]] = {
-    "none": (ONE, ZERO, ONE, ZERO),
-    "alpha": (ALPHA, REST, ONE, REST),
-    "premultiplied": (ONE, REST, ONE, REST),
-    "add": (ONE, ONE, ONE, ONE),
-    "multiply": (UNDERNEATH[0], ZERO, UNDERNEATH[1], ZERO),
-}
-"""The factors of source and destination for the colour, then for alpha; the products are added."""
-
-ALL_LANES = (
-    vk.VK_COLOR_COMPONENT_R_BIT
-    | vk.VK_COLOR_COMPONENT_G_BIT
-    | vk.VK_COLOR_COMPONENT_B_BIT
-    | vk.VK_COLOR_COMPONENT_A_BIT
-)
-
 
 STAGES: dict[str, int] = {
     "vertex": vk.VK_SHADER_STAGE_VERTEX_BIT,
@@ -63,11 +55,24 @@ RATES: dict[StepMode, int] = {
     "instance": vk.VK_VERTEX_INPUT_RATE_INSTANCE,
 }
 
-FRONT: dict[Literal["ccw", "cw"], int] = {
+FRONT: dict[Winding, int] = {
     "ccw": vk.VK_FRONT_FACE_COUNTER_CLOCKWISE,
     "cw": vk.VK_FRONT_FACE_CLOCKWISE,
 }
 """Windings. Vulkan determines them in the framebuffer, so after the effect of ``viewport``."""
+
+FILLS: dict[Fill, int] = {"faces": vk.VK_POLYGON_MODE_FILL, "lines": vk.VK_POLYGON_MODE_LINE}
+
+OPERATIONS: dict[StencilOperation, int] = {
+    "keep": vk.VK_STENCIL_OP_KEEP,
+    "zero": vk.VK_STENCIL_OP_ZERO,
+    "replace": vk.VK_STENCIL_OP_REPLACE,
+    "invert": vk.VK_STENCIL_OP_INVERT,
+    "increment_clamp": vk.VK_STENCIL_OP_INCREMENT_AND_CLAMP,
+    "decrement_clamp": vk.VK_STENCIL_OP_DECREMENT_AND_CLAMP,
+    "increment_wrap": vk.VK_STENCIL_OP_INCREMENT_AND_WRAP,
+    "decrement_wrap": vk.VK_STENCIL_OP_DECREMENT_AND_WRAP,
+}
 
 
 def viewport(pipeline: Pipeline, width: int, height: int) -> Any:
@@ -91,7 +96,7 @@ def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:
 def make_pipeline(
     owned: ExitStack, gpu: Gpu, pipeline: Pipeline, layout: Any, render_pass: Any
 ) -> Any:
-    """The pipeline; viewport and scissors are set for each draw.
+    """The pipeline; viewport, scissors and the blend constant are set for each draw.
 
     Structures in lists have names here: the binding copies them, and what they point to only lives
     as long as they do.
@@ -101,8 +106,12 @@ def make_pipeline(
             make_stage(modules, gpu, STAGES[name], code) for name, code in pipeline.stages.items()
         ]
         gpu.messages.check()
-        blends = [_blend(target.blend) for target in pipeline.targets]
-        dynamic = (vk.VK_DYNAMIC_STATE_VIEWPORT, vk.VK_DYNAMIC_STATE_SCISSOR)
+        blends = [blend_state(target) for target in pipeline.targets]
+        dynamic = (
+            vk.VK_DYNAMIC_STATE_VIEWPORT,
+            vk.VK_DYNAMIC_STATE_SCISSOR,
+            vk.VK_DYNAMIC_STATE_BLEND_CONSTANTS,
+        )
         info = vk.VkGraphicsPipelineCreateInfo(
             pStages=stages,
             pVertexInputState=_vertex_inputs(pipeline.inputs),
@@ -115,11 +124,7 @@ def make_pipeline(
             pMultisampleState=vk.VkPipelineMultisampleStateCreateInfo(
                 rasterizationSamples=vk.VK_SAMPLE_COUNT_1_BIT
             ),
-            pDepthStencilState=vk.VkPipelineDepthStencilStateCreateInfo(
-                depthTestEnable=vk.VK_TRUE,
-                depthWriteEnable=pipeline.depth_write,
-                depthCompareOp=COMPARES[pipeline.depth_compare],
-            ),
+            pDepthStencilState=_depth_stencil(pipeline),
             pColorBlendState=vk.VkPipelineColorBlendStateCreateInfo(pAttachments=blends),
             pDynamicState=vk.VkPipelineDynamicStateCreateInfo(pDynamicStates=dynamic),
             layout=layout,
@@ -160,8 +165,13 @@ def _tessellation(pipeline: Pipeline) -> Any:
 
 
 def _rasterization(pipeline: Pipeline) -> Any:
+    bias = pipeline.depth_bias
     return vk.VkPipelineRasterizationStateCreateInfo(
-        polygonMode=vk.VK_POLYGON_MODE_FILL,
+        depthBiasEnable=pipeline.has_bias,
+        depthBiasConstantFactor=bias.constant,
+        depthBiasSlopeFactor=bias.slope,
+        depthBiasClamp=bias.clamp,
+        polygonMode=FILLS[pipeline.fill],
         cullMode=CULL[pipeline.cull],
         frontFace=FRONT[pipeline.front_face],
         lineWidth=1.0,
@@ -169,15 +179,32 @@ def _rasterization(pipeline: Pipeline) -> Any:
     )
 
 
-def _blend(blend: Blend) -> Any:
-    colour_source, colour_below, alpha_source, alpha_below = BLENDS[blend]
-    return vk.VkPipelineColorBlendAttachmentState(
-        blendEnable=blend != "none",
-        srcColorBlendFactor=colour_source,
-        dstColorBlendFactor=colour_below,
-        colorBlendOp=vk.VK_BLEND_OP_ADD,
-        srcAlphaBlendFactor=alpha_source,
-        dstAlphaBlendFactor=alpha_below,
-        alphaBlendOp=vk.VK_BLEND_OP_ADD,
-        colorWriteMask=ALL_LANES,
+def _depth_stencil(pipeline: Pipeline) -> Any:
+    stencil = pipeline.stencil
+    sides = (
+        {}
+        if stencil is None
+        else {
+            "stencilTestEnable": vk.VK_TRUE,
+            "front": _stencil_side(stencil, stencil.front),
+            "back": _stencil_side(stencil, stencil.back),
+        }
+    )
+    return vk.VkPipelineDepthStencilStateCreateInfo(
+        depthTestEnable=vk.VK_TRUE,
+        depthWriteEnable=pipeline.depth_write,
+        depthCompareOp=COMPARES[pipeline.depth_compare],
+        **sides,
+    )
+
+
+def _stencil_side(stencil: Stencil, side: StencilSide) -> Any:
+    return vk.VkStencilOpState(
+        failOp=OPERATIONS[side.fail],
+        passOp=OPERATIONS[side.passed],
+        depthFailOp=OPERATIONS[side.depth_fail],
+        compareOp=COMPARES[side.compare],
+        compareMask=stencil.read_mask,
+        writeMask=stencil.write_mask,
+        reference=stencil.reference,
     )

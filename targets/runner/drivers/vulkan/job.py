@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from typing import Any
 
@@ -48,7 +48,7 @@ class Painter:
         self._owned = owned
         self._gpu = gpu
         self._description = job.pipeline
-        self._render_pass = make_render_pass(owned, gpu, job.pipeline.targets)
+        self._render_pass = make_render_pass(owned, gpu, job.pipeline)
         self._bindings = make_descriptor_sets(owned, gpu, job.pipeline)
         self._layout = make_layout(owned, gpu, self._bindings.layouts)
         self._pipeline = make_pipeline(owned, gpu, job.pipeline, self._layout, self._render_pass)
@@ -83,12 +83,13 @@ class Painter:
             renderPass=self._render_pass,
             framebuffer=canvas.framebuffer,
             renderArea=area,
-            pClearValues=_clear_values(draw.clear),
+            pClearValues=_clear_values(draw),
         )
         vk.vkCmdBeginRenderPass(commands, begin, vk.VK_SUBPASS_CONTENTS_INLINE)
         view = viewport(self._description, draw.width, draw.height)
         vk.vkCmdSetViewport(commands, 0, 1, [view])
         vk.vkCmdSetScissor(commands, 0, 1, [area])
+        vk.vkCmdSetBlendConstants(commands, draw.blend_constant)
         self._draw_mesh(commands, draw, around)
         vk.vkCmdEndRenderPass(commands)
 
@@ -115,12 +116,7 @@ class Painter:
         width, height = size
         if (width, height) not in self._canvases:
             self._canvases[width, height] = make_canvas(
-                self._owned,
-                self._gpu,
-                self._description.targets,
-                self._render_pass,
-                (width, height),
-                self._description.layers,
+                self._owned, self._gpu, self._description, self._render_pass, (width, height)
             )
         return self._canvases[width, height]
 
@@ -136,8 +132,10 @@ class Painter:
         return self._buffers[key]
 
 
-def _clear_values(colours: Sequence[Sequence[float]]) -> list[Any]:
-    """The targets' clear colours, and a depth of 1."""
-    cleared = [vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in colours]
-    far = vk.VkClearValue(depthStencil=vk.VkClearDepthStencilValue(depth=1.0))
+def _clear_values(draw: Draw) -> list[Any]:
+    """The clear colours of the targets, the depth that is cleared to, and a stencil value of 0."""
+    cleared = [
+        vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in draw.clear
+    ]
+    far = vk.VkClearValue(depthStencil=vk.VkClearDepthStencilValue(depth=draw.clear_depth))
     return [*cleared, far]

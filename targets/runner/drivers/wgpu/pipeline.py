@@ -10,13 +10,14 @@ import wgpu
 
 from ..checks import lane_count
 from ..draw import (
-    Blend,
+    BlendEquation,
     BlockSlot,
     BufferSlot,
     DriverError,
     ImageSlot,
     Pipeline,
     RenderTarget,
+    StencilSide,
     TextureSlot,
     VertexInput,
 )
@@ -26,20 +27,12 @@ DEPTH = "depth32float"
 FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
 VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
 
-Factors = Mapping[str, str]
-
-
-def _sum(source: str, destination: str) -> Factors:
-    return {"operation": "add", "src_factor": source, "dst_factor": destination}
-
-
-BLENDS: Mapping[Blend, tuple[Factors, Factors]] = {
-    "alpha": (_sum("src-alpha", "one-minus-src-alpha"), _sum("one", "one-minus-src-alpha")),
-    "premultiplied": (_sum("one", "one-minus-src-alpha"),) * 2,
-    "add": (_sum("one", "one"),) * 2,
-    "multiply": (_sum("dst", "zero"),) * 2,
+LANES: Mapping[str, int] = {
+    "r": wgpu.ColorWrite.RED,
+    "g": wgpu.ColorWrite.GREEN,
+    "b": wgpu.ColorWrite.BLUE,
+    "a": wgpu.ColorWrite.ALPHA,
 }
-"""The factors of colour and alpha; ``none`` has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,13 +96,45 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
             "cull_mode": pipeline.cull,
             "front_face": pipeline.front_face,
         },
-        depth_stencil={
-            "format": DEPTH,
-            "depth_write_enabled": pipeline.depth_write,
-            "depth_compare": pipeline.depth_compare.replace("_", "-"),
-        },
+        depth_stencil=_depth_stencil(gpu, pipeline),
     )
     return Made(handle, groups, layouts, buffers)
+
+
+def _depth_stencil(gpu: Gpu, pipeline: Pipeline) -> Mapping[str, Any]:
+    """The words of a pipeline are WebGPU's, with other dashes."""
+    state: dict[str, Any] = {
+        "format": pipeline.depth_format,
+        "depth_write_enabled": pipeline.depth_write,
+        "depth_compare": pipeline.depth_compare.replace("_", "-"),
+    }
+    if pipeline.has_bias:
+        bias = pipeline.depth_bias
+        state |= {
+            "depth_bias": bias.constant,
+            "depth_bias_slope_scale": bias.slope,
+            "depth_bias_clamp": bias.clamp,
+        }
+    if (stencil := pipeline.stencil) is not None:
+        if pipeline.depth_format not in gpu.features:
+            raise DriverError(f"{gpu.description.name} has no {pipeline.depth_format}")
+        state |= {
+            "stencil_front": _stencil_side(stencil.front),
+            "stencil_back": _stencil_side(stencil.back),
+            "stencil_read_mask": stencil.read_mask,
+            "stencil_write_mask": stencil.write_mask,
+        }
+    return state
+
+
+def _stencil_side(side: StencilSide) -> Mapping[str, str]:
+    words = {
+        "compare": side.compare,
+        "fail_op": side.fail,
+        "depth_fail_op": side.depth_fail,
+        "pass_op": side.passed,
+    }
+    return {name: word.replace("_", "-") for name, word in words.items()}
 
 
 def vertex_buffers(inputs: Sequence[VertexInput]) -> list[Buffer]:
@@ -138,12 +163,23 @@ def _buffer_layout(buffer: Buffer) -> Mapping[str, Any]:
 
 
 def _target(gpu: Gpu, target: RenderTarget) -> Mapping[str, Any]:
-    if target.blend == "none":
-        return {"format": target.format}
+    blend = target.blend
+    mask = sum(bit for lane, bit in LANES.items() if target.writes(lane))
+    state = {"format": target.format, "write_mask": mask}
+    if blend is None:
+        return state
     if target.format in FLOAT32_TARGETS and "float32-blendable" not in gpu.features:
         raise DriverError(f"{gpu.description.name} cannot blend {target.format}")
-    color, alpha = BLENDS[target.blend]
-    return {"format": target.format, "blend": {"color": color, "alpha": alpha}}
+    return {**state, "blend": {"color": _equation(blend.color), "alpha": _equation(blend.alpha)}}
+
+
+def _equation(equation: BlendEquation) -> Mapping[str, str]:
+    """An equation in WebGPU's words."""
+    return {
+        "operation": equation.operation.replace("_", "-"),
+        "src_factor": equation.source.replace("_", "-"),
+        "dst_factor": equation.destination.replace("_", "-"),
+    }
 
 
 def bound(pipeline: Pipeline) -> Groups:
