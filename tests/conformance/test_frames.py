@@ -16,6 +16,7 @@ from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
 from burnish.targets.web_host.drawing import draw_frames
 
+from ..targets.standings import routes
 from .kit import PROFILES, REFERENCE, Floats, Studio
 
 FRAME_ROUTES = {n: r for n, r in ROUTES.items() if EVERY_DRIVER[r.driver].draws_frames}
@@ -65,8 +66,8 @@ def _host(frame: CompiledFrame) -> FrameHost:
 
 
 EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
-WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if not name.endswith(":gl330"))]
-"""OpenGL 3.3 runs no kernels over buffers."""
+_WITHOUT_BUFFERS = routes("absent", "kernels over buffers")
+WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if name not in _WITHOUT_BUFFERS)]
 
 
 @EVERYWHERE
