@@ -341,7 +341,7 @@ frame F {
     output value = below.value
 }
 """
-"""A triangle whose upper edge goes through the middle of the pixels of a row, the second of four."""
+"""A triangle whose upper edge goes through the middle of pixels, those of the second row of four."""
 
 
 @pytest.mark.parametrize("route", FRAME_ROUTES)

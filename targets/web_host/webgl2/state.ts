@@ -100,13 +100,14 @@ function setBlend(gl: Gl, blend: Blend): void {
 const lanesOf = (mask: string) =>
   [..."rgba"].map((lane) => mask !== "none" && mask.includes(lane)) as [boolean, boolean, boolean, boolean];
 
-const OPERATIONS = {
+const OPERATIONS: Record<string, "FUNC_ADD" | "FUNC_SUBTRACT" | "FUNC_REVERSE_SUBTRACT" | "MIN" | "MAX"> = {
   add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT", min: "MIN", max: "MAX",
-} as const;
+};
 
 const operation = (gl: Gl, { operation: word }: BlendEquation) => gl[OPERATIONS[word]];
 
-const FACTORS = {
+/** The factor of colours and that of alpha. */
+const FACTORS: Record<string, [keyof Gl, keyof Gl]> = {
   zero: ["ZERO", "ZERO"],
   one: ["ONE", "ONE"],
   src: ["SRC_COLOR", "SRC_ALPHA"],
@@ -120,12 +121,10 @@ const FACTORS = {
   src_alpha_saturated: ["SRC_ALPHA_SATURATE", "SRC_ALPHA_SATURATE"],
   constant: ["CONSTANT_COLOR", "CONSTANT_ALPHA"],
   one_minus_constant: ["ONE_MINUS_CONSTANT_COLOR", "ONE_MINUS_CONSTANT_ALPHA"],
-} as const;
+};
 
 /** Of colours, source and destination; then of alpha. */
 function factors(gl: Gl, { color, alpha }: Blend): [number, number, number, number] {
-  return [
-    gl[FACTORS[color.source][0]], gl[FACTORS[color.destination][0]],
-    gl[FACTORS[alpha.source][1]], gl[FACTORS[alpha.destination][1]],
-  ];
+  const of = (word: string, lanes: 0 | 1) => gl[FACTORS[word][lanes]] as number;
+  return [of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1)];
 }

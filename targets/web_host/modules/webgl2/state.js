@@ -53,11 +53,7 @@ const STENCIL_OPERATIONS = {
 };
 // --- targets -------------------------------------------------------------------------------------
 /** Blending and masks: for all targets at once where they are alike, which every device can. */
-function setTargets(context, { targets: rows, material }) {
-    const one = (source, destination) => ({source, destination, operation: "add"});
-    const same = (s, d) => ({color: one(s,d), alpha: one(s,d)});
-    const OLD = {none: null, alpha: {color: one("src_alpha","one_minus_src_alpha"), alpha: one("one","one_minus_src_alpha")}, premultiplied: same("one","one_minus_src_alpha"), add: same("one","one"), multiply: same("dst","zero")};
-    const targets = rows.map((r) => ({...r, blend: OLD[r.blend], mask: "rgba"}));
+function setTargets(context, { targets, material }) {
     const { gl } = context;
     for (const { blend, format } of targets) {
         if (blend && /32f$/.test(format))
@@ -93,6 +89,7 @@ const OPERATIONS = {
     add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT", min: "MIN", max: "MAX",
 };
 const operation = (gl, { operation: word }) => gl[OPERATIONS[word]];
+/** The factor of colours and that of alpha. */
 const FACTORS = {
     zero: ["ZERO", "ZERO"],
     one: ["ONE", "ONE"],
@@ -110,8 +107,6 @@ const FACTORS = {
 };
 /** Of colours, source and destination; then of alpha. */
 function factors(gl, { color, alpha }) {
-    return [
-        gl[FACTORS[color.source][0]], gl[FACTORS[color.destination][0]],
-        gl[FACTORS[alpha.source][1]], gl[FACTORS[alpha.destination][1]],
-    ];
+    const of = (word, lanes) => gl[FACTORS[word][lanes]];
+    return [of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1)];
 }
