@@ -399,7 +399,5 @@ def test_faces_own_the_pixels_on_a_level_edge_as_the_reference_says(
     studio: Studio, route: str
 ) -> None:
     (frame,) = burnish.compile(LEVEL_EDGE, PROFILES, partial=True).frames
-    (row,) = conform(
-        [("F", frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE
-    )
+    (row,) = conform([("F", frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE)
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
