@@ -391,7 +391,7 @@ frame F {
     output value = below.value
 }
 """
-"""A triangle whose upper edge goes through the middle of pixels, those of the second row of four."""
+"""A triangle whose upper edge goes through the middle of the pixels of the second row."""
 
 
 @pytest.mark.parametrize("route", FRAME_ROUTES)
