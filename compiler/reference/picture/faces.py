@@ -147,6 +147,9 @@ def triangles_of(
     moved = moved_by(places, of_places, rules).max(axis=1, keepdims=True)
     z_off, per_w_off = depths_off(places, of_places)
     unsure = unsure_corners(across, down, moved, rules)
+    unsure = np.maximum(unsure, np.roll(unsure, -1, axis=1))
+    # Parts of one triangle show the same plane: whichever of them has a pixel, the pixel is drawn once.
+    unsure = np.where(clipped.inner, 0.0, unsure)
     moved = np.broadcast_to(moved, across.shape)
     if rules.interpolates_snapped:
         whole = window(positions[corners], rules)
@@ -161,7 +164,7 @@ def triangles_of(
         x=snapped_x,
         y=snapped_y,
         area=area,
-        unsure=np.maximum(unsure, np.roll(unsure, -1, axis=1)),
+        unsure=unsure,
         moved=moved,
         extent=extent_of(planes, rules),
         plane_x=np.where(turned, snapped_x, planes[0]),
