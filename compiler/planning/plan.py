@@ -19,6 +19,7 @@ from .lifetimes import (
     read_by,
     written_by,
 )
+from .unchanging import unchanging
 
 State = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as: drawn to, written by a kernel, read, copied. At first it has no
@@ -78,7 +79,8 @@ class PlannedStep:
     targets: tuple[Target, ...] = ()
     depth: Target | None = None
     only_first: bool = False
-    """Whether it is needed in the first frame only."""
+    """Whether the first frame is enough: it leaves the same in every frame, or only the first frame
+    needs it."""
 
 
 @frozen(eq=False)
@@ -119,7 +121,7 @@ class _Planning:
         self._states: dict[int, State] = {}
         self._drawn: set[tuple[Image, int | None, int]] = set()
         """Layers and levels that have been drawn to."""
-        self._rare = only_first(frame)
+        self._rare = only_first(frame) | unchanging(frame)
         """The names of the steps of the first frame only."""
         self._rare_textures: set[int] = set()
         """Theirs, which nothing else shares: these steps may be left out."""

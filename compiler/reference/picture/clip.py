@@ -30,8 +30,8 @@ class Clipped:
     made: Bools
     """(faces, 3 or 2): whether clipping has made the corner."""
     inner: Bools
-    """(faces, 3), of lines (faces, 2): whether the side from this corner to the next one lies within
-    the triangle: another part begins there."""
+    """(faces, 3), of lines (faces, 2): whether the side from this corner to the next one lies
+    within the triangle: another part begins there."""
 
 
 def clip(corners: Floats, *, sides: bool = False) -> Clipped:

@@ -148,7 +148,8 @@ def triangles_of(
     z_off, per_w_off = depths_off(places, of_places)
     unsure = unsure_corners(across, down, moved, rules)
     unsure = np.maximum(unsure, np.roll(unsure, -1, axis=1))
-    # Parts of one triangle show the same plane: whichever of them has a pixel, the pixel is drawn once.
+    # Parts of one triangle show the same plane, and a pixel between them is drawn once: by which
+    # of them makes no difference.
     unsure = np.where(clipped.inner, 0.0, unsure)
     moved = np.broadcast_to(moved, across.shape)
     if rules.interpolates_snapped:
