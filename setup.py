@@ -64,7 +64,7 @@ setup(
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],
         **{
-            f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs"]
+            f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs", "*.ts"]
             for name in sub_packages
             if name.startswith(("compiler", "targets"))
         },
