@@ -63,6 +63,7 @@ setup(
     package_data={
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],
+        "burnish.targets.web_host": ["webgpu/*.ts", "modules/*.js", "modules/webgpu/*.js"],
         **{
             f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs", "*.ts"]
             for name in sub_packages

@@ -67,7 +67,7 @@ class _Package:
             "package": VERSION,
             "plan": host.plan,
             "shaders": [self._shader(*each) for each in enumerate(host.shaders)],
-            "size": list(values.get("size")),
+            "size": list(host.size),
             "camera": {own: camera[name] for name, own in _CAMERA.items()},
             "scene": {
                 "models": [self._model(model) for model in host.scenery.models],
