@@ -31,7 +31,7 @@ def unchanging(frame: Frame) -> frozenset[str]:
 
 
 def _is_among(frame: Frame, step: Step, found: Iterable[str]) -> bool:
-    """Whether all steps are among those found that make what this one reads, or draw to the same."""
+    """Whether all steps are among the found ones that make what this one reads or draws to."""
     images = {*written_by(step), *read_by(step)}
     return all(
         other.name in found for other in frame.steps if not images.isdisjoint(written_by(other))
