@@ -45,7 +45,8 @@ def heights() -> Floats:
     right = np.stack([np.ones(4), -down, -across], axis=1)
     back = np.stack([-across, -down, -np.ones(4)], axis=1)
     both = np.concatenate([right, back])
-    return (both / np.linalg.norm(both, axis=1, keepdims=True)) @ np.array([0.6, 0.0, 0.8])
+    units = both / np.linalg.norm(both, axis=1, keepdims=True)
+    return np.asarray(units @ np.array([0.6, 0.0, 0.8]), np.float64)
 
 
 def cosine_of_glossy(width: float) -> float:

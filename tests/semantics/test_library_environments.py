@@ -52,11 +52,11 @@ def test_directions_are_as_likely_as_their_cosine_is_large() -> None:
 
 def distribution(cosine: Floats, width: float) -> Floats:
     """The density of microfacets after Trowbridge and Reitz."""
-    return np.asarray(width**2 / (np.pi * (cosine**2 * (width**2 - 1) + 1) ** 2))
+    return np.asarray(width**2 / (np.pi * (cosine**2 * (width**2 - 1) + 1) ** 2), np.float64)
 
 
 def middles(count: int, end: float) -> Floats:
-    return (np.arange(count) + 0.5) * (end / count)
+    return np.asarray((np.arange(count) + 0.5) * (end / count), np.float64)
 
 
 @pytest.mark.parametrize("width", [0.09, 0.5, 1.0])
