@@ -159,6 +159,8 @@ export interface Target {
   level: number;
   load: "load" | "clear";
   store: boolean;
+  /** The stencil values beside depths, if there are any. */
+  stencil?: { load: "load" | "clear"; store: boolean; clear: number };
 }
 
 export interface Drawn {
@@ -352,7 +354,26 @@ export interface Draw {
 
 export interface RenderState {
   cull: "none" | "front" | "back";
-  depth: { compare: string; write: boolean };
+  fill: "faces" | "lines";
+  depth: {
+    compare: string;
+    write: boolean;
+    bias: { constant: number; slope: number; clamp: number } | null;
+  };
+  stencil: {
+    front: StencilSide;
+    back: StencilSide;
+    reference: number;
+    read_mask: number;
+    write_mask: number;
+  } | null;
+}
+
+export interface StencilSide {
+  compare: string;
+  fail: string;
+  depth_fail: string;
+  pass: string;
 }
 
 export interface Place {

@@ -11,10 +11,10 @@ import pytest
 import burnish
 from burnish.api import CompiledFrame
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
-from burnish.targets.runner.frames.by_route import draw_frames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
+from burnish.targets.web_host.drawing import draw_frames
 
 from .kit import PROFILES, REFERENCE, Floats, Studio
 

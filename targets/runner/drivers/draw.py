@@ -33,6 +33,9 @@ TargetFormat = Literal[
     "r16float", "rg16float", "rgba16float",
 ]  # fmt: skip
 
+DepthFormat = Literal["depth32float", "depth32float-stencil8"]
+"""Of the depths that are drawn to, and of the stencil values beside them."""
+
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
 """What the vertices are, in turn. Triangles and lines are drawn as they are; all others need a
 geometry stage, and patches need the stages of tessellation instead."""
@@ -290,6 +293,16 @@ class Pipeline:
     def corners(self) -> int:
         """How many vertices each primitive has."""
         return self.patch_points or CORNERS[self.primitive]
+
+    @property
+    def depth_format(self) -> DepthFormat:
+        """What depths it needs, if it has its own."""
+        return "depth32float" if self.stencil is None else "depth32float-stencil8"
+
+    @property
+    def has_bias(self) -> bool:
+        """Whether depths are moved: only those of triangles are."""
+        return self.depth_bias != DepthBias() and self.primitive != "line"
 
 
 @dataclass(frozen=True, slots=True)

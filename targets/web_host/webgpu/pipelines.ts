@@ -1,7 +1,9 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 
-import { formatOf } from "../bytes.js";
-import type { FramePackage, PackagedShader, Place, Reflection, ShaderText } from "../types.js";
+import { formatOf, hasStencil } from "../bytes.js";
+import type {
+  FramePackage, PackagedShader, Place, Reflection, RenderState, ShaderText, StencilSide,
+} from "../types.js";
 import { ShaderStage, type Device } from "./device.js";
 
 export const PROFILE = "wgsl:webgpu";
@@ -72,6 +74,7 @@ export class Pipelines {
       return { layouts, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
     }
     const { backends, draw, render_state: state } = reflection;
+    if (state.fill === "lines") throw new Error(`WebGPU cannot draw the edges of triangles, as ${reflection.material} asks`);
     const render = await gpu.createRenderPipelineAsync({
       layout,
       vertex: { ...(await this.stage(reflection, vertex)), buffers: vertexBuffers(reflection) },
@@ -81,13 +84,7 @@ export class Pipelines {
         cullMode: state.cull,
         frontFace: backends[PROFILE].front_face,
       },
-      ...(formats.depth && {
-        depthStencil: {
-          format: formats.depth,
-          depthWriteEnabled: state.depth.write,
-          depthCompare: state.depth.compare.replace("_", "-") as GPUCompareFunction,
-        },
-      }),
+      ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, draw?.topology) }),
     });
     return { layouts, render };
   }
@@ -113,6 +110,34 @@ export class Pipelines {
     });
   }
 }
+
+function depthStencil(
+  { depth, stencil }: RenderState, format: GPUTextureFormat, topology = "triangle",
+): GPUDepthStencilState {
+  return {
+    format,
+    depthWriteEnabled: depth.write,
+    depthCompare: word<GPUCompareFunction>(depth.compare),
+    ...(depth.bias && topology === "triangle" && {
+      depthBias: depth.bias.constant,
+      depthBiasSlopeScale: depth.bias.slope,
+      depthBiasClamp: depth.bias.clamp,
+    }),
+    ...(stencil && hasStencil(format) && {
+      stencilFront: stencilSide(stencil.front),
+      stencilBack: stencilSide(stencil.back),
+      stencilReadMask: stencil.read_mask,
+      stencilWriteMask: stencil.write_mask,
+    }),
+  };
+}
+
+const stencilSide = ({ compare, fail, depth_fail, pass }: StencilSide): GPUStencilFaceState => ({
+  compare: word(compare), failOp: word(fail), depthFailOp: word(depth_fail), passOp: word(pass),
+});
+
+/** A word of a reflection as WebGPU writes it. */
+const word = <Word extends string>(text: string) => text.replaceAll("_", "-") as Word;
 
 const sum = (srcFactor: GPUBlendFactor, dstFactor: GPUBlendFactor): GPUBlendComponent => ({
   operation: "add", srcFactor, dstFactor,

@@ -1,5 +1,5 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
-import { formatOf } from "../bytes.js";
+import { formatOf, hasStencil } from "../bytes.js";
 import { ShaderStage } from "./device.js";
 export const PROFILE = "wgsl:webgpu";
 const keyOf = (shader, { targets, depth }) => [shader, ...targets, depth].join(" ");
@@ -48,6 +48,8 @@ export class Pipelines {
             return { layouts, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
         }
         const { backends, draw, render_state: state } = reflection;
+        if (state.fill === "lines")
+            throw new Error(`WebGPU cannot draw the edges of triangles, as ${reflection.material} asks`);
         const render = await gpu.createRenderPipelineAsync({
             layout,
             vertex: { ...(await this.stage(reflection, vertex)), buffers: vertexBuffers(reflection) },
@@ -57,13 +59,7 @@ export class Pipelines {
                 cullMode: state.cull,
                 frontFace: backends[PROFILE].front_face,
             },
-            ...(formats.depth && {
-                depthStencil: {
-                    format: formats.depth,
-                    depthWriteEnabled: state.depth.write,
-                    depthCompare: state.depth.compare.replace("_", "-"),
-                },
-            }),
+            ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, draw?.topology) }),
         });
         return { layouts, render };
     }
@@ -87,6 +83,29 @@ export class Pipelines {
         });
     }
 }
+function depthStencil({ depth, stencil }, format, topology = "triangle") {
+    return {
+        format,
+        depthWriteEnabled: depth.write,
+        depthCompare: word(depth.compare),
+        ...(depth.bias && topology === "triangle" && {
+            depthBias: depth.bias.constant,
+            depthBiasSlopeScale: depth.bias.slope,
+            depthBiasClamp: depth.bias.clamp,
+        }),
+        ...(stencil && hasStencil(format) && {
+            stencilFront: stencilSide(stencil.front),
+            stencilBack: stencilSide(stencil.back),
+            stencilReadMask: stencil.read_mask,
+            stencilWriteMask: stencil.write_mask,
+        }),
+    };
+}
+const stencilSide = ({ compare, fail, depth_fail, pass }) => ({
+    compare: word(compare), failOp: word(fail), depthFailOp: word(depth_fail), passOp: word(pass),
+});
+/** A word of a reflection as WebGPU writes it. */
+const word = (text) => text.replaceAll("_", "-");
 const sum = (srcFactor, dstFactor) => ({
     operation: "add", srcFactor, dstFactor,
 });

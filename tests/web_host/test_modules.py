@@ -1,0 +1,34 @@
+"""The compiled modules of the host are what TypeScript makes of its sources now."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from burnish.targets.toolchain.sources import OwnInstaller
+from burnish.targets.toolchain.tools import program, tool_named
+
+from ..suite.processes import run
+from .kit import FOLDER, MODULES
+
+
+def texts(folder: Path) -> dict[str, str]:
+    return {path.relative_to(folder).as_posix(): path.read_text() for path in folder.rglob("*.js")}
+
+
+def test_the_modules_are_those_of_the_sources(tmp_path: Path) -> None:
+    """To write them again: `tsc -p targets/web_host`."""
+    node, compiler = program("node", "node"), program("typescript", "tsc")
+    assert node is not None
+    assert compiler is not None
+    command = [str(node), str(compiler), "-p", str(FOLDER), "--outDir", str(tmp_path)]
+    done = run(command)
+    assert done.stdout == ""
+    assert texts(MODULES) == texts(tmp_path)
+
+
+def test_the_package_names_the_compiler_of_the_toolchain() -> None:
+    package = json.loads((FOLDER / "package.json").read_text())
+    source = tool_named("typescript").source
+    assert isinstance(source, OwnInstaller)
+    assert package["devDependencies"] == {"typescript": source.pinned}
