@@ -150,7 +150,6 @@ class _Drawing:
         """Draw all fragments on the canvas."""
         canvas = self._canvas
         coverage = coverage_of(self._faces, self._rules)
-        every = (coverage.fragments, coverage.doubtful)
         fragments, doubtful = coverage.fragments, coverage.doubtful
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:
@@ -166,12 +165,11 @@ class _Drawing:
         shades = self._shaded(fragments, progress)
         canvas.draw(fragments.pixel, depth, off, place, shades, self._depth)
         if hulls is not None:
-            faces, pixels = (
-                np.concatenate([each.face for each in every]),
-                np.concatenate([each.pixel for each in every]),
-            )
+            every, certain = coverage.in_order()
+            is_tested = canvas.has_depth and self._depth.compare != "always"
             hulls.extend(
-                Fragments(faces, pixels),
+                every,
+                certain & (not is_tested),
                 lambda some: depths_of(self._faces, some, self._rules),
                 lambda some: self._shaded(some, None),
             )
