@@ -12,6 +12,7 @@ from typing import Literal
 from ...frozen import fresh, frozen, record
 from ..ir.frame import Attachment, Frame, Image, KernelStep, Step
 from .lifetimes import (
+    ALWAYS,
     Left,
     Lifetimes,
     attachments_of,
@@ -185,7 +186,7 @@ class _Planning:
             image, over = attachment.image, attachment.over
             if over is None or image in self._texture_of:
                 continue
-            if self._shares and over not in read and self._lifetimes.is_over(over, number):
+            if self._shares and over not in read and self._is_drawn_over(over, image, number):
                 self._share(image, self._texture_of[over])
             else:
                 self._allot(image)
@@ -198,6 +199,17 @@ class _Planning:
                 self._rare_textures.add(self._texture_of[left])
             elif left not in self._texture_of:
                 self._allot(left)
+
+    def _is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
+        """Whether nobody needs what is there from a step on but those that draw an image over it:
+        there may be a step for each of its layers."""
+        if over in self._lifetimes.kept or self._lifetimes.last[over] == ALWAYS:
+            return False
+        return all(
+            over not in read_by(step)
+            and all(each.image is image for each in attachments_of(step) if each.over is over)
+            for step in self._frame.steps[number:]
+        )
 
     def _allot(self, image: Image) -> None:
         free = self._free.get(self._key(image))

@@ -180,3 +180,28 @@ def test_what_is_the_same_in_every_frame_is_drawn_once(
     validate_plan(plan)
     check_plan(plan)
     assert {step["name"] for step in plan["steps"] if step["only_first"]} == expected
+
+
+FACES = """
+import std.frames.{FullScreen}
+pass Filled : FullScreen blend add { target value : rgba16f = vec4(uv, 0, 1) }
+pass Shown : FullScreen {
+    map cube : texture_cube
+    target value : rgba8 = cube.level(vec3(uv, 1), 0)
+}
+frame Faces {
+    first = each face in cube : Filled(screen, 8)
+    both  = each face in cube : Filled(screen, [first.value])
+    shown = Shown(screen) with { cube = both.value }
+    output picture = shown.value
+    OUTPUT
+}
+"""
+
+
+@pytest.mark.parametrize(("output", "copies"), [("", 0), ("output other = first.value", 1)])
+def test_all_faces_of_a_cube_are_drawn_over_in_place(output: str, copies: int) -> None:
+    plan = of_text(FACES.replace("OUTPUT", output)).plan
+    check_plan(plan)
+    assert [step["kind"] for step in plan["steps"]].count("copy") == copies
+    assert len(plan["textures"]) == 2 + copies
