@@ -128,7 +128,7 @@ def test_what_others_need_is_copied_before() -> None:
 
 
 def test_results_share_textures() -> None:
-    """Of the example with the most results, at most 60 % of their memory is needed. Its steps do not
+    """Of the example with the most results, at most 60 % of their memory is needed. Steps do not
     count: one result may have a step for each face and level."""
     sums = {}
     for path in EXAMPLES:
