@@ -131,6 +131,56 @@ def test_layers_levels_and_faces_are_drawn_one_by_one(studio: Studio, where: str
 
 
 @EVERYWHERE
+def test_what_is_kept_may_be_drawn_over_something(studio: Studio, where: str) -> None:
+    text = f"""{HEAD}
+    pass Fives : FullScreen {{ target value : rgba16f = vec4(5) }}
+    pass Added : FullScreen blend add {{
+        map source : texture2d with {{ filter = nearest, mip = none }}
+        target value : rgba16f = source.load(ivec2(frag_coord.xy))
+    }}
+    frame F {{
+        ground = Fives(screen)
+        added  = Added(screen, ground) with {{ source = previous(added.value) }}
+        output value = added.value
+    }}"""
+    found = outputs(text, where, studio, 3)
+    assert [each["value"][0, 0, 0, 0] for each in found] == [5, 10, 15]
+
+
+WRITTEN = f"""{HEAD}
+pass Written : FullScreen {{
+    param one : int
+    target value : rgba16f = vec4(float(one), 0, 0, 1)
+}}
+"""
+
+
+@EVERYWHERE
+def test_frames_are_told_how_many_were_drawn_before(studio: Studio, where: str) -> None:
+    text = f"""{WRITTEN}
+    frame F {{
+        written = Written(screen) with {{ one = 10 * number }}
+        output value = written.value
+    }}"""
+    found = outputs(text, where, studio, 3)
+    assert [each["value"][0, 0, 0, 0] for each in found] == [0, 10, 20]
+
+
+@EVERYWHERE
+def test_a_frame_may_say_its_size_and_number_itself(studio: Studio, where: str) -> None:
+    text = f"""{WRITTEN}
+    frame F {{
+        size    = ivec2(3, 2)
+        number  = 7
+        written = Written(screen) with {{ one = number }}
+        output value = written.value
+    }}"""
+    found = outputs(text, where, studio, 2)
+    assert [each["value"].shape for each in found] == [(1, 2, 3, 4)] * 2
+    assert [each["value"][0, 0, 0, 0] for each in found] == [7, 7]
+
+
+@EVERYWHERE
 def test_a_frame_finds_what_the_last_one_left(studio: Studio, where: str) -> None:
     text = f"""{NUMBERS}
     pass Counted : FullScreen {{
