@@ -10,12 +10,15 @@ import pytest
 
 import burnish
 from burnish.api import CompiledFrame
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.summary import details
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
 from burnish.targets.web_host.drawing import draw_frames
 
+from ..targets.standings import routes
 from .kit import PROFILES, REFERENCE, Floats, Studio
 
 FRAME_ROUTES = {n: r for n, r in ROUTES.items() if EVERY_DRIVER[r.driver].draws_frames}
@@ -65,8 +68,8 @@ def _host(frame: CompiledFrame) -> FrameHost:
 
 
 EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
-WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if not name.endswith(":gl330"))]
-"""OpenGL 3.3 runs no kernels over buffers."""
+_WITHOUT_BUFFERS = routes("absent", "kernels over buffers")
+WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if name not in _WITHOUT_BUFFERS)]
 
 
 @EVERYWHERE
@@ -401,3 +404,29 @@ def test_lights_bring_what_their_steps_leave(studio: Studio, where: str) -> None
     (found,) = outputs(text, where, studio)
     assert found["value"][0][0, 0, 0] == 2 * 30 + 7
     assert found["added"][0][0, 0, 0] == 2 * 30 + 7
+
+
+LEVEL_EDGE = """
+pass Lower {
+    clip_position : point<clip> = vec4(
+        if vertex_index == 1 then 3 else -1,
+        if vertex_index == 2 then -3 else 0.25,
+        0, 1
+    )
+    target value : rgba8 = vec4(1)
+}
+frame F {
+    below = Lower(vertices(3))
+    output value = below.value
+}
+"""
+"""A triangle whose upper edge goes through the middle of the pixels of the second row."""
+
+
+@pytest.mark.parametrize("route", FRAME_ROUTES)
+def test_faces_own_the_pixels_on_a_level_edge_as_the_reference_says(
+    studio: Studio, route: str
+) -> None:
+    (frame,) = burnish.compile(LEVEL_EDGE, PROFILES, partial=True).frames
+    (row,) = conform([("F", frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE)
+    assert row.status == "agrees", "\n".join(details(row)) or row.problem
