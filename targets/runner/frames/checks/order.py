@@ -166,7 +166,8 @@ class _Execution:
         self._finds(source["texture"], source["result"])
         self._written(target["texture"], "copied_to")
         whole = places(self._plan["textures"][target["texture"]])
-        self._holds[target["texture"]] = dict.fromkeys(whole, source["result"])
+        result: str = source["result"]
+        self._holds[target["texture"]] = dict.fromkeys(whole, result)
 
     def _draw(self, target: Row, use: str) -> None:
         texture, result, over = target["texture"], target["result"], target["over"]
