@@ -26,12 +26,19 @@ class Drawn:
         for each, text in values.items():
             self.host.set_text(each.replace("__", "."), text)
         self._drawing = ReferenceFrames(self.host)
-        self._drawing.draw()
+        self._left: dict[str, Floats] = {}
+        self._drawing.draw(self._keep)
+
+    def _keep(self, share: float) -> None:
+        """Copy what a step has left, before others draw over it."""
+        steps = self.host.plan["steps"]
+        for row in steps[round(share * len(steps)) - 1].get("targets", ()):
+            levels = self._drawing.textures[row["texture"]].levels
+            self._left[row["result"]] = levels[0][0, 0].copy()
 
     def left(self, result: str) -> Floats:
-        """What a step has left that nothing else was drawn over: (height, width, lanes)."""
-        row = next(row for row in self.host.plan["results"] if row["name"] == result)
-        return self._drawing.textures[row["texture"]].levels[0][0, 0]
+        """What a step has left: (height, width, lanes)."""
+        return self._left[result]
 
 
 def test_photons_go_down_after_snell() -> None:
@@ -67,3 +74,33 @@ def test_waves_move_light_and_lose_none() -> None:
     still, waves = (Drawn("caustics", swell=swell).left("caustics.arrived") for swell in ("0", "1"))
     assert waves[..., 0].sum() == pytest.approx(still[..., 0].sum(), rel=0.01)
     assert waves.max() > 3 * still.max()
+
+
+def test_a_light_map_has_what_arrives_of_the_lamp() -> None:
+    """On the floor, where no box stands between: the integral over the lamp, a square of 0.5 that
+    sends 10 altogether, of the cosines over pi times the squared distance."""
+    drawn = Drawn("light_map")
+    at = np.linspace(-0.25, 0.25, 101)
+    lamp = np.stack([*np.meshgrid(at, at), np.full((101, 101), 0.995)], axis=-1)
+    for column, row in ((20, 10), (12, 2)):
+        u, v = ((column - 0.5) / 22, (row - 0.5) / 18)
+        place = np.array([2 * u - 1, 1 - 2 * v, -1.0])
+        way = lamp - place
+        square = (way**2).sum(axis=-1)
+        wanted = (10 * way[..., 2] ** 2 / square / (np.pi * square)).mean()
+        found = drawn.left("direct.arrived")[row, column, 0]
+        assert found == pytest.approx(wanted, rel=0.02)
+
+
+def test_virtual_lights_lie_where_light_of_others_arrives() -> None:
+    """All are in the room, on a wall or a box, and none sends out more than it gets."""
+    drawn = Drawn("light_map")
+    for before, step in (("first", "second"), ("second", "third")):
+        place = drawn.left(f"{step}.place")[0, :, :3]
+        front = drawn.left(f"{step}.front")[0, :, :3]
+        from_there = drawn.left(f"{before}.place")[0, :, :3] - place
+        assert (np.abs(place) < 1 + 1e-6).all()
+        assert np.linalg.norm(front, axis=-1) == pytest.approx(np.ones(len(front)))
+        assert ((from_there * front).sum(axis=-1) > 0).all()
+        light, sent = (drawn.left(f"{name}.light")[0, :, :3] for name in (step, before))
+        assert (light < sent).all()
