@@ -260,7 +260,7 @@ export class PlanFrame<Texture, Buffer> implements Frame {
         const primitives = model.primitives[use.shader];
         return this.call(use, model, light, aspect, (shader) =>
           this.geometry(`${use.shader} ${model.mesh} ${primitives}`, () =>
-            geometryOf(shader, mesh, mesh.primitives[primitives]),
+            geometryOf(shader, mesh, primitives),
           ),
         );
       });

@@ -95,12 +95,13 @@ export interface Stream {
   data: string;
 }
 
-/** The points of a divided patch, and the cells between them. */
+/** What is drawn of each patch. */
 export interface Pattern {
   /** The levels of the edges and the inside, for which it was made. */
   levels: number[];
-  places: Stream;
-  cells: Primitives;
+  /** The vertex inputs that are of the pattern, by name. */
+  vertices: Record<string, Stream>;
+  indices: string;
 }
 
 /** Texels with all mip levels, each level in base64, layer by layer and row by row from the top. */

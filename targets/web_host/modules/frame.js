@@ -236,7 +236,7 @@ export class PlanFrame {
                 }
                 const mesh = meshes[model.mesh];
                 const primitives = model.primitives[use.shader];
-                return this.call(use, model, light, aspect, (shader) => this.geometry(`${use.shader} ${model.mesh} ${primitives}`, () => geometryOf(shader, mesh, mesh.primitives[primitives])));
+                return this.call(use, model, light, aspect, (shader) => this.geometry(`${use.shader} ${model.mesh} ${primitives}`, () => geometryOf(shader, mesh, primitives)));
             });
         });
     }
