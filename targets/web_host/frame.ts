@@ -5,8 +5,8 @@ import { bareGeometry, checkLevels, geometryOf, type Geometry } from "./geometry
 import type { Attachment, Bound, DrawCall, Renderer } from "./renderer.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
 import type {
-  Camera, Drawn, DrawStep, Frame, FramePackage, Model, PackagedShader, Pixels, Plan, RunStep, Source,
-  Step, Target, Use, Value,
+  Camera, Drawn, DrawStep, Frame, FramePackage, Model, PackagedShader, Pixels, Plan, RunStep,
+  Source, Step, Target, Use, Value,
 } from "./types.js";
 import { Values } from "./values.js";
 
@@ -143,7 +143,8 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     const row = name === undefined
       ? outputs.find(({ texture }) => texture !== null)
       : outputs.find((each) => each.name === name);
-    if (!row) throw new Error(`${frame} has no output ${name ? `\`${name}\`` : "that is a picture"}`);
+    const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
+    if (!row) throw new Error(`${frame} has no output ${wanted}`);
     const found = this.resources.shown(row.result, row.texture);
     if (!found) throw new Error(`\`${row.name}\` of ${frame} is no picture, or was not drawn yet`);
     return found;
@@ -308,10 +309,10 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     }
   }
 
-  private giveBuffer({ values, buffers }: Bound<Texture, Buffer>, name: string, buffer: Buffer): void {
-    const row = values.declared.buffers.find((each) => each.name === name)!;
-    values.count(row, this.renderer.bytesIn(buffer));
-    buffers.set(name, buffer);
+  private giveBuffer(bound: Bound<Texture, Buffer>, name: string, buffer: Buffer): void {
+    const row = bound.values.declared.buffers.find((each) => each.name === name)!;
+    bound.values.count(row, this.renderer.bytesIn(buffer));
+    bound.buffers.set(name, buffer);
   }
 
   private run(step: RunStep): void {
@@ -329,7 +330,7 @@ export class PlanFrame<Texture, Buffer> implements Frame {
       this.renderer.draw(targets, null, [{ ...bound, geometry }]);
       return;
     }
-    for (const [name, buffer] of this.resources.written(step, bound)) bound.buffers.set(name, buffer);
+    this.resources.giveWritten(step, bound);
     this.renderer.run(bound, images, groups);
   }
 }

@@ -101,7 +101,9 @@ function picked({ words, lanes, ...further }: Attribute, numbers: Uint32Array): 
 function streamOf(input: VertexInput, mesh: Mesh, step: string, name: string): Attribute {
   const streams = step === "instance" ? mesh.instances : mesh.vertices;
   const stream = streams[`${input.representation} ${name}`];
-  if (!stream) throw new Error(`a mesh has no \`${name}\` (${input.representation}) for each ${step}`);
+  if (!stream) {
+    throw new Error(`a mesh has no \`${name}\` (${input.representation}) for each ${step}`);
+  }
   return decoded(input, stream);
 }
 
@@ -110,7 +112,9 @@ function decoded(input: VertexInput, { type, lanes, data }: Stream): Attribute {
 }
 
 /** The elements of the storage buffers that inputs are members of. */
-function elementsOf(attributes: Attribute[], buffers: BufferRow[], count: number): Geometry["elements"] {
+function elementsOf(
+  attributes: Attribute[], buffers: BufferRow[], count: number,
+): Geometry["elements"] {
   const found: Geometry["elements"] = new Map();
   for (const { input, type, lanes, words } of attributes) {
     const { name, member } = input.buffer!;

@@ -2,7 +2,7 @@
 
 import { formatOf } from "./bytes.js";
 import type { Bound, Renderer } from "./renderer.js";
-import type { FramePackage, Kept, RunStep } from "./types.js";
+import type { FramePackage, RunStep } from "./types.js";
 import type { Values } from "./values.js";
 
 interface Made<Texture> {
@@ -88,17 +88,17 @@ export class Resources<Texture, Buffer> {
     return this.extent(step);
   }
 
-  /** The buffers that a kernel writes, new ones or those of the last frame. */
-  written({ buffers, shader }: RunStep, { values, textures }: Bound<Texture, Buffer>): [string, Buffer][] {
+  /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
+  giveWritten({ buffers, shader }: RunStep, bound: Bound<Texture, Buffer>): void {
     const { results } = this.from.shaders[shader].reflection;
-    return buffers.map(({ name, result }) => {
+    for (const { name, result } of buffers) {
       const { count, stride, initial } = results.find((each) => each.name === name)!;
-      const sizeOf = (texture: string) => this.renderer.sizeOf(textures.get(texture)!);
-      const [elements] = values.evaluated(count, sizeOf) as number[];
+      const sizeOf = (texture: string) => this.renderer.sizeOf(bound.textures.get(texture)!);
+      const [elements] = bound.values.evaluated(count, sizeOf) as number[];
       const bytes = new Uint8Array(Math.max(elements, 1) * stride);
       if (initial !== null) new Int32Array(bytes.buffer).fill(initial | 0);
-      return [name, this.buffer(result, bytes, initial !== null)];
-    });
+      bound.buffers.set(name, this.buffer(result, bytes, initial !== null));
+    }
   }
 
   private buffer(result: string, bytes: Uint8Array<ArrayBuffer>, isFilled: boolean): Buffer {
@@ -135,8 +135,10 @@ export class Resources<Texture, Buffer> {
   }
 
   private forget(): void {
-    const numbers = ({ texture, previous }: Kept) => [texture, previous];
-    for (const number of this.from.plan.kept.flatMap(numbers)) if (number !== null) this.free(number);
+    for (const { texture, previous } of this.from.plan.kept) {
+      if (texture !== null) this.free(texture);
+      if (previous !== null) this.free(previous);
+    }
   }
 }
 

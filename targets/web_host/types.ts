@@ -395,7 +395,8 @@ export interface Backend {
 
 // --- frames --------------------------------------------------------------------------------------
 
-/** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a sentence. */
+/** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a
+ * sentence. */
 export interface Frame {
   readonly plan: Plan;
   /** Set something of the frame, `sun.direction` or `lamps[2].place`; or else of all shaders that

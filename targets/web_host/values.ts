@@ -29,7 +29,8 @@ export class Values {
   ) {
     for (const row of declared.parameters) {
       this.rows.set(row.name, row);
-      this.known.set(row.name, row.count ? accepted(row, row.default, null, row.name) : initial(row));
+      const first = row.count ? accepted(row, row.default, null, row.name) : initial(row);
+      this.known.set(row.name, first);
     }
   }
 
@@ -51,7 +52,8 @@ export class Values {
     if (row) {
       const path = name.slice(row.name.length).match(/\w+/g) ?? [];
       this.known.set(row.name, changed(row, this.known.get(row.name)!, path, value, name));
-      if (row.count && !path.length && Array.isArray(value)) this.known.set(row.count, [value.length]);
+      const isList = row.count && !path.length && Array.isArray(value);
+      if (isList) this.known.set(row.count!, [value.length]);
       return;
     }
     if (!this.lightOf(name)) throw new Error(`${this.name} has no parameter \`${name}\``);
@@ -96,7 +98,8 @@ export class Values {
   /** The bytes of every block, those of derived values included. */
   blocks(): Map<string, Uint8Array<ArrayBuffer>> {
     const { blocks, parameters, derived } = this.declared;
-    const found = new Map(blocks.map(({ name, size }) => [name, new DataView(new ArrayBuffer(size))]));
+    const found = new Map<string, DataView<ArrayBuffer>>();
+    for (const { name, size } of blocks) found.set(name, new DataView(new ArrayBuffer(size)));
     for (const row of parameters) {
       if (row.block !== null) write(found.get(row.block)!, row.offset!, row, this.get(row.name));
     }
@@ -142,7 +145,8 @@ function elementOf(row: Placed): Placed {
 function accepted(row: Placed, value: Value, old: Datum | null, name: string): Datum {
   const { count, columns, lanes } = row.layout;
   if (count !== undefined) {
-    const items = value === null ? [] : listed(value, name, count, Boolean((row as Partial<Parameter>).count));
+    const isCounted = Boolean((row as Partial<Parameter>).count);
+    const items = value === null ? [] : listed(value, name, count, isCounted);
     const element = elementOf(row);
     return Array.from({ length: count }, (_, at) =>
       accepted(element, items[at] ?? null, (old as Datum[] | null)?.[at] ?? null, `${name}[${at}]`),
@@ -158,7 +162,8 @@ function accepted(row: Placed, value: Value, old: Datum | null, name: string): D
       }),
     );
   }
-  if (value === null) return old ?? (columns ? Array(columns).fill(Array(lanes).fill(0)) : Array(lanes).fill(0));
+  const zero = Array(lanes).fill(0);
+  if (value === null) return old ?? (columns ? Array(columns).fill(zero) : zero);
   if (!columns) return vector(row, value, name);
   return listed(value, name, columns, false).map((column) => vector(row, column, name));
 }
@@ -170,7 +175,9 @@ function initial(row: Placed): Datum | null {
 }
 
 /** `old` with the part at a path replaced. */
-function changed(row: Placed, old: Datum | null, path: string[], value: Value, name: string): Datum {
+function changed(
+  row: Placed, old: Datum | null, path: string[], value: Value, name: string,
+): Datum {
   if (!path.length) return accepted(row, value, old, name);
   const [step, ...further] = path;
   const inArray = row.layout.count !== undefined;
@@ -179,17 +186,19 @@ function changed(row: Placed, old: Datum | null, path: string[], value: Value, n
     : row.members?.find((each) => each.name === step);
   if (!part) throw new Error(`\`${row.name}\` has no part \`${step}\``);
   const made: any = accepted(row, null, old, name);
-  return Object.assign(inArray ? [...made] : { ...made }, { [step]: changed(part, made[step], further, value, name) });
+  const inner = changed(part, made[step], further, value, name);
+  return Object.assign(inArray ? [...made] : { ...made }, { [step]: inner });
 }
 
 function listed(value: Value, name: string, count: number, orFewer: boolean): Value[] {
-  const fits = Array.isArray(value) && (value.length === count || (orFewer && value.length < count));
-  if (!fits) throw new Error(`\`${name}\` takes ${count} elements`);
-  return value as Value[];
+  const length = Array.isArray(value) ? value.length : Infinity;
+  if (length === count || (orFewer && length < count)) return value as Value[];
+  throw new Error(`\`${name}\` takes ${count} elements`);
 }
 
 function vector(row: Placed, value: Value, name: string): number[] {
-  const given = (Array.isArray(value) ? value : [value]).map((lane) => (typeof lane === "boolean" ? Number(lane) : lane));
+  const plain = (lane: Value) => (typeof lane === "boolean" ? Number(lane) : lane);
+  const given = (Array.isArray(value) ? value : [value]).map(plain);
   const { lanes: count, columns } = row.layout;
   const refuse = (why: string) => new Error(`\`${name}\` ${why}`);
   if (given.length !== count || given.some((lane) => typeof lane !== "number")) {
@@ -225,7 +234,9 @@ export function write(view: DataView, offset: number, row: Placed, value: Datum)
       write(view, offset + each.offset, each, (value as { [member: string]: Datum })[each.name]);
     }
   } else if (columns) {
-    (value as number[][]).forEach((column, at) => writeLanes(view, offset + at * column_stride!, kind, column));
+    (value as number[][]).forEach((column, at) => {
+      writeLanes(view, offset + at * column_stride!, kind, column);
+    });
   } else {
     writeLanes(view, offset, kind, value as number[]);
   }

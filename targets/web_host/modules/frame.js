@@ -123,8 +123,9 @@ export class PlanFrame {
         const row = name === undefined
             ? outputs.find(({ texture }) => texture !== null)
             : outputs.find((each) => each.name === name);
+        const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
         if (!row)
-            throw new Error(`${frame} has no output ${name ? `\`${name}\`` : "that is a picture"}`);
+            throw new Error(`${frame} has no output ${wanted}`);
         const found = this.resources.shown(row.result, row.texture);
         if (!found)
             throw new Error(`\`${row.name}\` of ${frame} is no picture, or was not drawn yet`);
@@ -287,10 +288,10 @@ export class PlanFrame {
             }
         }
     }
-    giveBuffer({ values, buffers }, name, buffer) {
-        const row = values.declared.buffers.find((each) => each.name === name);
-        values.count(row, this.renderer.bytesIn(buffer));
-        buffers.set(name, buffer);
+    giveBuffer(bound, name, buffer) {
+        const row = bound.values.declared.buffers.find((each) => each.name === name);
+        bound.values.count(row, this.renderer.bytesIn(buffer));
+        bound.buffers.set(name, buffer);
     }
     run(step) {
         const bound = this.bind(step, null);
@@ -307,8 +308,7 @@ export class PlanFrame {
             this.renderer.draw(targets, null, [{ ...bound, geometry }]);
             return;
         }
-        for (const [name, buffer] of this.resources.written(step, bound))
-            bound.buffers.set(name, buffer);
+        this.resources.giveWritten(step, bound);
         this.renderer.run(bound, images, groups);
     }
 }

@@ -75,8 +75,9 @@ function picked({ words, lanes, ...further }, numbers) {
 function streamOf(input, mesh, step, name) {
     const streams = step === "instance" ? mesh.instances : mesh.vertices;
     const stream = streams[`${input.representation} ${name}`];
-    if (!stream)
+    if (!stream) {
         throw new Error(`a mesh has no \`${name}\` (${input.representation}) for each ${step}`);
+    }
     return decoded(input, stream);
 }
 function decoded(input, { type, lanes, data }) {

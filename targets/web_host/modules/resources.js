@@ -74,18 +74,18 @@ export class Resources {
         this.kernels.set(step, kernel);
         return this.extent(step);
     }
-    /** The buffers that a kernel writes, new ones or those of the last frame. */
-    written({ buffers, shader }, { values, textures }) {
+    /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
+    giveWritten({ buffers, shader }, bound) {
         const { results } = this.from.shaders[shader].reflection;
-        return buffers.map(({ name, result }) => {
+        for (const { name, result } of buffers) {
             const { count, stride, initial } = results.find((each) => each.name === name);
-            const sizeOf = (texture) => this.renderer.sizeOf(textures.get(texture));
-            const [elements] = values.evaluated(count, sizeOf);
+            const sizeOf = (texture) => this.renderer.sizeOf(bound.textures.get(texture));
+            const [elements] = bound.values.evaluated(count, sizeOf);
             const bytes = new Uint8Array(Math.max(elements, 1) * stride);
             if (initial !== null)
                 new Int32Array(bytes.buffer).fill(initial | 0);
-            return [name, this.buffer(result, bytes, initial !== null)];
-        });
+            bound.buffers.set(name, this.buffer(result, bytes, initial !== null));
+        }
     }
     buffer(result, bytes, isFilled) {
         const known = this.buffers.get(result);
@@ -122,10 +122,12 @@ export class Resources {
         this.textures.delete(texture);
     }
     forget() {
-        const numbers = ({ texture, previous }) => [texture, previous];
-        for (const number of this.from.plan.kept.flatMap(numbers))
-            if (number !== null)
-                this.free(number);
+        for (const { texture, previous } of this.from.plan.kept) {
+            if (texture !== null)
+                this.free(texture);
+            if (previous !== null)
+                this.free(previous);
+        }
     }
 }
 /** What a buffer is called that the last frame has left. */

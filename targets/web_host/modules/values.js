@@ -15,7 +15,8 @@ export class Values {
         this.declared = declared;
         for (const row of declared.parameters) {
             this.rows.set(row.name, row);
-            this.known.set(row.name, row.count ? accepted(row, row.default, null, row.name) : initial(row));
+            const first = row.count ? accepted(row, row.default, null, row.name) : initial(row);
+            this.known.set(row.name, first);
         }
     }
     /** Values of their own, which can be changed by themselves. */
@@ -34,7 +35,8 @@ export class Values {
         if (row) {
             const path = name.slice(row.name.length).match(/\w+/g) ?? [];
             this.known.set(row.name, changed(row, this.known.get(row.name), path, value, name));
-            if (row.count && !path.length && Array.isArray(value))
+            const isList = row.count && !path.length && Array.isArray(value);
+            if (isList)
                 this.known.set(row.count, [value.length]);
             return;
         }
@@ -75,7 +77,9 @@ export class Values {
     /** The bytes of every block, those of derived values included. */
     blocks() {
         const { blocks, parameters, derived } = this.declared;
-        const found = new Map(blocks.map(({ name, size }) => [name, new DataView(new ArrayBuffer(size))]));
+        const found = new Map();
+        for (const { name, size } of blocks)
+            found.set(name, new DataView(new ArrayBuffer(size)));
         for (const row of parameters) {
             if (row.block !== null)
                 write(found.get(row.block), row.offset, row, this.get(row.name));
@@ -117,7 +121,8 @@ function elementOf(row) {
 function accepted(row, value, old, name) {
     const { count, columns, lanes } = row.layout;
     if (count !== undefined) {
-        const items = value === null ? [] : listed(value, name, count, Boolean(row.count));
+        const isCounted = Boolean(row.count);
+        const items = value === null ? [] : listed(value, name, count, isCounted);
         const element = elementOf(row);
         return Array.from({ length: count }, (_, at) => accepted(element, items[at] ?? null, old?.[at] ?? null, `${name}[${at}]`));
     }
@@ -129,8 +134,9 @@ function accepted(row, value, old, name) {
             return [each.name, accepted(each, part, first, `${name}.${each.name}`)];
         }));
     }
+    const zero = Array(lanes).fill(0);
     if (value === null)
-        return old ?? (columns ? Array(columns).fill(Array(lanes).fill(0)) : Array(lanes).fill(0));
+        return old ?? (columns ? Array(columns).fill(zero) : zero);
     if (!columns)
         return vector(row, value, name);
     return listed(value, name, columns, false).map((column) => vector(row, column, name));
@@ -152,16 +158,18 @@ function changed(row, old, path, value, name) {
     if (!part)
         throw new Error(`\`${row.name}\` has no part \`${step}\``);
     const made = accepted(row, null, old, name);
-    return Object.assign(inArray ? [...made] : { ...made }, { [step]: changed(part, made[step], further, value, name) });
+    const inner = changed(part, made[step], further, value, name);
+    return Object.assign(inArray ? [...made] : { ...made }, { [step]: inner });
 }
 function listed(value, name, count, orFewer) {
-    const fits = Array.isArray(value) && (value.length === count || (orFewer && value.length < count));
-    if (!fits)
-        throw new Error(`\`${name}\` takes ${count} elements`);
-    return value;
+    const length = Array.isArray(value) ? value.length : Infinity;
+    if (length === count || (orFewer && length < count))
+        return value;
+    throw new Error(`\`${name}\` takes ${count} elements`);
 }
 function vector(row, value, name) {
-    const given = (Array.isArray(value) ? value : [value]).map((lane) => (typeof lane === "boolean" ? Number(lane) : lane));
+    const plain = (lane) => (typeof lane === "boolean" ? Number(lane) : lane);
+    const given = (Array.isArray(value) ? value : [value]).map(plain);
     const { lanes: count, columns } = row.layout;
     const refuse = (why) => new Error(`\`${name}\` ${why}`);
     if (given.length !== count || given.some((lane) => typeof lane !== "number")) {
@@ -200,7 +208,9 @@ export function write(view, offset, row, value) {
         }
     }
     else if (columns) {
-        value.forEach((column, at) => writeLanes(view, offset + at * column_stride, kind, column));
+        value.forEach((column, at) => {
+            writeLanes(view, offset + at * column_stride, kind, column);
+        });
     }
     else {
         writeLanes(view, offset, kind, value);
