@@ -233,7 +233,7 @@ export interface Reflection {
   textures: TextureRow[];
   samplers: { texture: string; state: SamplerState }[];
   vertex_inputs: VertexInput[];
-  targets: { name: string; format: string; blend: string }[];
+  targets: TargetRow[];
   draw: Draw | null;
   render_state: RenderState;
   backends: Record<string, Backend>;
@@ -353,6 +353,26 @@ export interface Draw {
   layers: { count: number; parameter: string | null } | null;
 }
 
+export interface TargetRow {
+  name: string;
+  format: string;
+  blend: Blend | null;
+  /** Some letters of `rgba`, or `none`. */
+  mask: string;
+}
+
+/** How a target is blended: words of WebGPU, with `_` for `-`. */
+export interface Blend {
+  color: BlendEquation;
+  alpha: BlendEquation;
+}
+
+export interface BlendEquation {
+  source: string;
+  destination: string;
+  operation: string;
+}
+
 export interface RenderState {
   cull: "none" | "front" | "back";
   fill: "faces" | "lines";
@@ -391,6 +411,8 @@ export interface Backend {
   textures: Record<string, Place>;
   samplers: Record<string, Place>;
   vertex_inputs: Record<string, { identifier: string }>;
+  /** Uniforms of WebGL that are the height of what is drawn to. */
+  host_uniforms: string[];
 }
 
 // --- frames --------------------------------------------------------------------------------------

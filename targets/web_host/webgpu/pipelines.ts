@@ -3,7 +3,7 @@
 import { formatOf } from "../bytes.js";
 import type { FramePackage, PackagedShader, Place, Reflection, ShaderText } from "../types.js";
 import { ShaderStage, type Device } from "./device.js";
-import { BLENDS, depthStencil, vertexBuffers } from "./states.js";
+import { colorTarget, depthStencil, vertexBuffers } from "./states.js";
 
 export const PROFILE = "wgsl:webgpu";
 
@@ -116,11 +116,10 @@ export class Pipelines {
   ): GPUColorTargetState[] {
     const blends32 = this.device.gpu.features.has("float32-blendable");
     return formats.map((format, at) => {
-      const blend = BLENDS[targets[at].blend];
-      if (blend && format.includes("32float") && !blends32) {
+      if (targets[at].blend && format.includes("32float") && !blends32) {
         throw new Error(`this device cannot blend ${format}, which ${material} draws to`);
       }
-      return { format, blend };
+      return colorTarget(targets[at], format);
     });
   }
 }

@@ -1,26 +1,25 @@
 // What reflections say of the fixed functions of a pipeline, in the words of WebGPU.
 
 import { hasStencil } from "../bytes.js";
-import type { Reflection, RenderState, StencilSide } from "../types.js";
+import type { BlendEquation, Reflection, RenderState, StencilSide, TargetRow } from "../types.js";
 
 /** A word of a reflection as WebGPU writes it. */
 const word = <Word extends string>(text: string) => text.replaceAll("_", "-") as Word;
 
-const sum = (srcFactor: GPUBlendFactor, dstFactor: GPUBlendFactor): GPUBlendComponent => ({
-  operation: "add", srcFactor, dstFactor,
-});
-const alike = (factors: GPUBlendComponent): GPUBlendState => ({ color: factors, alpha: factors });
+/** How a target is blended, and which of its lanes are written. */
+export function colorTarget(
+  { blend, mask }: TargetRow, format: GPUTextureFormat,
+): GPUColorTargetState {
+  const lanes = mask === "none" ? [] : [...mask];
+  const writeMask = lanes.reduce((bits, lane) => bits | (1 << "rgba".indexOf(lane)), 0);
+  if (!blend) return { format, writeMask };
+  const equations = { color: component(blend.color), alpha: component(blend.alpha) };
+  return { format, writeMask, blend: equations };
+}
 
-export const BLENDS: Record<string, GPUBlendState | undefined> = {
-  none: undefined,
-  alpha: {
-    color: sum("src-alpha", "one-minus-src-alpha"),
-    alpha: sum("one", "one-minus-src-alpha"),
-  },
-  premultiplied: alike(sum("one", "one-minus-src-alpha")),
-  add: alike(sum("one", "one")),
-  multiply: alike(sum("dst", "zero")),
-};
+const component = ({ source, destination, operation }: BlendEquation): GPUBlendComponent => ({
+  operation: word(operation), srcFactor: word(source), dstFactor: word(destination),
+});
 
 /** Depth test, bias and stencil test. Lines of a mesh are never moved by a bias. */
 export function depthStencil(

@@ -1,7 +1,7 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 import { formatOf } from "../bytes.js";
 import { ShaderStage } from "./device.js";
-import { BLENDS, depthStencil, vertexBuffers } from "./states.js";
+import { colorTarget, depthStencil, vertexBuffers } from "./states.js";
 export const PROFILE = "wgsl:webgpu";
 /** All pipelines of a frame, by shader and formats. */
 export class Pipelines {
@@ -87,11 +87,10 @@ export class Pipelines {
     targets({ targets, material }, formats) {
         const blends32 = this.device.gpu.features.has("float32-blendable");
         return formats.map((format, at) => {
-            const blend = BLENDS[targets[at].blend];
-            if (blend && format.includes("32float") && !blends32) {
+            if (targets[at].blend && format.includes("32float") && !blends32) {
                 throw new Error(`this device cannot blend ${format}, which ${material} draws to`);
             }
-            return { format, blend };
+            return colorTarget(targets[at], format);
         });
     }
 }

@@ -2,20 +2,18 @@
 import { hasStencil } from "../bytes.js";
 /** A word of a reflection as WebGPU writes it. */
 const word = (text) => text.replaceAll("_", "-");
-const sum = (srcFactor, dstFactor) => ({
-    operation: "add", srcFactor, dstFactor,
+/** How a target is blended, and which of its lanes are written. */
+export function colorTarget({ blend, mask }, format) {
+    const lanes = mask === "none" ? [] : [...mask];
+    const writeMask = lanes.reduce((bits, lane) => bits | (1 << "rgba".indexOf(lane)), 0);
+    if (!blend)
+        return { format, writeMask };
+    const equations = { color: component(blend.color), alpha: component(blend.alpha) };
+    return { format, writeMask, blend: equations };
+}
+const component = ({ source, destination, operation }) => ({
+    operation: word(operation), srcFactor: word(source), dstFactor: word(destination),
 });
-const alike = (factors) => ({ color: factors, alpha: factors });
-export const BLENDS = {
-    none: undefined,
-    alpha: {
-        color: sum("src-alpha", "one-minus-src-alpha"),
-        alpha: sum("one", "one-minus-src-alpha"),
-    },
-    premultiplied: alike(sum("one", "one-minus-src-alpha")),
-    add: alike(sum("one", "one")),
-    multiply: alike(sum("dst", "zero")),
-};
 /** Depth test, bias and stencil test. Lines of a mesh are never moved by a bias. */
 export function depthStencil({ depth, stencil }, format, topology) {
     return {
