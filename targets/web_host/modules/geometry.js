@@ -51,8 +51,9 @@ function gathered({ reflection, pattern }, mesh, corners, indices) {
                 return indices[(at % count) * corners + corner];
             return is_number && name !== "instance_index" ? at % count : Math.floor(at / count);
         });
+        const type = input.representation.startsWith("u") ? "uint" : "int";
         if (is_number)
-            return { input, type: "int", lanes: 1, words: numbers };
+            return { input, type, lanes: 1, words: numbers };
         return picked(streamOf(input, mesh, corner === null ? "instance" : "vertex", name), numbers);
     });
     const drawn = pattern && wordsOf(pattern.indices);
