@@ -35,8 +35,6 @@ class _Execution:
         """For each texture which result each layer and level holds."""
         self._stencils: dict[int, set[tuple[int, int]]] = {}
         """For each texture where it has stencil values that have been kept."""
-        self._copies: dict[int, str] = {}
-        """For each texture that a copy has filled, of which result."""
         self._buffers: set[str] = set()
         """The results that are there in buffers."""
         self._kept_buffers: set[str] = set()
@@ -44,6 +42,9 @@ class _Execution:
         self._waited: set[int] = set()
         """Textures with a barrier before this step."""
         self._used_here: set[int] = set()
+        rare = [step for step in plan["steps"] if is_rare(step)]
+        self._lasting = {texture for step in rare for _, texture in written(step)}
+        """Textures that only the first frame draws to, and that keep what is in them."""
 
     def execute(self) -> None:
         """Draw two frames."""
@@ -51,19 +52,22 @@ class _Execution:
             if row["previous"] is not None:
                 self._uses[row["previous"]] = "sampled"
         for is_first in (True, False):
-            self._begin()
+            self._begin(is_first)
             for step in self._plan["steps"]:
                 if is_first or not is_rare(step):
                     self._do(step, is_first)
             self._end()
 
-    def _begin(self) -> None:
+    def _begin(self, is_first: bool) -> None:
         """Forget what the last frame has left, but for what is kept."""
-        previous = {row["previous"] for row in self._plan["kept"]}
+        kept = {row["previous"] for row in self._plan["kept"]}
+        if not is_first:
+            kept |= self._lasting
         self._holds = {texture: held for texture, held in self._holds.items()
-                       if texture in previous}  # fmt: skip
-        self._touched, self._copies, self._buffers = set(previous), {}, set()
-        self._stencils.clear()
+                       if texture in kept}  # fmt: skip
+        self._touched, self._buffers = kept, set()
+        self._stencils = {texture: held for texture, held in self._stencils.items()
+                          if texture in kept}  # fmt: skip
 
     def _end(self) -> None:
         """Give the host its outputs, and the next frame what it reads."""
@@ -167,9 +171,8 @@ class _Execution:
         self._finds(source["texture"], source["result"])
         self._written(target["texture"], "copied_to")
         whole = places(self._plan["textures"][target["texture"]])
-        result: str = target["result"]
+        result: str = source["result"]
         self._holds[target["texture"]] = dict.fromkeys(whole, result)
-        self._copies[target["texture"]] = source["result"]
         self._stencils[target["texture"]] = set(self._stencils.get(source["texture"], ()))
 
     def _draw(self, target: Row, use: str) -> None:
@@ -180,7 +183,7 @@ class _Execution:
         for layer in range(layers) if target["layer"] is None else (target["layer"],):
             place = layer, target["level"]
             found = held.get(place)
-            if target["load"] == "load" and not self._is_over(texture, found, result, over):
+            if target["load"] == "load" and found != (over or result):
                 self._fail(f"`{result}` is drawn over something else: {found or 'nothing'}")
             if target["load"] == "clear" and (found == result or over is not None):
                 self._fail(f"`{result}` is cleared, and should be drawn over")
@@ -201,13 +204,6 @@ class _Execution:
             kept.add(place)
         else:
             kept.discard(place)
-
-    def _is_over(self, texture: int, found: str | None, result: str, over: str | None) -> bool:
-        """Whether what is there is what a step draws over: another result, a copy of it, or what
-        the step's result is so far."""
-        if over is None:
-            return found == result
-        return found == over or (found == result and self._copies.get(texture) == over)
 
     def _fail(self, text: str) -> None:
         fail(self._plan, self._step, text)
