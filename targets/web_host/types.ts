@@ -232,7 +232,7 @@ export interface Reflection {
   textures: TextureRow[];
   samplers: { texture: string; state: SamplerState }[];
   vertex_inputs: VertexInput[];
-  targets: { name: string; format: string; blend: string }[];
+  targets: { name: string; format: string; blend: Blend | null; mask: string }[];
   draw: Draw | null;
   render_state: RenderState;
   backends: Record<string, Backend>;
@@ -350,6 +350,18 @@ export interface Draw {
     levels: { edges: Operation[][]; inside: Operation[][] } | null;
   } | null;
   layers: { count: number; parameter: string | null } | null;
+}
+
+/** How a target is blended: words of WebGPU, with `_` for `-`. */
+export interface Blend {
+  color: BlendEquation;
+  alpha: BlendEquation;
+}
+
+export interface BlendEquation {
+  source: string;
+  destination: string;
+  operation: string;
 }
 
 export interface RenderState {

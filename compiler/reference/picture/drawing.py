@@ -18,7 +18,7 @@ from .coverage import Fragments, coverage_of
 from .faces import Faces
 from .hulls import Hulls
 from .quads import Barycentric, Quads, depths_of, quads_of
-from .resolve import Canvas, Shades, nearest, with_missing
+from .resolve import BLACK, Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
 from .stencil import StencilTest
@@ -36,6 +36,7 @@ def draw(
     clear: Sequence[Sequence[float]],
     errors: Errors | None = None,
     progress: Callable[[float], None] | None = None,
+    blend_constant: Sequence[float] = BLACK,
 ) -> Expected:
     """The picture that every implementation must draw, with the bounds of a device's rounding.
 
@@ -44,14 +45,18 @@ def draw(
 
     ``values`` are by parameter name, in the evaluator's form: a tuple of lanes, of a matrix's
     columns, of an array's elements, or of a struct's members. ``clear`` has four lanes for each
-    target, and the depth buffer starts with 1. ``progress`` is called with the part that is done.
+    target, and depths are at first what the pass says. ``progress`` is called with the part that is
+    done.
 
     Raises ``ValueError`` for a parameter, texture or vertex attribute without a value, or with one
     that does not fit. Values that are not finite only affect the triangles and pixels that they
     belong to.
     """
     written = written_by(shader)
-    canvas = Canvas(rules.width * rules.height, clear, written, rounds=errors is not None)
+    canvas = Canvas(
+        rules.width * rules.height, clear, written, rounds=errors is not None,
+        depth=shader.render_state.depth.clear, blend_constant=blend_constant,
+    )  # fmt: skip
     broken = draw_onto(canvas, shader, values, textures, geometry, rules, errors, progress)
     return expected_on(canvas, rules, broken)
 
@@ -137,7 +142,7 @@ class _Drawing:
             not shader.results_of(DISCARD)
             and canvas.is_opaque
             and canvas.has_depth
-            and (self._depth.compare, self._depth.write) == ("less", True)
+            and self._depth.keeps_nearest
             and not self._stencil.writes
         )
         """Whether of several fragments at a pixel only the nearest one counts."""

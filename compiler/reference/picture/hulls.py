@@ -49,8 +49,9 @@ class Hulls:
                 colours = canvas.stored(number, shades.colours[number])[1:]
                 _include(self.targets[number], several.pixel, _known(colours))
             else:
-                self.targets[number][0, undecided] = -np.inf
-                self.targets[number][1, undecided] = np.inf
+                for lane in canvas.written_lanes(number):
+                    self.targets[number][0, undecided, lane] = -np.inf
+                    self.targets[number][1, undecided, lane] = np.inf
 
 
 def _joined(before: Floats, now: Floats, undecided: Bools) -> Floats:

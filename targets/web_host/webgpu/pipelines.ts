@@ -2,7 +2,7 @@
 
 import { formatOf, hasStencil } from "../bytes.js";
 import type {
-  FramePackage, PackagedShader, Place, Reflection, RenderState, ShaderText, StencilSide,
+  BlendEquation, FramePackage, PackagedShader, Place, Reflection, RenderState, ShaderText, StencilSide,
 } from "../types.js";
 import { ShaderStage, type Device } from "./device.js";
 
@@ -102,11 +102,13 @@ export class Pipelines {
 
   private targets({ targets, material }: Reflection, formats: GPUTextureFormat[]): GPUColorTargetState[] {
     return formats.map((format, at) => {
-      const { blend } = targets[at];
-      if (blend !== "none" && /32float/.test(format) && !this.device.gpu.features.has("float32-blendable")) {
+      const { blend, mask } = targets[at];
+      if (blend && /32float/.test(format) && !this.device.gpu.features.has("float32-blendable")) {
         throw new Error(`this device cannot blend ${format}, which ${material} does: it lacks float32-blendable`);
       }
-      return { format, blend: BLENDS[blend] };
+      const writeMask = [..."rgba"].reduce((bits, lane, at) => bits | (written(mask, lane) ? 1 << at : 0), 0);
+      if (!blend) return { format, writeMask };
+      return { format, writeMask, blend: { color: component(blend.color), alpha: component(blend.alpha) } };
     });
   }
 }
@@ -139,17 +141,11 @@ const stencilSide = ({ compare, fail, depth_fail, pass }: StencilSide): GPUStenc
 /** A word of a reflection as WebGPU writes it. */
 const word = <Word extends string>(text: string) => text.replaceAll("_", "-") as Word;
 
-const sum = (srcFactor: GPUBlendFactor, dstFactor: GPUBlendFactor): GPUBlendComponent => ({
-  operation: "add", srcFactor, dstFactor,
+const written = (mask: string, lane: string) => mask !== "none" && mask.includes(lane);
+
+const component = ({ source, destination, operation }: BlendEquation): GPUBlendComponent => ({
+  operation: word(operation), srcFactor: word(source), dstFactor: word(destination),
 });
-const alike = (factors: GPUBlendComponent): GPUBlendState => ({ color: factors, alpha: factors });
-const BLENDS: Record<string, GPUBlendState | undefined> = {
-  none: undefined,
-  alpha: { color: sum("src-alpha", "one-minus-src-alpha"), alpha: sum("one", "one-minus-src-alpha") },
-  premultiplied: alike(sum("one", "one-minus-src-alpha")),
-  add: alike(sum("one", "one")),
-  multiply: alike(sum("dst", "zero")),
-};
 
 /** One buffer for the inputs of vertices and one for those of instances, as `interleaved` makes
  * them. */

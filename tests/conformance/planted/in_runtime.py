@@ -14,6 +14,7 @@ from burnish.targets.runner.instances import blocks, derived, instance, shapes
 from burnish.targets.runner.instances.shapes import Numbers, Shape
 from burnish.targets.runner.textures.texture import Texture
 
+from ...runner.blends import named
 from .planting import QUICKEST, Planted, job, replaced
 
 write, write_numbers = blocks.write, blocks._write_numbers
@@ -130,7 +131,7 @@ def _samplers(**state: Any) -> Callable[[Job], Job]:
 
 def _blended(asked: Job) -> Job:
     """Use the blend mode ``add`` for everything."""
-    targets = tuple(replace(target, blend="add") for target in asked.pipeline.targets)
+    targets = tuple(replace(target, blend=named("add")) for target in asked.pipeline.targets)
     return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
 
 

@@ -75,11 +75,14 @@ export class Pipelines {
     }
     targets({ targets, material }, formats) {
         return formats.map((format, at) => {
-            const { blend } = targets[at];
-            if (blend !== "none" && /32float/.test(format) && !this.device.gpu.features.has("float32-blendable")) {
+            const { blend, mask } = targets[at];
+            if (blend && /32float/.test(format) && !this.device.gpu.features.has("float32-blendable")) {
                 throw new Error(`this device cannot blend ${format}, which ${material} does: it lacks float32-blendable`);
             }
-            return { format, blend: BLENDS[blend] };
+            const writeMask = [..."rgba"].reduce((bits, lane, at) => bits | (written(mask, lane) ? 1 << at : 0), 0);
+            if (!blend)
+                return { format, writeMask };
+            return { format, writeMask, blend: { color: component(blend.color), alpha: component(blend.alpha) } };
         });
     }
 }
@@ -106,17 +109,10 @@ const stencilSide = ({ compare, fail, depth_fail, pass }) => ({
 });
 /** A word of a reflection as WebGPU writes it. */
 const word = (text) => text.replaceAll("_", "-");
-const sum = (srcFactor, dstFactor) => ({
-    operation: "add", srcFactor, dstFactor,
+const written = (mask, lane) => mask !== "none" && mask.includes(lane);
+const component = ({ source, destination, operation }) => ({
+    operation: word(operation), srcFactor: word(source), dstFactor: word(destination),
 });
-const alike = (factors) => ({ color: factors, alpha: factors });
-const BLENDS = {
-    none: undefined,
-    alpha: { color: sum("src-alpha", "one-minus-src-alpha"), alpha: sum("one", "one-minus-src-alpha") },
-    premultiplied: alike(sum("one", "one-minus-src-alpha")),
-    add: alike(sum("one", "one")),
-    multiply: alike(sum("dst", "zero")),
-};
 /** One buffer for the inputs of vertices and one for those of instances, as `interleaved` makes
  * them. */
 function vertexBuffers({ vertex_inputs: inputs }) {
