@@ -125,13 +125,3 @@ def test_what_others_need_is_copied_before() -> None:
     plan = of_text(OVER.replace("OUTPUT", "output before = solid.color")).plan
     assert [step["kind"] for step in plan["steps"]] == ["draw", "copy", "draw"]
     check_plan(plan)
-
-
-def test_results_share_textures() -> None:
-    """Of the example with the most steps, at most 60 % of the memory of its results is needed."""
-    sums = {}
-    for path in EXAMPLES:
-        plan = compiled(path).plan
-        results = [row for row in plan["results"] if row["texture"] is not None]
-        sums[len(plan["steps"])] = len(plan["textures"]) / len(results)
-    assert sums[max(sums)] <= 0.6
