@@ -20,9 +20,12 @@ from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total
 from .kit import EXAMPLES, compiled, memory_share
 
 
-def planned(*spans: tuple[int, int], kept: int = -1) -> dict[str, Any]:
-    """A plan with a texture for each result, which is needed from one step to another."""
+def planned(*spans: tuple[int, int], kept: int = -1, once: int | None = None) -> dict[str, Any]:
+    """A plan with a texture for each result, which is needed from one step to another; one is kept
+    for the next frame, and one is drawn once."""
+    drawn = {"kind": "draw", "only_first": True, "targets": [{"result": "a", "texture": once}]}
     return {
+        "steps": [] if once is None else [drawn],
         "textures": [{"kept": number == kept} for number in range(len(spans))],
         "results": [
             {"texture": number, "first": first, "last": last}
@@ -41,6 +44,7 @@ def test_textures_take_turns_that_no_step_needs_together() -> None:
 
 def test_what_is_kept_takes_no_turns() -> None:
     assert taking_turns(planned((0, 1), (2, 3), kept=0), {0: 4, 1: 4}) == [[1], [0]]
+    assert taking_turns(planned((0, 1), (2, 3), once=0), {0: 4, 1: 4}) == [[1], [0]]
 
 
 def test_bytes_are_those_of_all_levels_and_layers() -> None:

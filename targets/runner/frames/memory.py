@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from ..binding import FORMATS
 from ..drivers.readback import TEXEL_LANES
-from .checks.rows import Row
+from .checks.rows import Row, is_rare, written
 from .sizes import Size, halved
 
 DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
@@ -36,12 +36,12 @@ def taking_turns(plan: Row, needed: Mapping[int, int]) -> list[list[int]]:
     """The textures of a plan in groups of which each needs the memory of its largest texture.
 
     ``needed`` says how many bytes each takes; textures that it leaves out are alone, as those are
-    that the next frame reads.
+    that later frames read.
     """
-    spans = _spans(plan)
+    spans, lasting = _spans(plan), _lasting(plan)
     groups: list[list[int]] = []
     for texture in sorted(needed, key=lambda each: -needed[each]):
-        if plan["textures"][texture]["kept"]:
+        if texture in lasting:
             continue
         for group in groups:
             if not any(_meet(spans[texture], spans[other]) for other in group):
@@ -67,6 +67,15 @@ def _spans(plan: Row) -> dict[int, tuple[int, int]]:
             first, last = found.get(row["texture"], (row["first"], row["last"]))
             found[row["texture"]] = min(first, row["first"]), max(last, row["last"])
     return found
+
+
+def _lasting(plan: Row) -> set[int | None]:
+    """The textures that have contents from frame to frame: those that are exchanged, and those that
+    only the first frame draws to."""
+    drawn_once = {
+        texture for step in plan["steps"] if is_rare(step) for _, texture in written(step)
+    }
+    return drawn_once | {number for number, row in enumerate(plan["textures"]) if row["kept"]}
 
 
 def _meet(one: tuple[int, int], other: tuple[int, int]) -> bool:
