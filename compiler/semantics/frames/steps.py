@@ -626,16 +626,19 @@ class Steps:
                 return None
             for name in found.keys() & images.keys():
                 reason = f"both are called `{name}`, and a pass draws over one of this name"
-                return self._differ(found[name], images[name], reason, part.span)
+                self._differ(found[name], images[name], reason, part.span)
+                return None
             found |= images
         first, *others = found.values()
         for other in others:
             if (other.dimension, other.layers) != (first.dimension, first.layers):
-                return self._differ(first, other, "they have different layers", written.span)
+                self._differ(first, other, "they have different layers", written.span)
+                return None
             one, two = self._known_size(first), self._known_size(other)
             if one and two and one != two:
                 reason = f"one is {one[0]} x {one[1]}, the other {two[0]} x {two[1]}"
-                return self._differ(first, other, reason, written.span)
+                self._differ(first, other, reason, written.span)
+                return None
         return found
 
     def _differ(self, first: Image, second: Image, reason: str, span: Span) -> None:
@@ -648,11 +651,11 @@ class Steps:
         """The size of an image, if it is known when compiling."""
         if image.size.value is None:
             return None
-        known = self._ctx.constants.known(self.numbers.nodes[image.size.value])
-        if not isinstance(known, tuple):
-            return None
-        width, height = (max(int(side) >> image.size.level, 1) for side in known)
-        return width, height
+        match self._ctx.constants.known(self.numbers.nodes[image.size.value]):
+            case (int(width), int(height)):
+                level = image.size.level
+                return max(width >> level, 1), max(height >> level, 1)
+        return None
 
     def _is_step(self, e: ast.Expression, around: Around) -> bool:
         """Whether an expression is about steps, and no number."""
