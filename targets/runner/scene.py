@@ -60,9 +60,9 @@ class Scene:
             **self.look.parameters,
         }
         for row in instance.reflection["parameters"]:
-            role = _role(row)
-            if role in given and row["name"] not in but:
-                instance.set(row["name"], given[role])
+            word = role(row)
+            if word in given and row["name"] not in but:
+                instance.set(row["name"], given[word])
         for row in instance.reflection["textures"]:
             word = scene_names()["textures"].get(row["library"], "")
             if word in self.look.textures and row["name"] not in but:
@@ -118,7 +118,7 @@ def _light_role(row: Mapping[str, Any]) -> str | None:
 
 def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
     """The names of the parameters that every scene sets, including those of single lights."""
-    found = {row["name"] for row in reflection["parameters"] if _role(row) in _OF_VIEWS}
+    found = {row["name"] for row in reflection["parameters"] if role(row) in _OF_VIEWS}
     for light in reflection["lights"]:
         if light["capacity"] is None:
             roles = light_roles(reflection, light)
@@ -130,7 +130,7 @@ _OF_VIEWS = ("world_to_clip", "eye", "object_to_world", "pose")
 """What a scene calls the values that are not a light's."""
 
 
-def _role(row: Mapping[str, Any]) -> str | None:
+def role(row: Mapping[str, Any]) -> str | None:
     """What a scene calls the value of a parameter, if it has one for it."""
     names = scene_names()
     return names["parameters"].get(row["library"]) or names["types"].get(row["type"])

@@ -16,6 +16,7 @@ from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
+from ..scene import role
 from ..scene_state import SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
@@ -106,13 +107,18 @@ class FrameHost:
         self.values = Instance(_as_reflection(plan))
         width, height = size
         scenery.scene.apply(self.values, width / height)
-        self.values.set("size", size)
+        self.values.set(size_parameter(plan), size)
         self._given: frozenset[str] = frozenset()
         """The names of what has been set; a scene leaves that alone."""
         self._instances = [Instance(shader.reflection) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
+
+    @property
+    def instances(self) -> Sequence[Instance]:
+        """For each shader the values that are the same for all models."""
+        return tuple(self._instances)
 
     def unused_lamps(self) -> list[str]:
         """The names of the lights in the scene for which the frame's rig has no place."""
@@ -286,6 +292,11 @@ class FrameHost:
             instance.set(name, textures[host])
         else:
             instance.set_bytes(name, self.values.buffers()[host].data)
+
+
+def size_parameter(plan: Row) -> str:
+    """The name of the parameter with the size of what is shown."""
+    return next(row["name"] for row in plan["parameters"] if role(row) == "size")
 
 
 def halved(side: int, times: int) -> int:
