@@ -19,6 +19,9 @@ ROOTS = ("commands", "compiler", "targets", "stdlib")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
 
+ENDINGS = ("css", "h", "html", "j2", "js", "json", "lark", "mjs", "svg", "ts", "txt")
+"""Of the files that are no modules and belong to the package."""
+
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
 
 
@@ -64,7 +67,7 @@ setup(
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],
         **{
-            f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs"]
+            f"burnish.{name}": [f"*.{ending}" for ending in ENDINGS]
             for name in sub_packages
             if name.startswith(("compiler", "targets"))
         },

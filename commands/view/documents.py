@@ -86,11 +86,10 @@ class Documents:
         except CompileError as error:
             self._tell(error.diagnostics)
             return {**self._head(), "error": render_all(error.diagnostics, color=True)}
-        except (*drawing_errors(), MemoryError) as error:
-            text = str(error) or "there is not enough memory to show this"
-            if self._told != self.version:
-                remark("error", text)
-            return {**self._head(), "error": f"{Style(True).severity('error', 'error')}: {text}"}
+        except drawing_errors() as error:
+            return {**self._head(), "error": self._refused(str(error))}
+        except MemoryError:
+            return {**self._head(), "error": self._refused("there is not enough memory for this")}
         took = 1000 * (time.perf_counter() - began)
         click.echo(f"{made['chosen']['subject']}: made in {took:.0f} ms")
         return {**self._head(), **made}
@@ -99,6 +98,12 @@ class Documents:
         """Print what is wrong, once for each version of the file."""
         if self._told != self.version:
             show(diagnostics)
+
+    def _refused(self, text: str) -> str:
+        """What the page says of something that cannot be drawn; the terminal says it, too."""
+        if self._told != self.version:
+            remark("error", text)
+        return f"{Style(True).severity('error', 'error')}: {text}"
 
     def _head(self) -> dict[str, Any]:
         """What every document has."""

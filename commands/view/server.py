@@ -24,7 +24,7 @@ from ..watch import states
 from .documents import Documents, choice_of
 from .files import page_files
 from .guarding import Guarded
-from .request import Request
+from .request import Choice, Request
 
 HOST = "127.0.0.1"
 """The loopback interface: no other computer reaches it."""
@@ -110,10 +110,13 @@ class Server:
         request = self._request
         changes = states(request.file, request.search_path, self._documents.others, stop)
         next(changes)
+        self._documents.get(Choice())  # Ready when the browser is, and the terminal knows.
         for _ in changes:
             self._documents.forget()
             with suppress(RuntimeError):  # The loop has ended, and nobody is left to be told.
                 loop.call_soon_threadsafe(self._tell, self._documents.version)
+            if not self._pages:
+                self._documents.get(Choice())
 
     def _tell(self, version: str) -> None:
         for queue in self._pages:

@@ -52,22 +52,24 @@ class Scene:
     def apply(self, instance: Instance, aspect: float, but: frozenset[str] = frozenset()) -> None:
         """Set all parameters and textures that belong to a scene, but those with some names;
         ``aspect`` is width divided by height."""
-        given = {
+        given = self.values(aspect)
+        for name, role in value_roles(instance.reflection).items():
+            if role in given and name not in but:
+                instance.set(name, given[role])
+        for name, role in texture_roles(instance.reflection).items():
+            if role in self.look.textures and name not in but:
+                instance.set(name, self.look.textures[role])
+        self._place_lights(instance)
+
+    def values(self, aspect: float) -> dict[str, Any]:
+        """The values of the scene that are no light's, by what it calls them."""
+        return {
             "world_to_clip": _columns(self.camera.world_to_clip(aspect)),
             "eye": self.camera.eye,
             "object_to_world": _columns(np.array(self.object_to_world)),
             "pose": pose() if self.bones is None else _padded(self.bones),
             **self.look.parameters,
         }
-        for row in instance.reflection["parameters"]:
-            word = role(row)
-            if word in given and row["name"] not in but:
-                instance.set(row["name"], given[word])
-        for row in instance.reflection["textures"]:
-            word = scene_names()["textures"].get(row["library"], "")
-            if word in self.look.textures and row["name"] not in but:
-                instance.set(row["name"], self.look.textures[word])
-        self._place_lights(instance)
 
     def unused_lamps(self, instance: Instance) -> list[Lamp]:
         """The lights of a file for which the rig has no place."""
@@ -118,7 +120,7 @@ def _light_role(row: Mapping[str, Any]) -> str | None:
 
 def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
     """The names of the parameters that every scene sets, including those of single lights."""
-    found = {row["name"] for row in reflection["parameters"] if role(row) in _OF_VIEWS}
+    found = {row["name"] for row in reflection["parameters"] if _role(row) in _OF_VIEWS}
     for light in reflection["lights"]:
         if light["capacity"] is None:
             roles = light_roles(reflection, light)
@@ -130,7 +132,20 @@ _OF_VIEWS = ("world_to_clip", "eye", "object_to_world", "pose")
 """What a scene calls the values that are not a light's."""
 
 
-def role(row: Mapping[str, Any]) -> str | None:
+def value_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
+    """The parameters for which a scene may have a value, each with what it calls that."""
+    found = ((row["name"], _role(row)) for row in reflection["parameters"])
+    return {name: role for name, role in found if role is not None}
+
+
+def texture_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
+    """The textures for which a look may have a picture, each with what a scene calls that."""
+    names = scene_names()["textures"]
+    found = ((row["name"], names.get(row.get("library"))) for row in reflection["textures"])
+    return {name: role for name, role in found if role is not None}
+
+
+def _role(row: Mapping[str, Any]) -> str | None:
     """What a scene calls the value of a parameter, if it has one for it."""
     names = scene_names()
     return names["parameters"].get(row["library"]) or names["types"].get(row["type"])

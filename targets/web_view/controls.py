@@ -12,9 +12,11 @@ from typing import Any
 from ..runner.frames.host import FrameHost, Row
 from ..runner.instances.instance import Instance
 from ..runner.instances.shapes import Elements, Members, Numbers, Shape, shape_of
-from ..runner.scene import role
+from ..runner.scene import value_roles
 
-_VIEW_ROLES = frozenset(("world_to_clip", "eye", "object_to_world", "pose", "morph", "size"))
+_VIEW_ROLES = frozenset(
+    ("world_to_clip", "eye", "object_to_world", "pose", "morph", "size", "number")
+)
 """What the page and the scene set by themselves."""
 _MOST_ELEMENTS = 16
 """An array of more numbers than these is data, which nobody sets by hand."""
@@ -50,7 +52,7 @@ def _of_frame(host: FrameHost) -> Iterator[dict[str, Any]]:
         if not _belongs(row, plan["lights"]):
             yield from _of_parameter(row, host.values, plan["frame"])
     for row in plan["host_textures"]:
-        yield _texture(row, plan["frame"])
+        yield _texture(row, host.values, plan["frame"])
 
 
 def _of_lights(host: FrameHost) -> Iterator[dict[str, Any]]:
@@ -88,7 +90,7 @@ def _of_shaders(host: FrameHost) -> Iterator[dict[str, Any]]:
             yield from _of_parameter(row, instance, section)
         for row in reflection["textures"]:
             if row["stages"] and row["name"] not in given.get(number, ()):
-                yield _texture(row, titles)
+                yield _texture(row, instance, titles)
 
 
 def _given(plan: Row) -> Mapping[int, frozenset[str]]:
@@ -118,19 +120,20 @@ def _titles(plan: Row, shader: int) -> str:
 # --- rows ----------------------------------------------------------------------------------------
 
 
-def _texture(row: Row, section: str) -> dict[str, Any]:
+def _texture(row: Row, instance: Instance, section: str) -> dict[str, Any]:
     return {
         "name": row["name"], "section": section, "is_light": False, "element": None,
         "doc": row["doc"],
         "kind": "texture", "type": row["type"], "dimension": row["dimension"],
         "sample": row["sample"], "value": row["default"],
+        "is_given": instance.get(row["name"]) is not None,
     }  # fmt: skip
 
 
 def _of_parameter(
     row: Row, instance: Instance, section: str, *, is_light: bool = False
 ) -> Iterator[dict[str, Any]]:
-    if role(row) in _VIEW_ROLES:
+    if _VIEW_ROLES.intersection(value_roles({"parameters": [row]}).values()):
         return
     for name, shape in _parts(row["name"], shape_of(row), section if is_light else None):
         yield {

@@ -80,7 +80,9 @@ FLOORS: dict[str, str] = {
     "targets.runner": (
         "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
     ),
-    "targets.conformance": "frozen stdlib diagnostics ir reference runner toolchain",
+    "targets.web_host": "runner",
+    "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",
+    "targets.web_view": "runner",
     # The door.
     "compiled": (
         "frozen garbage inputs diagnostics ir passes planning reflection description legalise emit "
@@ -92,7 +94,7 @@ FLOORS: dict[str, str] = {
     ),
     "commands": (
         "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
-        "availability selection runner conformance toolchain compiled api"
+        "availability selection runner web_host conformance toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",

@@ -104,6 +104,7 @@ class ReferenceFrames:
         """Draw the next frame."""
         plan = self.host.plan
         is_first = self.frames == 0
+        self.host.begin(self.frames)
         self._keep()
         steps = plan["steps"]
         for number, step in enumerate(steps):

@@ -54,7 +54,7 @@ def draw_frames(
     job = _Job(host, route, toolchain)
     names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
     for number in range(count):
-        job.add_frame(is_first=number == 0)
+        job.add_frame(number)
         job.add_reading(names)
     found = iter(runner.draw_frame(route, job.whole()))
     return [{name: _array(next(found)) for name in names} for _ in range(count)]
@@ -90,12 +90,14 @@ class _Job:
         self._buffer_of: dict[str, int] = {}
         self._steps: list[FrameStep] = []
 
-    def add_frame(self, *, is_first: bool) -> None:
-        """Add the steps of one frame."""
+    def add_frame(self, number: int) -> None:
+        """Add the steps of one frame; ``number`` is that of the frames before it."""
+        is_first = number == 0
+        self._host.begin(number)
         for row in self._plan["kept"]:
-            for number in (row["texture"], row["previous"]):
-                if number is not None and number not in self._textures.at:
-                    self._make(number, is_black=number == row["previous"])
+            for texture in (row["texture"], row["previous"]):
+                if texture is not None and texture not in self._textures.at:
+                    self._make(texture, is_black=texture == row["previous"])
         for step in self._plan["steps"]:
             if is_first or not step.get("only_first", False):
                 self._steps += self._translated(step, is_first)

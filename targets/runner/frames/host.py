@@ -16,7 +16,7 @@ from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
-from ..scene import role
+from ..scene import value_roles
 from ..scene_state import SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
@@ -24,6 +24,9 @@ from .scenery import Model, Scenery
 
 VERSION = 1
 """The version of plans that this code executes."""
+
+NUMBERS = 1 << 24
+"""How many frames are told apart: then `number` is 0 again."""
 
 MOST_VERTICES = 1 << 24
 """That a step draws without models: as many as float32 can tell apart."""
@@ -107,18 +110,15 @@ class FrameHost:
         self.values = Instance(_as_reflection(plan))
         width, height = size
         scenery.scene.apply(self.values, width / height)
-        self.values.set(size_parameter(plan), size)
-        self._given: frozenset[str] = frozenset()
+        self.given: frozenset[str] = frozenset()
         """The names of what has been set; a scene leaves that alone."""
-        self._instances = [Instance(shader.reflection) for shader in self.shaders]
+        self.size = size
+        """Of what is shown: width and height."""
+        self._tell("size", size)
+        self.instances = [Instance(shader.reflection) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
-
-    @property
-    def instances(self) -> Sequence[Instance]:
-        """For each shader the values that are the same for all models."""
-        return tuple(self._instances)
 
     def unused_lamps(self) -> list[str]:
         """The names of the lights in the scene for which the frame's rig has no place."""
@@ -127,9 +127,9 @@ class FrameHost:
     def set_text(self, name: str, text: str) -> None:
         """Set something of the frame; or else of all shaders that have it, such as a material's
         parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
-        self._given |= {name}
+        self.given |= {name}
         unknown = []
-        for instance in (self.values, *self._instances):
+        for instance in (self.values, *self.instances):
             try:
                 instance.set_text(name, text)
             except UnknownParameterError as error:
@@ -137,8 +137,18 @@ class FrameHost:
             else:
                 if instance is self.values:
                     return
-        if len(unknown) == len(self._instances) + 1:
+        if len(unknown) == len(self.instances) + 1:
             raise unknown[0]
+
+    def begin(self, drawn: int) -> None:
+        """Tell the frame how many were drawn before it. To be called before its first step."""
+        self._tell("number", drawn % NUMBERS)
+
+    def _tell(self, name: str, value: object) -> None:
+        """Set what hosts tell every frame, unless this one says it itself or it has been set."""
+        for own, role in value_roles(self.plan).items():
+            if role == name and own not in self.given:
+                self.values.set(own, value)
 
     # --- numbers ---------------------------------------------------------------------------------
 
@@ -180,7 +190,7 @@ class FrameHost:
 
     def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
         """The run of a kernel."""
-        instance = self._instances[step["shader"]].copied()
+        instance = self.instances[step["shader"]].copied()
         reads = self._give(instance, step, is_first)
         self._kernels[step["name"]] = instance
         return FrameDraw(
@@ -207,7 +217,7 @@ class FrameHost:
         uses = {use["material"]: use for use in drawn["uses"]}
         if drawn["models"] is None:
             count = self._vertex_count(drawn["vertices"])
-            primitive = self._instances[uses[None]["shader"]].reflection["draw"]["primitive"]
+            primitive = self.instances[uses[None]["shader"]].reflection["draw"]["primitive"]
             if count >= CORNERS[primitive]:
                 mesh = bare_mesh(count, primitive)
                 yield self._one(uses[None], None, mesh, light, size, is_first)
@@ -238,13 +248,13 @@ class FrameHost:
         size: tuple[int, int],
         is_first: bool,
     ) -> FrameDraw:
-        instance = self._instances[use["shader"]].copied()
+        instance = self.instances[use["shader"]].copied()
         scene = self.scenery.scene
         if model is not None:
             scene = replace(
                 scene, object_to_world=model.placement, look=model.look, bones=model.bones
             )
-        scene.apply(instance, size[0] / size[1], self._given)
+        scene.apply(instance, size[0] / size[1], self.given)
         self._shine(instance, light)
         reads = self._give(instance, use, is_first)
         return FrameDraw(use["shader"], drawn_state(instance, mesh, size), reads)
@@ -292,11 +302,6 @@ class FrameHost:
             instance.set(name, textures[host])
         else:
             instance.set_bytes(name, self.values.buffers()[host].data)
-
-
-def size_parameter(plan: Row) -> str:
-    """The name of the parameter with the size of what is shown."""
-    return next(row["name"] for row in plan["parameters"] if role(row) == "size")
 
 
 def halved(side: int, times: int) -> int:

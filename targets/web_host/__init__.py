@@ -1,0 +1,1 @@
+"""A host for web pages, in TypeScript, and what makes the packages that it draws."""

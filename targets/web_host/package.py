@@ -1,0 +1,263 @@
+"""Makes the package of a frame: all that the host for web pages needs, as one JSON document.
+
+``burnish view`` sends packages to its page, and routes of the browser draw with them. The records
+of ``types.ts`` describe the document. What only Python knows is resolved here: what the library's
+declarations mean in a scene, the primitives of meshes, and the patterns of patches.
+"""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runner.frames.host import FrameHost, Row
+from ..runner.frames.scenery import Model
+from ..runner.instances.instance import Instance
+from ..runner.looks import PLAIN
+from ..runner.mesh_buffers import KINDS
+from ..runner.meshes import Indices, Mesh
+from ..runner.patches import patches, pattern
+from ..runner.primitives import primitives
+from ..runner.scene import inputs_of_mesh, texture_roles, value_roles, vertex_data
+from ..runner.subject import Subject
+from ..runner.textures.texture import Texture
+
+VERSION = 1
+"""The version of the document; a host refuses others."""
+
+_SQUARE = 1.0
+"""The width of a picture divided by its height, for which a package has the camera."""
+
+_CAMERA = {"world_to_clip": "view_projection", "eye": "eye"}
+"""What the host calls a value of the camera, by what a scene calls it."""
+
+_STREAMS = {"f": "float", "v": "float", "i": "int", "u": "uint"}
+"""The type of a stream's numbers, by the first letter of the representation."""
+
+
+def frame_package(host: FrameHost, profiles: Iterable[str] = ("wgsl:webgpu",)) -> dict[str, Any]:
+    """The package of a frame with the values and the scene that its host has now, and with the
+    texts for some profiles.
+
+    Raises ``MeshError`` where a mesh lacks what a shader reads, and ``MissingValuesError`` where
+    the levels of patches depend on a value that nobody has set.
+    """
+    return _Package(host, frozenset(profiles)).document()
+
+
+class _Package:
+    def __init__(self, host: FrameHost, profiles: frozenset[str]) -> None:
+        self._host = host
+        self._profiles = profiles
+        self._pictures: list[dict[str, Any]] = []
+        self._picture_of: dict[Texture, int] = {}
+        self._meshes: list[dict[str, Any]] = []
+        self._mesh_of: dict[int, int] = {}
+
+    def document(self) -> dict[str, Any]:
+        host = self._host
+        scene, values = host.scenery.scene, host.values
+        camera = scene.values(_SQUARE)
+        return {
+            "package": VERSION,
+            "plan": host.plan,
+            "shaders": [self._shader(*each) for each in enumerate(host.shaders)],
+            "size": list(host.size),
+            "camera": {own: camera[name] for name, own in _CAMERA.items()},
+            "scene": {
+                "models": [self._model(model) for model in host.scenery.models],
+                "meshes": self._meshes,
+            },
+            "values": _values(values),
+            "roles": _roles(values.reflection),
+            "given": sorted(host.given),
+            "textures": self._textures(values),
+            "buffers": _buffers(values),
+            "pictures": self._pictures,
+        }
+
+    # --- shaders ---------------------------------------------------------------------------------
+
+    def _shader(self, number: int, shader: Subject) -> dict[str, Any]:
+        instance = self._host.instances[number].copied()
+        plain = replace(self._host.scenery.scene, look=PLAIN, bones=None)
+        plain.apply(instance, _SQUARE, self._host.given)
+        reflection = instance.reflection
+        return {
+            "reflection": _without_source_maps(reflection),
+            "texts": self._texts(shader),
+            "values": _values(instance),
+            "roles": _roles(reflection),
+            "textures": self._textures(instance),
+            "texture_roles": texture_roles(reflection),
+            "buffers": _buffers(instance),
+            "pattern": _pattern(instance),
+        }
+
+    def _texts(self, shader: Subject) -> dict[str, dict[str, Any]]:
+        found: dict[str, dict[str, Any]] = {}
+        for file in shader.files:
+            profile = f"{file.target}:{file.profile}"
+            if profile in self._profiles:
+                for stage, entry in file.entry_points.items():
+                    text = {"text": file.text, "entry": entry}
+                    found.setdefault(profile, {})[stage] = text
+        return found
+
+    # --- the scene -------------------------------------------------------------------------------
+
+    def _model(self, model: Model) -> dict[str, Any]:
+        scene = replace(
+            self._host.scenery.scene,
+            object_to_world=model.placement,
+            look=model.look,
+            bones=model.bones,
+        )
+        shaders = sorted(self._shaders_of(model))
+        roles = {role for each in shaders for role in value_roles(self._reflection(each)).values()}
+        words = {
+            word for each in shaders for word in texture_roles(self._reflection(each)).values()
+        }
+        mesh = self._mesh(model.mesh)
+        return {
+            "material": model.material,
+            "tags": ["scene", *sorted(model.tags)],
+            "mesh": mesh,
+            "primitives": {str(each): self._primitives(mesh, model.mesh, each) for each in shaders},
+            "values": {
+                role: value
+                for role, value in scene.values(_SQUARE).items()
+                if role in roles and role not in _CAMERA
+            },
+            "textures": {
+                word: self._picture(texture)
+                for word, texture in model.look.textures.items()
+                if word in words
+            },
+        }
+
+    def _reflection(self, shader: int) -> Row:
+        return self._host.instances[shader].reflection
+
+    def _shaders_of(self, model: Model) -> Iterator[int]:
+        """The numbers of the shaders that draw a model."""
+        for step in self._host.plan["steps"]:
+            for drawn in step.get("draws", ()):
+                if drawn["models"] is None or model not in self._host.scenery.tagged(
+                    drawn["models"]
+                ):
+                    continue
+                yield from (
+                    use["shader"] for use in drawn["uses"] if use["material"] == model.material
+                )
+
+    def _mesh(self, mesh: Mesh) -> int:
+        if id(mesh) not in self._mesh_of:
+            self._mesh_of[id(mesh)] = len(self._meshes)
+            self._meshes.append({
+                "vertices": {}, "instances": {}, "instance_count": mesh.instance_count,
+                "primitives": [],
+            })  # fmt: skip
+        return self._mesh_of[id(mesh)]
+
+    def _primitives(self, number: int, mesh: Mesh, shader: int) -> int:
+        """Add to a mesh what a shader reads of it; returns the number of the primitives."""
+        reflection, row = self._reflection(shader), self._meshes[number]
+        data = vertex_data(reflection, mesh)
+        for each in inputs_of_mesh(reflection):
+            streams = row["instances" if each["step"] == "instance" else "vertices"]
+            key = f"{each['representation']} {each['name']}"
+            streams[key] = _stream(each["representation"], data[each["name"]])
+        drawn = _indices(_drawn_of(mesh, reflection["draw"]))
+        if drawn not in row["primitives"]:
+            row["primitives"].append(drawn)
+        found: int = row["primitives"].index(drawn)
+        return found
+
+    # --- pictures --------------------------------------------------------------------------------
+
+    def _textures(self, instance: Instance) -> dict[str, int]:
+        return {name: self._picture(each) for name, each in instance.textures().items()}
+
+    def _picture(self, texture: Texture) -> int:
+        if texture not in self._picture_of:
+            self._picture_of[texture] = len(self._pictures)
+            self._pictures.append({
+                "format": texture.format,
+                "dimension": texture.dimension,
+                "width": texture.width,
+                "height": texture.height,
+                "depth": texture.depth,
+                "levels": [_base64(level) for level in texture.levels],
+            })  # fmt: skip
+        return self._picture_of[texture]
+
+
+def _drawn_of(mesh: Mesh, draw: Row) -> Indices:
+    """The vertices of each primitive or patch that a shader draws of a mesh."""
+    row = draw["tessellation"]
+    if row is None:
+        return primitives(mesh, draw["primitive"])
+    return patches(mesh, row["kind"], draw["corners"], row["ends"])
+
+
+def _pattern(instance: Instance) -> dict[str, Any] | None:
+    """How the host divides patches, if it does; with the values that the instance has now."""
+    draw = instance.reflection["draw"]
+    row = draw and draw["tessellation"]
+    if not row or row["levels"] is None:
+        return None
+    edges, inside = instance.patch_levels()
+    places, cells = pattern(row["kind"], row["spacing"], edges, inside)
+    representation = f"vec{places.shape[1]}" if places.shape[1] > 1 else "float"
+    return {
+        "levels": [*edges, *inside],
+        "places": _stream(representation, places),
+        "cells": _indices(cells),
+    }
+
+
+def _roles(reflection: Row) -> dict[str, str]:
+    """What each parameter is of the scene."""
+    found = value_roles(reflection).items()
+    return {name: _CAMERA.get(role, role) for name, role in found}
+
+
+def _values(instance: Instance) -> dict[str, Any]:
+    """All values that somebody has set; of lists and structures also parts without a value."""
+    counters = {row["count"] for row in instance.reflection["buffers"]}
+    names = (row["name"] for row in instance.reflection["parameters"])
+    found = {name: instance.get(name) for name in names if name not in counters}
+    return {name: value for name, value in found.items() if value is not None}
+
+
+def _buffers(instance: Instance) -> dict[str, str]:
+    return {name: _base64(contents.data) for name, contents in instance.buffers().items()}
+
+
+def _without_source_maps(reflection: Row) -> dict[str, Any]:
+    """A reflection without what is longest of it, and what no host draws with."""
+    backends = {
+        profile: {key: value for key, value in row.items() if key != "source_maps"}
+        for profile, row in reflection["backends"].items()
+    }
+    return {**reflection, "backends": backends}
+
+
+def _stream(representation: str, values: NDArray[Any]) -> dict[str, Any]:
+    letter = representation[0]
+    data = np.ascontiguousarray(values).astype(KINDS[letter]).tobytes()
+    return {"type": _STREAMS[letter], "lanes": values.shape[1], "data": _base64(data)}
+
+
+def _indices(rows: Indices) -> dict[str, Any]:
+    return {"corners": rows.shape[1], "indices": _base64(rows.astype("<u4").tobytes())}
+
+
+def _base64(data: bytes) -> str:
+    return b64encode(data).decode("ascii")
