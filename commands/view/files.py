@@ -5,8 +5,9 @@ from __future__ import annotations
 from importlib.resources import files
 
 _PACKAGES = ("web_view", "web_host")
-"""The folders below ``targets``. In addresses they are called as in the tree, so that imports from
-one to the other are the same there."""
+"""The folders below ``targets``. Their ``modules`` are served in place of the sources that these
+were made of, so that one imports the other as it does in the tree."""
+_MODULES = "modules"
 _KINDS = {
     ".css": "text/css",
     ".html": "text/html",
@@ -26,7 +27,8 @@ def page_files() -> dict[str, tuple[bytes, str]]:
         while pending:
             path, each = pending.pop()
             if each.is_dir():
-                pending += [(f"{path}/{inner.name}", inner) for inner in each.iterdir()]
+                inside = path.removesuffix(f"/{_MODULES}")
+                pending += [(f"{inside}/{inner.name}", inner) for inner in each.iterdir()]
                 continue
             kind = next((kind for end, kind in _KINDS.items() if path.endswith(end)), None)
             if kind is not None:

@@ -1,6 +1,6 @@
 // What the server tells the page: the documents of `burnish view`, and word of every change.
 
-import type { FramePackage, Value } from "../web_host/types.js";
+import type { FramePackage, Value } from "../web_host/host.js";
 import type { OrbitRow } from "./orbit.js";
 
 /** What somebody can set: a row of `controls.py`. */

@@ -1,6 +1,6 @@
 // The fields by which a person sets values: sliders, numbers, colours, directions, switches.
 
-import type { Value } from "../web_host/types.js";
+import type { Value } from "../web_host/host.js";
 import { fromHex, strengthOf, toHex } from "./colors.js";
 import type { Control } from "./documents.js";
 import { make } from "./elements.js";
@@ -22,13 +22,12 @@ const LANES = ["x", "y", "z", "w"];
 
 /** The field of a control. `label` is the id of the element with its name. */
 export function fieldOf(control: Control, label: string, changed: Changed<Value>): Field<Value> {
-  const made = makers[control.kind](control, label, changed as Changed<never>);
-  return made as Field<Value>;
+  return makers[control.kind](control, label, changed) as Field<Value>;
 }
 
 const makers: Record<
   Control["kind"],
-  (control: Control, label: string, changed: Changed<never>) => Field<never>
+  (control: Control, label: string, changed: Changed<Value>) => Field<never>
 > = {
   number: (control, label, changed) => numberField(numbers(control), { label }, changed),
   angle: (control, label, changed) => angleField(control, label, changed),

@@ -1,6 +1,5 @@
 // The page of `burnish view`: puts together what the server tells, the controls and the picture.
 
-import { openTarget, type Target } from "../web_host/index.js";
 import {
   fetchDocument, listen, type Choice, type Document, type Drawable,
 } from "./documents.js";
@@ -9,6 +8,9 @@ import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
 import { Screen } from "./screen.js";
+
+/** The texts that the page draws with. */
+const PROFILE = "wgsl:webgpu";
 
 const canvas = element("picture", HTMLCanvasElement);
 const problem = element("problem", HTMLElement);
@@ -33,25 +35,8 @@ function tellProblems(): void {
   showIn(element("message", HTMLPreElement), text);
 }
 
-async function start(): Promise<void> {
-  for (const [name, value] of new URLSearchParams(location.search)) {
-    if (name in choice) choice[name as keyof Choice] = value;
-  }
-  let target: Target;
-  try {
-    target = await openTarget(canvas);
-  } catch (error) {
-    problems.picture = (error as Error).message;
-    tellProblems();
-    document.body.dataset.ready = "no";
-    return;
-  }
-  element("api", HTMLElement).textContent = target.api === "webgpu" ? "WebGPU" : "WebGL 2";
-  view(target);
-}
-
-function view(target: Target): void {
-  const screen = new Screen(canvas, target, {
+function view(): void {
+  const screen = new Screen(canvas, {
     problem(text) {
       if (text === problems.picture) return;
       problems.picture = text;
@@ -111,7 +96,7 @@ function view(target: Target): void {
     try {
       while (again) {
         again = false;
-        const found = await fetchDocument(choice, target.profile);
+        const found = await fetchDocument(choice, PROFILE);
         if (!again) await showDocument(found);
       }
     } catch (error) {
@@ -217,4 +202,7 @@ async function saved(screen: Screen): Promise<void> {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-void start();
+for (const [name, value] of new URLSearchParams(location.search)) {
+  if (name in choice) choice[name as keyof Choice] = value;
+}
+view();

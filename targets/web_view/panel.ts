@@ -1,6 +1,6 @@
 // The controls beside the picture, in sections, with what somebody has set.
 
-import type { Value } from "../web_host/types.js";
+import type { Value } from "../web_host/host.js";
 import type { Control } from "./documents.js";
 import { make } from "./elements.js";
 import { fieldOf, type Field } from "./fields.js";

@@ -1,8 +1,7 @@
 // The picture: a frame of the host on the canvas, drawn when something has changed, or again and
 // again while time goes on.
 
-import { openFrame, type Frame, type Target } from "../web_host/index.js";
-import type { FramePackage, Value } from "../web_host/types.js";
+import { openFrame, type Frame, type FramePackage, type Value } from "../web_host/host.js";
 import { Orbit, type OrbitRow } from "./orbit.js";
 
 /** How much of the last measurements counts for the number of frames per second. */
@@ -36,7 +35,6 @@ export class Screen {
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    private readonly target: Target,
     private readonly watcher: Watcher,
   ) {
     new ResizeObserver(() => this.request()).observe(canvas);
@@ -50,7 +48,7 @@ export class Screen {
   /** Show another package. What was shown before stays until it is ready, and for good if it cannot
    * be opened. The camera stays where it is, unless `start` is another one than before. */
   async open(opened: FramePackage, start: OrbitRow, values: Map<string, Value>): Promise<void> {
-    const frame = await openFrame(this.target, opened);
+    const frame = await openFrame(this.canvas, opened);
     for (const [name, value] of values) frame.set(name, value);
     this.frame?.dispose();
     this.frame = frame;
