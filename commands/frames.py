@@ -76,9 +76,9 @@ def _columns(
 ) -> Iterator[list[Floats]]:
     """For each route and output what it shows, frame after frame. ``made`` makes the host of a
     route."""
-    from ..targets.runner.frames.by_route import draw_frames
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
+    from ..targets.web_host.drawing import draw_frames
     from .lacking import tell_lacking_tools
 
     drivers = [route for route in routes if route is not None]

@@ -16,13 +16,13 @@ from ...compiler.ir.shader import Shader
 from ...compiler.reference.picture import Expected, formats
 from ..runner.drivers.draw import Device
 from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
-from ..runner.frames.by_route import draw_frames
 from ..runner.frames.host import FrameHost, FrameSubject
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..toolchain import Toolchain
+from ..web_host.drawing import draw_frames
 from .cases import Size
 from .compare import Comparison, compare
 from .once import Known

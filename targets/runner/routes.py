@@ -38,7 +38,12 @@ class DriverRow:
     @property
     def draws_frames(self) -> bool:
         """Whether it executes whole frames, and not single draws only."""
-        return self.module in _FRAME_MODULES
+        return self.module in _FRAME_MODULES or self.draws_packages
+
+    @property
+    def draws_packages(self) -> bool:
+        """Whether it executes frames in a web page, by their packages."""
+        return self.name in _PACKAGE_DRIVERS
 
     def command(self, states: Mapping[str, ToolState], device: str = "") -> list[str]:
         """The command that starts a worker; ``states`` has all the tools that it needs."""
@@ -51,6 +56,8 @@ class DriverRow:
 
 _FRAME_MODULES = ("vulkan", "opengl")
 """The workers that take frame jobs."""
+_PACKAGE_DRIVERS = ("webgpu",)
+"""The drivers that take packages of frames."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -132,6 +132,15 @@ class Runner(Closing):
         answer = self._ask(route.driver, {"frame": to_json(job)})
         return tuple(from_json(FrameTexels, texels) for texels in answer["texels"])
 
+    def draw_package(
+        self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int
+    ) -> tuple[FrameTexels, ...]:
+        """What some outputs of a frame show that a web page draws ``count`` times. Raises
+        ``DriverError``."""
+        request = {"whole": package, "outputs": list(outputs), "count": count}
+        answer = self._ask(route.driver, {"package": request})
+        return tuple(from_json(FrameTexels, texels) for texels in answer["texels"])
+
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(
             1 if row.one_worker else count,

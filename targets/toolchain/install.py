@@ -24,6 +24,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from typing import TextIO
 
@@ -42,8 +43,8 @@ CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
 it.
 """
-NPM_LOCK = Path(__file__).with_name("npm-lock.json")
-"""The packages that Tint consists of, with their digests; ``npm ci`` insists on all of it."""
+NPM_PACKAGES = {"tint": "webgpu", "typescript": "typescript"}
+"""The package of npm that a tool is."""
 
 PATIENCE = 1800.0
 """How many seconds one command may take, and how long one run waits for another. On a slow machine,
@@ -204,11 +205,16 @@ def _cargo_naga(version: str, folder: Path) -> None:
     _run("cargo", "install", *wanted, "--root", str(folder))
 
 
-def _npm_webgpu(version: str, folder: Path) -> None:
-    """Install what ``npm-lock.json`` lists; npm refuses whatever has another digest than there."""
-    wanted = {"dependencies": {"webgpu": version}}
+def npm_lock(tool: str) -> Path:
+    """The packages that a tool consists of, with their digests; ``npm ci`` insists on all of it."""
+    return Path(__file__).with_name(f"{tool}-lock.json")
+
+
+def _npm(tool: str, version: str, folder: Path) -> None:
+    """Install what a tool's lock lists; npm refuses whatever has another digest than there."""
+    wanted = {"dependencies": {NPM_PACKAGES[tool]: version}}
     (folder / "package.json").write_text(json.dumps(wanted), "utf-8")
-    shutil.copyfile(NPM_LOCK, folder / "package-lock.json")
+    shutil.copyfile(npm_lock(tool), folder / "package-lock.json")
     quiet = ("--no-audit", "--no-fund", "--ignore-scripts")
     _run("npm", "ci", "--prefix", str(folder), *quiet)
 
@@ -286,7 +292,8 @@ def _minutes(seconds: float) -> str:
 INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "dxc": _pip_dxc,
     "naga": _cargo_naga,
-    "tint": _npm_webgpu,
+    "tint": partial(_npm, "tint"),
+    "typescript": partial(_npm, "typescript"),
 }
 
 

@@ -41,6 +41,7 @@ from .versions import (
 
 DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
+TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
 
 VULKAN_LOADER = libraries("libvulkan.so.1")
 MESA_SAYS = rb"Mesa (\d+\.\d+\.\d+)"
@@ -142,7 +143,7 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="node",
-        purpose="runs tint",
+        purpose="runs tint and typescript",
         place=Programs(("node",)),
         version=says("--version", r"v(\S+)"),
         source=Debian(("nodejs", "npm")),
@@ -153,6 +154,13 @@ TOOLS: tuple[Tool, ...] = (
         place=FolderFiles((TINT_PACKAGE,)),
         version=stated("version"),
         source=OwnInstaller("0.6.2"),
+    ),
+    Tool(
+        name="typescript",
+        purpose="compiles the host for web pages; only its tests need it",
+        place=FolderFiles(TYPESCRIPT),
+        version=stated("version"),
+        source=OwnInstaller("6.0.3"),
     ),
     Tool(
         name="clang",

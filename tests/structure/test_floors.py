@@ -80,7 +80,7 @@ FLOORS: dict[str, str] = {
     "targets.runner": (
         "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
     ),
-    "targets.web_host": "runner",
+    "targets.web_host": "runner toolchain",
     "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",
     "targets.web_view": "runner",
     # The door.

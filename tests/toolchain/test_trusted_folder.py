@@ -80,12 +80,13 @@ def test_without_a_home_nothing_is_found_in_the_current_folder(
     assert cache_folder() == Path(os.devnull) / "burnish" / "tools"
 
 
-def test_packages_of_npm_have_digests() -> None:
+@pytest.mark.parametrize(("tool", "package"), install.NPM_PACKAGES.items())
+def test_packages_of_npm_have_digests(tool: str, package: str) -> None:
     """And the one that is wanted has the version that the table of tools pins."""
-    packages = json.loads(install.NPM_LOCK.read_text("utf-8"))["packages"]
-    source = tool_named("tint").source
+    packages = json.loads(install.npm_lock(tool).read_text("utf-8"))["packages"]
+    source = tool_named(tool).source
     assert isinstance(source, OwnInstaller)
     wanted = packages.pop("")
-    assert wanted == {"dependencies": {"webgpu": source.pinned}}
-    assert packages["node_modules/webgpu"]["version"] == source.pinned
+    assert wanted == {"dependencies": {package: source.pinned}}
+    assert packages[f"node_modules/{package}"]["version"] == source.pinned
     assert all(package["integrity"].startswith("sha512-") for package in packages.values())

@@ -10,7 +10,7 @@ import faulthandler
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Protocol, runtime_checkable
 
 from .draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
@@ -47,6 +47,15 @@ class FrameDriver(Protocol):
         """What the job keeps. Raises ``DriverError``."""
 
 
+@runtime_checkable
+class PackageDriver(Protocol):
+    """A driver that draws packages of frames."""
+
+    def draw_package(self, request: Mapping[str, Any]) -> Sequence[FrameTexels]:
+        """What the outputs show that a request names, frame after frame. Raises
+        ``DriverError``."""
+
+
 def serve(driver: Driver) -> None:
     """Answer requests until the input ends. Whatever libraries print goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
@@ -60,8 +69,8 @@ def serve(driver: Driver) -> None:
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
     """The answer to ``{"job": …}`` has ``pictures``, that to ``{"kernel": …}`` has ``written``,
-    that to ``{"capture": …}`` has ``captured``, that to ``{"frame": …}`` has ``texels``, and that
-    to ``{}`` has ``device``; or it has ``error``."""
+    that to ``{"capture": …}`` has ``captured``, those to ``{"frame": …}`` and to
+    ``{"package": …}`` have ``texels``, and that to ``{}`` has ``device``; or it has ``error``."""
     try:
         if "frame" in request:
             if not isinstance(driver, FrameDriver):
@@ -69,6 +78,10 @@ def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
             frame = from_json(FrameJob, request["frame"])
             check_frame(frame)
             return {"texels": to_json(tuple(driver.draw_frame(frame)))}
+        if "package" in request:
+            if not isinstance(driver, PackageDriver):
+                return {"error": "this driver draws no packages of frames"}
+            return {"texels": to_json(tuple(driver.draw_package(request["package"])))}
         if "capture" in request:
             capturing = from_json(CaptureJob, request["capture"])
             return {"captured": to_json(tuple(driver.capture(capturing)))}

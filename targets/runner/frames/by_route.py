@@ -57,10 +57,11 @@ def draw_frames(
         job.add_frame(number)
         job.add_reading(names)
     found = iter(runner.draw_frame(route, job.whole()))
-    return [{name: _array(next(found)) for name in names} for _ in range(count)]
+    return [{name: array_of(next(found)) for name in names} for _ in range(count)]
 
 
-def _array(texels: FrameTexels) -> Floats:
+def array_of(texels: FrameTexels) -> Floats:
+    """What came back of a texture: (layers, height, width, 4)."""
     shape = texels.layers, texels.height, texels.width, 4
     return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
 

@@ -108,6 +108,8 @@ class FrameHost:
         self.shaders = subject.shaders
         self.scenery = scenery
         self.values = Instance(_as_reflection(plan))
+        self.size = size
+        """The width and height of what the frame draws, as far as it says no other size."""
         width, height = size
         scenery.scene.apply(self.values, width / height)
         self.given: frozenset[str] = frozenset()

@@ -21,6 +21,9 @@ from ..draw import DriverError
 # Only a page with a secure origin may use WebGPU. This address is never requested from the network,
 # because `_serve` answers.
 PAGE = "https://burnish.invalid/"
+HOST = "host/"
+"""Where the page has the modules of the host for web pages."""
+_HOST_PACKAGE = f"{__package__.partition('.runner.')[0]}.web_host"
 START_LIMIT = 50_000.0
 """How many milliseconds the browser may take to start; it is slow on a busy machine."""
 
@@ -82,10 +85,14 @@ class Chromium:
 
 
 def _serve(folder: Traversable, route: Route) -> None:
-    """Answer the page's requests with an empty page, or with a module of the folder."""
+    """Answer the page's requests with an empty page, with a module of the folder, or with one of
+    the host's."""
     name = urlsplit(route.request.url).path.removeprefix("/")
     if not name:
         route.fulfill(body="<!doctype html>", content_type="text/html")
+    elif name.startswith(HOST) and name.endswith(".js"):
+        module = files(_HOST_PACKAGE).joinpath("modules", name.removeprefix(HOST))
+        route.fulfill(body=module.read_text(), content_type="text/javascript")
     elif name.endswith(".mjs"):
         module = folder.joinpath(name)
         route.fulfill(body=module.read_text(), content_type="text/javascript")

@@ -26,8 +26,9 @@ from ..draw import (
     TargetFormat,
     Written,
 )
+from ..frame_job import FrameTexels
 from ..readback import to_float
-from ..wire import to_json
+from ..wire import from_json, to_json
 
 if TYPE_CHECKING:
     from .chromium import Chromium
@@ -79,6 +80,10 @@ class Browser:
         check_names(job.pipeline)
         found = self._ask("capture", to_json(job))["captured"]
         return [Captured(row["count"], base64.b64decode(row["data"])) for row in found]
+
+    def draw_package(self, request: Mapping[str, Any]) -> Sequence[FrameTexels]:
+        """What the outputs of a frame show, frame after frame. Raises ``DriverError``."""
+        return [from_json(FrameTexels, row) for row in self._ask("frames", request)["texels"]]
 
     def close(self) -> None:
         """End the browser, if there is one."""

@@ -1,5 +1,7 @@
 // Draws jobs with WebGPU. A job and its pictures are those of draw.py, as JSON.
 
+export { frames } from "./frames.mjs";
+
 import { answer } from "./answers.mjs";
 import { collectErrors, openDevice } from "./webgpu_device.mjs";
 import { runKernel } from "./webgpu_compute.mjs";

@@ -1,0 +1,2 @@
+// What an API of the browser has to do for frames: `frame.ts` says when.
+export {};

@@ -1,0 +1,67 @@
+// What an API of the browser has to do for frames: `frame.ts` says when.
+
+import type { Geometry } from "./geometry.js";
+import type { Dimension, PackagedShader, Picture, Pixels, Target } from "./types.js";
+import type { Values } from "./values.js";
+
+/** A texture that a frame draws to. */
+export interface TextureSize {
+  format: GPUTextureFormat;
+  dimension: Dimension;
+  width: number;
+  height: number;
+  layers: number;
+  levels: number;
+  /** Whether kernels write it as an image. */
+  isImage: boolean;
+}
+
+/** A shader of a frame, by its number, with everything that it reads. */
+export interface Bound<Texture, Buffer> {
+  shader: number;
+  values: Values;
+  /** By the reflection's names. */
+  textures: Map<string, Texture>;
+  buffers: Map<string, Buffer>;
+}
+
+export interface DrawCall<Texture, Buffer> extends Bound<Texture, Buffer> {
+  geometry: Geometry;
+}
+
+/** What a target, or the depths, are drawn to. */
+export interface Attachment<Texture> {
+  target: Pick<Target, "level" | "load" | "store">;
+  texture: Texture;
+  layer: number;
+}
+
+export interface Renderer<Texture, Buffer> {
+  /** The profile whose texts it draws. */
+  readonly profile: string;
+  readonly shaders: PackagedShader[];
+  /** A texture without contents: transparent black, and depths of 1. */
+  makeTexture(size: TextureSize): Texture;
+  makePicture(picture: Picture): Texture;
+  makeBuffer(bytes: Uint8Array<ArrayBuffer>): Buffer;
+  freeTexture(texture: Texture): void;
+  freeBuffer(buffer: Buffer): void;
+  sizeOf(texture: Texture): number[];
+  bytesIn(buffer: Buffer): number;
+  /** Fill a buffer again, before anything that is still to be drawn. */
+  fill(buffer: Buffer, bytes: Uint8Array<ArrayBuffer>): void;
+
+  begin(): void;
+  draw(
+    targets: Attachment<Texture>[],
+    depth: Attachment<Texture> | null,
+    calls: DrawCall<Texture, Buffer>[],
+  ): void;
+  run(kernel: Bound<Texture, Buffer>, images: Texture[], groups: number[]): void;
+  copy(from: Texture, to: Texture): void;
+  end(): void;
+
+  show(texture: Texture): void;
+  read(texture: Texture): Promise<Pixels>;
+  dispose(): void;
+}

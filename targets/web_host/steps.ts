@@ -1,0 +1,142 @@
+// Computes values from the steps of a plan or a reflection: see "Derived values" in
+// docs/reflection.md.
+
+import { evaluate, type Kind, type Lanes } from "./functions.js";
+import type { Operation } from "./types.js";
+
+/** Lanes of a number or a vector, columns, elements, or members by name. */
+export type Datum = number[] | Datum[] | { [member: string]: Datum };
+
+/** What steps read. */
+export interface Inputs {
+  parameter(name: string): Datum;
+  /** The texels of a texture's first level in each direction. */
+  size(texture: string): number[];
+}
+
+/** The value of the last step. `element` is the number of the element of an array, if it is one's
+ * value. */
+export function compute(steps: Operation[], inputs: Inputs, element?: number): Datum {
+  return new Computation(steps, inputs).body(
+    steps.length - 1,
+    element === undefined ? [] : [[element]],
+  );
+}
+
+class Computation {
+  private readonly depths: number[];
+  private readonly constant = new Map<number, Datum>();
+
+  constructor(
+    private readonly steps: Operation[],
+    private readonly inputs: Inputs,
+  ) {
+    this.depths = depthsOf(steps);
+  }
+
+  /** The value of a step; `bound` are the variables around it, the innermost first. */
+  body(last: number, bound: Datum[]): Datum {
+    const varying = new Map<number, Datum>();
+    const valuesOf = (number: number) => (this.depths[number] ? varying : this.constant);
+    for (const number of this.needed(last)) {
+      const row = this.steps[number];
+      const operands = outside(row).map((each) => valuesOf(each).get(each)!);
+      valuesOf(number).set(number, this.step(row, operands, bound));
+    }
+    return valuesOf(last).get(last)!;
+  }
+
+  /** The steps that one needs and that are not known, in their order. */
+  private needed(last: number): number[] {
+    const found = new Set<number>();
+    const pending = [last];
+    for (let number = pending.pop(); number !== undefined; number = pending.pop()) {
+      if (found.has(number) || this.constant.has(number)) continue;
+      found.add(number);
+      pending.push(...outside(this.steps[number]));
+    }
+    return [...found].sort((a, b) => a - b);
+  }
+
+  private step(row: Operation, operands: Datum[], bound: Datum[]): Datum {
+    const values = operands as number[][];
+    switch (row.op) {
+      case "parameter":
+        return this.inputs.parameter(row.parameter!);
+      case "resource":
+        return this.inputs.size(row.texture!);
+      case "constant":
+        return constantOf(row.value);
+      case "native":
+      case "call":
+        if (row.function === "texture_size") {
+          return values[0].map((side) => Math.max(side >> Math.max(values[1][0], 0), 1));
+        }
+        return evaluate(row.function!, values, kindOf(this.steps[row.args[0]].type));
+      case "bound":
+        return bound[row.binder!];
+      case "index": {
+        const part = (operands[0] as Datum[])[values[1][0]];
+        return typeof part === "number" ? [part] : part;
+      }
+      case "member":
+        return (operands[0] as unknown as { [member: string]: Datum })[row.member!];
+      case "swizzle":
+        return row.lanes!.map((lane) => values[0][lane]);
+      case "vector":
+        return values.flat();
+      case "splat":
+        return Array(Number(row.type.slice(-1))).fill(values[0][0]);
+      case "matrix":
+      case "array":
+        return operands;
+      case "select":
+        return values[0][0] ? operands[1] : operands[2];
+      case "apply":
+        return this.body(row.args[0], [...operands, ...bound]);
+      case "fold":
+        return this.fold(row, values, bound);
+    }
+    throw new Error(`this host does not know the step ${row.op}`);
+  }
+
+  private fold(row: Operation, [[count], start]: number[][], bound: Datum[]): Datum {
+    let result: Lanes = start;
+    for (let turn = 0; turn < Math.min(count, row.bound!); turn++) {
+      const value = this.body(row.args[2], [[turn], ...bound]) as number[];
+      result = evaluate(row.operator!, [result, value], kindOf(row.type));
+    }
+    return result;
+  }
+}
+
+/** The arguments that are not a body under the step's binder. */
+function outside(row: Operation): number[] {
+  if (row.op === "fold") return row.args.slice(0, 2);
+  return row.op === "apply" ? row.args.slice(1) : row.args;
+}
+
+/** For each step, how many of the binders around it bind a variable that it uses. */
+function depthsOf(steps: Operation[]): number[] {
+  const depths: number[] = [];
+  for (const row of steps) {
+    let depth = Math.max(0, ...outside(row).map((each) => depths[each]));
+    if (row.op === "bound") depth = row.binder! + 1;
+    if (row.op === "fold") depth = Math.max(depth, depths[row.args[2]] - 1);
+    if (row.op === "apply") depth = Math.max(depth, depths[row.args[0]] - row.args.length + 1);
+    depths.push(depth);
+  }
+  return depths;
+}
+
+function constantOf(value: unknown): Datum {
+  if (!Array.isArray(value)) return [Number(value)];
+  return value.map((lane) => (Array.isArray(lane) ? lane.map(Number) : Number(lane))) as Datum;
+}
+
+/** The type of the lanes of a number, vector or matrix. */
+export function kindOf(type: string): Kind {
+  if (type === "int" || type === "uint" || type === "bool") return type;
+  const vector = /^([iub])vec[234]$/.exec(type);
+  return vector ? ({ i: "int", u: "uint", b: "bool" } as const)[vector[1] as "i" | "u" | "b"] : "float";
+}

@@ -1,0 +1,253 @@
+// Draws frames with WebGPU.
+
+import { isDepth, lanesOf, toFloats } from "../bytes.js";
+import { interleaved, type Geometry } from "../geometry.js";
+import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
+import type { FramePackage, PackagedShader, Picture, Pixels, TextureRow } from "../types.js";
+import { Presenter } from "./canvas.js";
+import { Arena, BufferUsage, MAP_READ, type Device } from "./device.js";
+import { PROFILE, Pipelines, slotsOf, type Pipeline, type Slot } from "./pipelines.js";
+import { layerOf, makePicture, makeSampler, makeTexture, type Texture } from "./textures.js";
+
+/** Rows of texels that are copied to a buffer begin at multiples of this. */
+const ROW_ALIGNMENT = 256;
+
+/** What the device has of a geometry. */
+interface Uploaded {
+  vertices: GPUBuffer[];
+  indices: GPUBuffer | null;
+}
+
+type Call = DrawCall<Texture, GPUBuffer>;
+
+export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
+  readonly profile = PROFILE;
+  readonly shaders: PackagedShader[];
+  private encoder!: GPUCommandEncoder;
+  private readonly arena: Arena;
+  private readonly slots: Slot[][][];
+  private readonly samplers = new Map<string, GPUSampler>();
+  private readonly uploaded = new Map<Geometry, Uploaded>();
+  private readonly owned = new Set<GPUTexture | GPUBuffer>();
+
+  private constructor(
+    private readonly device: Device,
+    private readonly pipelines: Pipelines,
+    private readonly presenter: Presenter | null,
+    shaders: PackagedShader[],
+  ) {
+    this.shaders = shaders;
+    this.slots = shaders.map(({ reflection }) => slotsOf(reflection));
+    const { minUniformBufferOffsetAlignment } = device.gpu.limits;
+    this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
+  }
+
+  static async open(device: Device, from: FramePackage, canvas: HTMLCanvasElement | OffscreenCanvas | null) {
+    const presenter = canvas && new Presenter(device, canvas);
+    return new WebGpuRenderer(device, await Pipelines.of(device, from), presenter, from.shaders);
+  }
+
+  // --- resources ---
+
+  makeTexture(size: TextureSize): Texture {
+    return this.own(makeTexture(this.device, size));
+  }
+
+  makePicture(picture: Picture): Texture {
+    return this.own(makePicture(this.device, picture));
+  }
+
+  makeBuffer(bytes: Uint8Array<ArrayBuffer>): GPUBuffer {
+    const buffer = this.device.buffer(bytes, BufferUsage.STORAGE);
+    this.owned.add(buffer);
+    return buffer;
+  }
+
+  freeTexture({ gpu }: Texture): void {
+    this.owned.delete(gpu);
+    gpu.destroy();
+  }
+
+  freeBuffer(buffer: GPUBuffer): void {
+    this.owned.delete(buffer);
+    buffer.destroy();
+  }
+
+  sizeOf = ({ sides }: Texture) => sides;
+  bytesIn = ({ size }: GPUBuffer) => size;
+
+  fill(buffer: GPUBuffer, bytes: Uint8Array<ArrayBuffer>): void {
+    this.device.gpu.queue.writeBuffer(buffer, 0, bytes);
+  }
+
+  dispose(): void {
+    this.owned.forEach((each) => each.destroy());
+    this.arena.free();
+    this.device.gpu.destroy();
+  }
+
+  private own(texture: Texture): Texture {
+    this.owned.add(texture.gpu);
+    return texture;
+  }
+
+  // --- steps ---
+
+  begin(): void {
+    this.device.check();
+    this.arena.begin();
+    this.encoder = this.device.gpu.createCommandEncoder();
+  }
+
+  end(): void {
+    this.arena.flush();
+    this.device.gpu.queue.submit([this.encoder.finish()]);
+  }
+
+  draw(targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[]): void {
+    const pass = this.encoder.beginRenderPass({
+      colorAttachments: targets.map(({ target, texture, layer }) => ({
+        view: layerOf(texture.gpu, layer, target.level),
+        clearValue: [0, 0, 0, 0],
+        loadOp: target.load,
+        storeOp: target.store ? "store" : "discard",
+      })),
+      ...(depth && {
+        depthStencilAttachment: {
+          view: layerOf(depth.texture.gpu, depth.layer, depth.target.level),
+          depthClearValue: 1,
+          depthLoadOp: depth.target.load,
+          depthStoreOp: depth.target.store ? "store" : "discard",
+        },
+      }),
+    });
+    const formats = targets.map(({ texture }) => texture.gpu.format);
+    for (const call of calls) {
+      const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
+      pass.setPipeline(pipeline.render!);
+      this.bind(pass, pipeline, call, []);
+      this.drawGeometry(pass, call.geometry);
+    }
+    pass.end();
+  }
+
+  run(kernel: Bound<Texture, GPUBuffer>, images: Texture[], groups: number[]): void {
+    const most = this.device.gpu.limits.maxComputeWorkgroupsPerDimension;
+    if (Math.max(...groups) > most) {
+      throw new Error(`${groups.join(" x ")} work groups, and the device runs at most ${most} along one axis`);
+    }
+    const pipeline = this.pipelines.get(kernel.shader, [], null);
+    const pass = this.encoder.beginComputePass();
+    pass.setPipeline(pipeline.compute!);
+    this.bind(pass, pipeline, kernel, images);
+    pass.dispatchWorkgroups(groups[0], groups[1], groups[2]);
+    pass.end();
+  }
+
+  copy({ gpu: from }: Texture, { gpu: to }: Texture): void {
+    for (let mipLevel = 0; mipLevel < from.mipLevelCount; mipLevel++) {
+      this.encoder.copyTextureToTexture({ texture: from, mipLevel }, { texture: to, mipLevel }, [
+        Math.max(from.width >> mipLevel, 1), Math.max(from.height >> mipLevel, 1), from.depthOrArrayLayers,
+      ]);
+    }
+  }
+
+  private bind(
+    pass: GPURenderPassEncoder | GPUComputePassEncoder, { layouts }: Pipeline, bound: Bound<Texture, GPUBuffer>, images: Texture[],
+  ): void {
+    const blocks = bound.values.blocks();
+    const { textures } = this.shaders[bound.shader].reflection;
+    const resource = (slot: Slot): GPUBindingResource => {
+      switch (slot.kind) {
+        case "block":
+          return this.arena.put(blocks.get(slot.name)!);
+        case "buffer":
+          return { buffer: bound.buffers.get(slot.name)! };
+        case "image":
+          return layerOf(images[slot.number].gpu, 0, 0);
+        case "sampler":
+          return this.sampler(bound.shader, slot.name);
+        case "texture":
+          return viewOf(bound.textures.get(slot.name)!, textures.find(({ name }) => name === slot.name)!);
+      }
+    };
+    this.slots[bound.shader].forEach((slots, group) => {
+      const entries = slots.map((slot) => ({ binding: slot.binding, resource: resource(slot) }));
+      pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout: layouts[group], entries }));
+    });
+  }
+
+  private sampler(shader: number, texture: string): GPUSampler {
+    const { state } = this.shaders[shader].reflection.samplers.find((each) => each.texture === texture)!;
+    const key = JSON.stringify(state);
+    const found = this.samplers.get(key) ?? makeSampler(this.device, state);
+    this.samplers.set(key, found);
+    return found;
+  }
+
+  private drawGeometry(pass: GPURenderPassEncoder, geometry: Geometry): void {
+    if (!geometry.count || !geometry.instances) return;
+    const { vertices, indices } = this.upload(geometry);
+    vertices.forEach((buffer, at) => pass.setVertexBuffer(at, buffer));
+    if (indices) {
+      pass.setIndexBuffer(indices, "uint32");
+      pass.drawIndexed(geometry.count, geometry.instances);
+    } else {
+      pass.draw(geometry.count, geometry.instances);
+    }
+  }
+
+  private upload(geometry: Geometry): Uploaded {
+    const known = this.uploaded.get(geometry);
+    if (known) return known;
+    const steps = ["vertex", "instance"] as const;
+    const streams = steps.flatMap((step) => interleaved(geometry.attributes, step) ?? []);
+    const made = {
+      vertices: streams.map(({ data }) => this.device.buffer(data, BufferUsage.VERTEX)),
+      indices: geometry.indices && this.device.buffer(geometry.indices, BufferUsage.INDEX),
+    };
+    [...made.vertices, made.indices].forEach((buffer) => buffer && this.owned.add(buffer));
+    this.uploaded.set(geometry, made);
+    return made;
+  }
+
+  // --- results ---
+
+  show(texture: Texture): void {
+    if (!this.presenter) throw new Error("this frame was opened without a canvas");
+    this.presenter.show(texture.gpu);
+  }
+
+  async read({ gpu }: Texture): Promise<Pixels> {
+    const { format, width, height, depthOrArrayLayers: layers } = gpu;
+    const [lanes, bytesPerLane] = lanesOf(format);
+    const row = width * lanes * bytesPerLane;
+    const bytesPerRow = Math.ceil(row / ROW_ALIGNMENT) * ROW_ALIGNMENT;
+    const buffer = this.device.gpu.createBuffer({
+      size: bytesPerRow * height * layers, usage: BufferUsage.COPY_DST | BufferUsage.MAP_READ,
+    });
+    const encoder = this.device.gpu.createCommandEncoder();
+    const aspect = isDepth(format) ? "depth-only" : "all";
+    encoder.copyTextureToBuffer(
+      { texture: gpu, aspect }, { buffer, bytesPerRow, rowsPerImage: height }, [width, height, layers],
+    );
+    this.device.gpu.queue.submit([encoder.finish()]);
+    try {
+      await buffer.mapAsync(MAP_READ);
+      this.device.check();
+      const padded = new Uint8Array(buffer.getMappedRange());
+      const packed = new Uint8Array(row * height * layers);
+      for (let y = 0; y < height * layers; y++) {
+        packed.set(padded.subarray(y * bytesPerRow, y * bytesPerRow + row), y * row);
+      }
+      return { width, height, layers, texels: toFloats(format, packed) };
+    } finally {
+      buffer.destroy();
+    }
+  }
+}
+
+/** The view by which a shader reads a whole texture. */
+function viewOf({ gpu }: Texture, { layout: { viewDimension } }: TextureRow): GPUTextureView {
+  return gpu.createView({ dimension: viewDimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
+}

@@ -1,0 +1,141 @@
+// Textures of WebGPU: those that frames draw to, and pictures of the host.
+
+import { bytesOf, isDepth, lanesOf } from "../bytes.js";
+import type { TextureSize } from "../renderer.js";
+import type { Dimension, Picture, SamplerState } from "../types.js";
+import { BufferUsage, TextureUsage, type Device } from "./device.js";
+
+export interface Texture {
+  gpu: GPUTexture;
+  /** The texels of its first level in each direction. */
+  sides: number[];
+}
+
+export const VIEWS: Record<Dimension, GPUTextureViewDimension> = {
+  "2d": "2d", "2d_array": "2d-array", "3d": "3d", cube: "cube",
+};
+const WRAPS = { repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat" } as const;
+
+export function makeTexture({ gpu }: Device, size: TextureSize): Texture {
+  const { format, width, height, layers, levels, isImage } = size;
+  const texture = gpu.createTexture({
+    format,
+    size: [width, height, layers],
+    mipLevelCount: levels,
+    usage:
+      TextureUsage.TEXTURE_BINDING | TextureUsage.COPY_SRC | TextureUsage.COPY_DST |
+      TextureUsage.RENDER_ATTACHMENT | (isImage ? TextureUsage.STORAGE_BINDING : 0),
+  });
+  // WebGPU makes every texture zero; depths begin as far away as can be.
+  if (isDepth(format)) clearDepths(gpu, texture);
+  return { gpu: texture, sides: [width, height] };
+}
+
+export function layerOf(texture: GPUTexture, layer: number, level: number): GPUTextureView {
+  return texture.createView({
+    dimension: "2d", baseArrayLayer: layer, arrayLayerCount: 1, baseMipLevel: level, mipLevelCount: 1,
+  });
+}
+
+export function makeSampler({ gpu }: Device, { filter, mip, wrap, compare }: SamplerState): GPUSampler {
+  return gpu.createSampler({
+    addressModeU: WRAPS[wrap],
+    addressModeV: WRAPS[wrap],
+    addressModeW: WRAPS[wrap],
+    magFilter: filter,
+    minFilter: filter,
+    // A sampler cannot ignore mip levels, but it can stay on the first one.
+    ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
+    ...(compare !== null && { compare: compare.replace("_", "-") as GPUCompareFunction }),
+  });
+}
+
+export function makePicture(device: Device, picture: Picture): Texture {
+  const { format, dimension, width, height, depth, levels } = picture;
+  if (format === "rgba32float" && !device.gpu.features.has("float32-filterable")) {
+    throw new Error("this device cannot filter pictures of floats: it lacks float32-filterable");
+  }
+  const texture = device.gpu.createTexture({
+    format,
+    dimension: dimension === "3d" ? "3d" : "2d",
+    size: [width, height, depth],
+    mipLevelCount: levels.length,
+    usage: TextureUsage.TEXTURE_BINDING | (isDepth(format) ? TextureUsage.RENDER_ATTACHMENT : TextureUsage.COPY_DST),
+  });
+  levels.forEach((level, number) => {
+    const size: [number, number, number] = [
+      halved(width, number), halved(height, number), dimension === "3d" ? halved(depth, number) : depth,
+    ];
+    if (isDepth(format)) drawDepths(device, texture, bytesOf(level), number, size);
+    else writeTexels(device, texture, bytesOf(level), number, size);
+  });
+  const sides = [width, height, depth].slice(0, dimension === "3d" || dimension === "2d_array" ? 3 : 2);
+  return { gpu: texture, sides };
+}
+
+const halved = (side: number, level: number) => Math.max(side >> level, 1);
+
+function writeTexels(
+  { gpu }: Device, texture: GPUTexture, bytes: Uint8Array<ArrayBuffer>, mipLevel: number, size: [number, number, number],
+): void {
+  const [lanes, bytesPerLane] = lanesOf(texture.format);
+  const layout = { bytesPerRow: size[0] * lanes * bytesPerLane, rowsPerImage: size[1] };
+  gpu.queue.writeTexture({ texture, mipLevel }, bytes, layout, size);
+}
+
+// --- depths --------------------------------------------------------------------------------------
+
+function depthPass(view: GPUTextureView): GPURenderPassDescriptor {
+  return {
+    colorAttachments: [],
+    depthStencilAttachment: { view, depthClearValue: 1, depthLoadOp: "clear", depthStoreOp: "store" },
+  };
+}
+
+function clearDepths(gpu: GPUDevice, texture: GPUTexture): void {
+  const encoder = gpu.createCommandEncoder();
+  for (let level = 0; level < texture.mipLevelCount; level++) {
+    for (let layer = 0; layer < texture.depthOrArrayLayers; layer++) {
+      encoder.beginRenderPass(depthPass(layerOf(texture, layer, level))).end();
+    }
+  }
+  gpu.queue.submit([encoder.finish()]);
+}
+
+const DEPTHS = `
+@group(0) @binding(0) var<storage, read> depths: array<f32>;
+@vertex fn corner(@builtin(vertex_index) i: u32, @builtin(instance_index) first: u32) -> Corner {
+  return Corner(vec4f(f32(i & 1) * 4 - 1, f32(i >> 1) * 4 - 1, 0, 1), first);
+}
+struct Corner { @builtin(position) at: vec4f, @location(0) @interpolate(flat) first: u32 }
+@fragment fn depth(corner: Corner) -> @builtin(frag_depth) f32 {
+  return depths[corner.first + u32(corner.at.y) * WIDTHu + u32(corner.at.x)];
+}`;
+
+/** WebGPU cannot copy to textures of 32-bit depths, so they are drawn, layer by layer. */
+function drawDepths(
+  device: Device, texture: GPUTexture, bytes: Uint8Array<ArrayBuffer>, level: number, [width, height, layers]: number[],
+): void {
+  const { gpu } = device;
+  const module = gpu.createShaderModule({ code: DEPTHS.replace("WIDTH", `${width}`) });
+  const pipeline = gpu.createRenderPipeline({
+    layout: "auto",
+    vertex: { module },
+    fragment: { module, targets: [] },
+    depthStencil: { format: texture.format, depthWriteEnabled: true, depthCompare: "always" },
+  });
+  const depths = device.buffer(bytes, BufferUsage.STORAGE);
+  const group = gpu.createBindGroup({
+    layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource: { buffer: depths } }],
+  });
+  const encoder = gpu.createCommandEncoder();
+  for (let layer = 0; layer < layers; layer++) {
+    const pass = encoder.beginRenderPass(depthPass(layerOf(texture, layer, level)));
+    pass.setPipeline(pipeline);
+    pass.setBindGroup(0, group);
+    pass.draw(3, 1, 0, layer * width * height);
+    pass.end();
+  }
+  gpu.queue.submit([encoder.finish()]);
+  depths.destroy();
+}
