@@ -46,7 +46,7 @@ export function makeSampler({ gpu }: Device, { filter, mip, wrap, compare }: Sam
     minFilter: filter,
     // A sampler cannot ignore mip levels, but it can stay on the first one.
     ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
-    ...(compare !== null && { compare: compare.replace("_", "-") as GPUCompareFunction }),
+    ...(compare && { compare: compare.replace("_", "-") as GPUCompareFunction }),
   });
 }
 

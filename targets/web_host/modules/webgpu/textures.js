@@ -33,7 +33,7 @@ export function makeSampler({ gpu }, { filter, mip, wrap, compare }) {
         minFilter: filter,
         // A sampler cannot ignore mip levels, but it can stay on the first one.
         ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
-        ...(compare !== null && { compare: compare.replace("_", "-") }),
+        ...(compare && { compare: compare.replace("_", "-") }),
     });
 }
 export function makePicture(device, picture) {
