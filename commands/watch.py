@@ -32,17 +32,12 @@ def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) ->
 
     Raises ``UsageError`` if the package that watches is not installed.
     """
-    check_watching("--watch")
-    for _ in states(file, search_path):
-        act()
-
-
-def check_watching(user: str) -> None:
-    """Raise ``UsageError`` if the package that watches is not installed; ``user`` needs it."""
     try:
         import watchfiles  # noqa: F401
     except ImportError:
-        raise click.UsageError(f"{user} needs one more package: pip install watchfiles") from None
+        raise click.UsageError("--watch needs one more package: pip install watchfiles") from None
+    for _ in states(file, search_path):
+        act()
 
 
 def states(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import webbrowser
 from pathlib import Path
 from threading import Thread
@@ -12,7 +13,6 @@ import click
 from ..failures import fail, needed, told
 from ..options import file_argument, hoist_option, pass_option, rig_option, search_option
 from ..render import MESHES, pairs
-from ..watch import check_watching
 from .request import Request
 
 
@@ -65,7 +65,6 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
         burnish view gltf_material.burnish --scene helmet.glb
         burnish view plastic.burnish --port 8000 --no-browser
     """
-    check_watching("burnish view")
     request = Request(**chosen)
     if not request.file.is_file():
         fail(f"there is no file `{request.file}`")
@@ -75,6 +74,8 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
 
 def _serve(request: Request, port: int, *, opens: bool) -> None:
     try:
+        import watchfiles  # noqa: F401
+
         from .server import Server
     except ModuleNotFoundError as error:
         needed(error)
@@ -82,7 +83,7 @@ def _serve(request: Request, port: int, *, opens: bool) -> None:
         server = Server(request, port)
     except OSError as error:
         fail(
-            f"port {port} cannot be used: {error.strerror or error}\n"
+            f"port {port} cannot be used: {os.strerror(error.errno or 0)}\n"
             "  = help: name another one, or leave `--port` out to get one that is free"
         )
     click.echo(f"{request.file} is shown at {server.address}")

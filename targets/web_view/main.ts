@@ -1,5 +1,6 @@
 // The page of `burnish view`: puts together what the server tells, the controls and the picture.
 
+import { chosenApi, NO_API } from "./apis.js";
 import {
   fetchDocument, listen, type Choice, type Document, type Drawable,
 } from "./documents.js";
@@ -8,9 +9,6 @@ import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
 import { Screen } from "./screen.js";
-
-/** The texts that the page draws with. */
-const PROFILE = "wgsl:webgpu";
 
 const canvas = element("picture", HTMLCanvasElement);
 const problem = element("problem", HTMLElement);
@@ -35,7 +33,7 @@ function tellProblems(): void {
   showIn(element("message", HTMLPreElement), text);
 }
 
-function view(): void {
+function view(profile: string): void {
   const screen = new Screen(canvas, {
     problem(text) {
       if (text === problems.picture) return;
@@ -96,7 +94,7 @@ function view(): void {
     try {
       while (again) {
         again = false;
-        const found = await fetchDocument(choice, PROFILE);
+        const found = await fetchDocument(choice, profile);
         if (!again) await showDocument(found);
       }
     } catch (error) {
@@ -205,4 +203,11 @@ async function saved(screen: Screen): Promise<void> {
 for (const [name, value] of new URLSearchParams(location.search)) {
   if (name in choice) choice[name as keyof Choice] = value;
 }
-view();
+const api = await chosenApi();
+if (api) {
+  element("api", HTMLElement).textContent = api.title;
+  view(api.profile);
+} else {
+  problems.picture = NO_API;
+  tellProblems();
+}

@@ -1,12 +1,11 @@
 // The page of `burnish view`: puts together what the server tells, the controls and the picture.
+import { chosenApi, NO_API } from "./apis.js";
 import { fetchDocument, listen, } from "./documents.js";
 import { element, make } from "./elements.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
 import { Screen } from "./screen.js";
-/** The texts that the page draws with. */
-const PROFILE = "wgsl:webgpu";
 const canvas = element("picture", HTMLCanvasElement);
 const problem = element("problem", HTMLElement);
 const selects = {
@@ -27,7 +26,7 @@ function tellProblems() {
     problem.hidden = !text;
     showIn(element("message", HTMLPreElement), text);
 }
-function view() {
+function view(profile) {
     const screen = new Screen(canvas, {
         problem(text) {
             if (text === problems.picture)
@@ -86,7 +85,7 @@ function view() {
         try {
             while (again) {
                 again = false;
-                const found = await fetchDocument(choice, PROFILE);
+                const found = await fetchDocument(choice, profile);
                 if (!again)
                     await showDocument(found);
             }
@@ -192,4 +191,12 @@ for (const [name, value] of new URLSearchParams(location.search)) {
     if (name in choice)
         choice[name] = value;
 }
-view();
+const api = await chosenApi();
+if (api) {
+    element("api", HTMLElement).textContent = api.title;
+    view(api.profile);
+}
+else {
+    problems.picture = NO_API;
+    tellProblems();
+}
