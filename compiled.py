@@ -183,10 +183,19 @@ class CompiledFrame:
     def plan(self) -> dict[str, Any]:
         """What a host does to draw the frame, as data for JSON (``compiler/reflection`` has the
         schema)."""
+        return self._planned(shares=True)
+
+    @cached_property
+    def plan_of_reference(self) -> dict[str, Any]:
+        """What ``conform`` has the reference do: every result has a texture of its own, so that
+        nothing that is wrong with ``plan`` is wrong here as well."""
+        return self._planned(shares=False)
+
+    def _planned(self, *, shares: bool) -> dict[str, Any]:
         from .compiler.planning.plan import plan
         from .compiler.reflection.plan import plan_document
 
-        return plan_document(plan(self.frame))
+        return plan_document(plan(self.frame, shares=shares))
 
 
 @frozen

@@ -66,6 +66,7 @@ setup(
     package_data={
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],
+        "burnish.targets.web_host": ["webgpu/*.ts", "modules/*.js", "modules/webgpu/*.js"],
         **{
             f"burnish.{name}": [f"*.{ending}" for ending in ENDINGS]
             for name in sub_packages

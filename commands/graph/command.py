@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,9 +14,8 @@ from ..options import file_argument, pass_option, pixel, rig_option, search_opti
 from ..terminal import FAILED
 
 if TYPE_CHECKING:
-    from ...api import CompiledMaterial
+    from ...compiled import CompiledFrame, CompiledMaterial
     from ...compiler.diagnostics.source import Span
-    from .model import Picture
 
 STDOUT = "-"
 FORMATS = ("svg", "dot", "text")
@@ -37,6 +36,7 @@ class Request(NamedTuple):
     case: str
     everything: bool
     material: str | None
+    shader: str | None
     rig: str | None
     pass_: str | None
     search_path: tuple[Path, ...]
@@ -69,7 +69,11 @@ class Request(NamedTuple):
     help="The scene of `conform` in which the pixel is.",
 )  # fmt: skip
 @click.option("--all", "everything", is_flag=True, help="Every value, and not only named ones.")
-@click.option("--material", metavar="NAME", help="Which of the file's materials.")
+@click.option("--material", metavar="NAME", help="Which of the file's materials or frames.")
+@click.option(
+    "--shader", metavar="NAME",
+    help="Of a frame, what one of its shaders computes, as `Deferred.Toned`.",
+)  # fmt: skip
 @rig_option
 @pass_option
 @search_option
@@ -80,11 +84,14 @@ class Request(NamedTuple):
     show_default=True,
 )
 def graph(**chosen: Any) -> None:
-    """Show what the materials of FILE compute, and where.
+    """Show what the materials of FILE compute, and where; or the steps of its frames.
 
-    The host, the stages, functions and loops each have a frame of their own. Boxes are values, and
+    The host, the stages, functions and loops each have a border of their own. Boxes are values, and
     the parameters and textures that they read. A shield marks a value that keeps a guard. In a
     browser, point at a box to see where it is written.
+
+    Of a frame, boxes are steps with what they leave to each other. A time line says what each
+    texture holds from step to step.
 
     \b
     Example:
@@ -92,12 +99,14 @@ def graph(**chosen: Any) -> None:
         burnish graph plastic.burnish -o plastic.svg
         burnish graph plastic.burnish --why
         burnish graph plastic.burnish --error 36,28 -o error.svg
+        burnish graph deferred.burnish -o deferred.svg
+        burnish graph deferred.burnish --shader Deferred.Toned
     """
     from ...compiler.diagnostics.diagnostic import CompileError
 
     request = Request(**chosen)
     try:
-        _deliver(request, _materials(request))
+        _deliver(request, _subjects(request))
     except CompileError as error:
         show(error.diagnostics)
         click.get_current_context().exit(FAILED)
@@ -117,7 +126,8 @@ def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float]
             fail(str(error))
 
 
-def _materials(request: Request) -> tuple[CompiledMaterial, ...]:
+def _subjects(request: Request) -> Sequence[CompiledMaterial | CompiledFrame]:
+    """What there is to show: the frames of the file, one shader of them, or its materials."""
     from ... import api
 
     result = api.compile(
@@ -130,16 +140,43 @@ def _materials(request: Request) -> tuple[CompiledMaterial, ...]:
         hoist=request.hoist,
     )
     show(result.diagnostics)
-    return result.materials
+    if not result.frames:
+        if request.shader is not None:
+            raise click.UsageError(
+                "--shader is for frames, and there is none in the file: --material chooses among "
+                "materials"
+            )
+        return result.materials
+    if request.shader is not None:
+        return [_named(request.shader, result.materials)]
+    if request.why:
+        return result.materials
+    for option, given in (("--error", request.error), ("--all", request.everything)):
+        if given:
+            raise click.UsageError(f"{option} is about one shader of a frame: name it by --shader")
+    return result.frames
 
 
-def _deliver(request: Request, materials: tuple[CompiledMaterial, ...]) -> None:
+def _named(name: str, shaders: Sequence[CompiledMaterial]) -> CompiledMaterial:
+    names = [shader.name for shader in shaders]
+    if name not in names:
+        from ...compiler.diagnostics.nearest import suggestion
+
+        hint = suggestion(name, names) or f"there are {', '.join(names)}"
+        raise click.BadParameter(f"there is no shader `{name}`: {hint}", param_hint="--shader")
+    return shaders[names.index(name)]
+
+
+def _deliver(request: Request, subjects: Sequence[CompiledMaterial | CompiledFrame]) -> None:
+    from ...compiled import CompiledFrame
+
     form = _form(request)
-    if form != "text" and len(materials) > 1:
-        names = ", ".join(material.name for material in materials)
-        message = f"a picture shows one material, and there are {names}; choose one"
+    if form != "text" and len(subjects) > 1:
+        names = ", ".join(subject.name for subject in subjects)
+        kind = "frame" if isinstance(subjects[0], CompiledFrame) else "material"
+        message = f"a picture shows one {kind}, and there are {names}; choose one"
         raise click.BadParameter(message, param_hint="--material")
-    text = "\n".join(_written(material, request, form) for material in materials)
+    text = "\n".join(_written(subject, request, form) for subject in subjects)
     if request.output == STDOUT:
         click.echo(text.encode(), nl=False)
         return
@@ -168,17 +205,21 @@ def _form(request: Request) -> str:
     return request.form or known.get(ending, "text")
 
 
-def _written(material: CompiledMaterial, request: Request, form: str) -> str:
+def _written(subject: CompiledMaterial | CompiledFrame, request: Request, form: str) -> str:
+    from ...compiled import CompiledFrame
+
+    if isinstance(subject, CompiledFrame):
+        return _frame_written(subject, form)
     if request.why:
         from .why import written
 
-        title = f"{material.name}, pass {material.shader.pass_name}, rig {material.shader.rig_name}"
-        return written(title, material.proofs)
+        title = f"{subject.name}, pass {subject.shader.pass_name}, rig {subject.shader.rig_name}"
+        return written(title, subject.proofs)
     from .build import picture
 
     found = picture(
-        material.shader, material.staged,
-        everything=request.everything, parts=_parts(material, request),
+        subject.shader, subject.staged,
+        everything=request.everything, parts=_parts(subject, request),
     )  # fmt: skip
     if form == "text":
         from .text import written as as_text
@@ -188,17 +229,34 @@ def _written(material: CompiledMaterial, request: Request, form: str) -> str:
         from .dot import written as as_dot
 
         return as_dot(found)
-    _insist_on_size(material.name, found)
+    _insist_on_size(subject.name, len(found.boxes))
     from .svg import drawn
 
     return drawn(found)
 
 
-def _insist_on_size(name: str, found: Picture) -> None:
+def _frame_written(frame: CompiledFrame, form: str) -> str:
+    from .frame.build import frame_picture
+
+    found = frame_picture(frame)
+    if form == "text":
+        from .frame.text import written as as_text
+
+        return as_text(found)
+    if form == "dot":
+        from .frame.dot import written as as_dot
+
+        return as_dot(found)
+    _insist_on_size(frame.name, len(found.boxes))
+    from .frame.svg import drawn
+
+    return drawn(found)
+
+
+def _insist_on_size(name: str, count: int) -> None:
     from ...compiler.diagnostics import rules
     from ...compiler.diagnostics.diagnostic import CompileError, Report
 
-    count = len(found.boxes)
     if count > LARGEST:
         report = Report()
         report.add(rules.TOO_LARGE_TO_DRAW, None, name=name, count=count, limit=LARGEST)

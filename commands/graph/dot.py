@@ -11,28 +11,28 @@ from .svg import colors_of
 def written(picture: Picture) -> str:
     """A digraph with a cluster for each stage, function and loop."""
     lines = [
-        f"digraph {_quoted(picture.title)} {{",
-        f"  label={_quoted(picture.title)}; labelloc=t; rankdir=LR;",
+        f"digraph {quoted(picture.title)} {{",
+        f"  label={quoted(picture.title)}; labelloc=t; rankdir=LR;",
         '  node [shape=box, style="filled,rounded", fontname="monospace", fontsize=10];',
         '  graph [fontname="monospace", color="#c3ccd5"];',
     ]
     for number, cluster in enumerate(picture.clusters):
         lines.append(f"  subgraph cluster_{number} {{")
-        lines.append(f"    label={_quoted(cluster.title)};")
+        lines.append(f"    label={quoted(cluster.title)};")
         lines += [
-            f"    {_quoted(box.key)} [{', '.join(_attributes(box))}];" for box in cluster.boxes
+            f"    {quoted(box.key)} [{', '.join(_attributes(box))}];" for box in cluster.boxes
         ]
-        lines += [f"    {_quoted(a)} -> {_quoted(b)};" for a, b in cluster.edges]
+        lines += [f"    {quoted(a)} -> {quoted(b)};" for a, b in cluster.edges]
         lines.append("  }")
     for source, target in picture.crossings:
-        lines.append(f'  {_quoted(source)} -> {_quoted(target)} [color="#12857a"];')
+        lines.append(f'  {quoted(source)} -> {quoted(target)} [color="#12857a"];')
     return "\n".join([*lines, "}"]) + "\n"
 
 
 def _attributes(box: Box) -> Iterator[str]:
     colors = colors_of(box)
     label = f"{box.name}: {box.type}" + (f"\n{box.formula}" if box.formula else "")
-    yield f"label={_quoted(label)}"
+    yield f"label={quoted(label)}"
     yield f'fillcolor="{colors.fill}"'
     yield f'color="{colors.line}"'
     if colors.is_dark:
@@ -40,9 +40,10 @@ def _attributes(box: Box) -> Iterator[str]:
     if box.guarded:
         yield "penwidth=2"
     part = f"{box.part:.1%} of the error" if box.part else ""
-    yield f"tooltip={_quoted(' '.join(filter(None, (box.note, part, box.place))))}"
+    yield f"tooltip={quoted(' '.join(filter(None, (box.note, part, box.place))))}"
 
 
-def _quoted(text: str) -> str:
+def quoted(text: str) -> str:
+    """A text as Graphviz reads it."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
     return f'"{escaped}"'

@@ -4,27 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from html import escape
-from typing import NamedTuple
 
 from .layout import Item, Layout, laid_out
 from .model import KINDS, Box, Cluster, Kind, Picture
+from .shapes import ADVANCE, INK, NAME_SIZE, TEXT_SIZE, Colors, arrow, begun, cut, stroke, text
 
 MARGIN, PADDING, TITLE = 24.0, 16.0, 30.0
-NAME_SIZE, TEXT_SIZE = 13.0, 11.0
-ADVANCE = 0.62
-"""The width of a letter of a fixed-width font, relative to its size, and a little more."""
-LONGEST = 42
-"""The most letters on a line of a box."""
-
-
-class Colors(NamedTuple):
-    """The colours of a box."""
-
-    fill: str
-    line: str
-    is_dark: bool = False
-    """Whether letters on it have to be white."""
-
 
 COLORS: dict[Kind, Colors] = {
     "attribute": Colors("#e6f0d8", "#6b8f3a"),
@@ -73,12 +58,8 @@ def drawn(picture: Picture) -> str:
     height = bottom + max((y for _, _, y in legend), default=0.0) + 2 * MARGIN
     width = max(width, 560.0) + MARGIN
     lines = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" '
-        f'width="{width:.0f}" height="{height:.0f}" font-family="ui-monospace, Menlo, Consolas, '
-        "'DejaVu Sans Mono', monospace\">",
-        f"<title>{escape(picture.title)}</title>",
-        f'<rect width="{width:.0f}" height="{height:.0f}" fill="#fafbfc"/>',
-        _text(MARGIN, MARGIN + 10, picture.title, 16, "#1d252d", bold=True),
+        *begun(picture.title, width, height),
+        text(MARGIN, MARGIN + 10, picture.title, 16, INK, bold=True),
     ]
     for panel in panels:
         lines += panel.background()
@@ -141,7 +122,7 @@ class _Panel:
             f'<rect x="{self.x:.1f}" y="{self.y:.1f}" width="{self.width:.1f}" '
             f'height="{self.height:.1f}" rx="10" fill="#f0f3f6" stroke="#c3ccd5"{dash}/>'
         )
-        yield _text(
+        yield text(
             self.x + PADDING, self.y + 21, self.cluster.title, NAME_SIZE, "#46525e", bold=True
         )
 
@@ -149,7 +130,7 @@ class _Panel:
         """The arrows, and the boxes above them."""
         left, top = self.x + PADDING, self.y + TITLE + PADDING
         for path in self.layout.paths.values():
-            yield _arrow([(item, left + item.x, top + item.middle) for item in path])
+            yield arrow([(item, left + item.x, top + item.middle) for item in path])
         for box in self.cluster.boxes:
             item = self.layout.items[box.key]
             yield from _box(box, left + item.x, top + item.y, item)
@@ -164,16 +145,12 @@ def _size(box: Box) -> tuple[float, float]:
 
 def _lines(box: Box) -> list[str]:
     """The lines of a box: its name and type, its formula, its kind."""
-    lines = [_cut(f"{box.name}: {box.type}")]
+    lines = [cut(f"{box.name}: {box.type}")]
     if box.formula and box.formula != box.name:
-        lines.append(_cut(box.formula))
+        lines.append(cut(box.formula))
     if box.note and box.kind in ("derived", "crossing") and box.formula == "":
         lines.append(box.note)
     return lines
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST else text[: LONGEST - 1] + "…"
 
 
 def _box(box: Box, x: float, y: float, item: Item) -> Iterator[str]:
@@ -190,9 +167,9 @@ def _box(box: Box, x: float, y: float, item: Item) -> Iterator[str]:
         f'stroke-width="{1.8 if box.guarded else 1.1}"{dash}/>'
     )
     name, *others = _lines(box)
-    yield _text(x + 9, y + 19, name, NAME_SIZE, "#ffffff" if dark else "#1d252d", bold=True)
+    yield text(x + 9, y + 19, name, NAME_SIZE, "#ffffff" if dark else "#1d252d", bold=True)
     for number, line in enumerate(others):
-        yield _text(x + 9, y + 35 + 14 * number, line, TEXT_SIZE, "#dfe6ec" if dark else "#46525e")
+        yield text(x + 9, y + 35 + 14 * number, line, TEXT_SIZE, "#dfe6ec" if dark else "#46525e")
     if box.guarded:
         yield _shield(x + item.width - 17, y + 6)
     yield "</g>"
@@ -210,30 +187,6 @@ def _shield(x: float, y: float) -> str:
     return f'<path d="M{x:.1f} {y + 1.5:.1f} {shape}" fill="{GUARD}"/>'
 
 
-def _arrow(points: Sequence[tuple[Item, float, float]]) -> str:
-    """A smooth line through the places that an arrow passes."""
-    first, x, y = points[0]
-    x += first.width
-    path = [f"M{x:.1f} {y:.1f}"]
-    for item, left, middle in points[1:]:
-        bend = (left - x) / 2
-        path.append(
-            f"C{x + bend:.1f} {y:.1f} {left - bend:.1f} {middle:.1f} {left:.1f} {middle:.1f}"
-        )
-        x, y = left, middle
-        if item is not points[-1][0]:
-            x += item.width
-            path.append(f"L{x:.1f} {y:.1f}")
-    return _line(path, x, y, "#8b97a3")
-
-
-def _line(path: Sequence[str], x: float, y: float, color: str, width: float = 1.1) -> str:
-    head = f"M{x - 6:.1f} {y - 3:.1f} L{x:.1f} {y:.1f} L{x - 6:.1f} {y + 3:.1f}"
-    return (
-        f'<path d="{" ".join(path)} {head}" fill="none" stroke="{color}" stroke-width="{width}"/>'
-    )
-
-
 def _between(picture: Picture, panels: Sequence[_Panel]) -> Iterator[str]:
     """The arrows from one stage to another, under the boxes."""
     for source, target in picture.crossings:
@@ -245,7 +198,7 @@ def _between(picture: Picture, panels: Sequence[_Panel]) -> Iterator[str]:
         left, middle = end[0], end[1] + end[2].height / 2
         bend = max(30.0, (left - x) / 2)
         curve = f"C{x + bend:.1f} {y:.1f} {left - bend:.1f} {middle:.1f} {left:.1f} {middle:.1f}"
-        yield _line([f"M{x:.1f} {y:.1f}", curve], left, middle, "#12857a", 1.6)
+        yield stroke([f"M{x:.1f} {y:.1f}", curve], left, middle, "#12857a", 1.6)
 
 
 def _legend(picture: Picture, width: float) -> Iterator[tuple[str, float, float]]:
@@ -268,13 +221,5 @@ def _legend(picture: Picture, width: float) -> Iterator[tuple[str, float, float]
             if colors.fill
             else _shield(6, 0)
         )
-        yield swatch + _text(29, 11, words, TEXT_SIZE, "#46525e"), x, y
+        yield swatch + text(29, 11, words, TEXT_SIZE, "#46525e"), x, y
         x += length
-
-
-def _text(x: float, y: float, text: str, size: float, color: str, *, bold: bool = False) -> str:
-    weight = ' font-weight="600"' if bold else ""
-    return (
-        f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:g}" fill="{color}"{weight} '
-        f'xml:space="preserve">{escape(text)}</text>'
-    )

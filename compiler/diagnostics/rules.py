@@ -833,6 +833,12 @@ IMAGE_PER_GROUP = _error(
 
 # Scattering
 
+SETTING_TOO_LARGE = _error(
+    "B0536",
+    "`{name}` is {value}, and {least} to {most} are possible",
+    "Stencil values and their masks have eight bits. A bias is counted in the smallest steps of "
+    "depths, of which floats have 2^24 between two powers of two.",
+)
 NO_KERNEL_EXTENT = _error(
     "B0540",
     "`{name}` does not say for how many elements it runs",

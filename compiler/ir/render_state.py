@@ -11,24 +11,97 @@ from typing import Literal
 from ...frozen import frozen
 
 Cull = Literal["none", "back", "front"]
-"""Which faces are not drawn; the front is counter-clockwise."""
+"""Which faces are not drawn."""
+Winding = Literal["counter_clockwise", "clockwise"]
+"""How the corners of a face go around if its front is seen."""
+Fill = Literal["faces", "lines"]
+"""What is drawn of a face: all of it, or its edges."""
 Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
-"""How the depth of a fragment, on the left, has to compare with the one that is there."""
+"""How a number of the fragment, on the left, has to compare with the one that is there."""
+StencilOperation = Literal[
+    "keep", "zero", "replace", "invert",
+    "increment_clamp", "decrement_clamp", "increment_wrap", "decrement_wrap",
+]  # fmt: skip
+"""What becomes of a stencil value."""
+
+STENCIL_MOST = 255
+"""The largest stencil value: all APIs have eight bits."""
+MOST_BIAS = 1 << 24
+"""The largest bias in steps, up to which floats count them without gaps."""
 
 
 @frozen
 class DepthState:
-    """Which fragments the depth test lets through, and whether their depths are kept."""
+    """Which fragments the depth test lets through, whether their depths are kept, and how far
+    faces are moved away from the eye before."""
 
     compare: Compare = "less"
     write: bool = True
+    bias: int = 0
+    """In steps of the format, as it has them at the farthest corner of the face."""
+    slope_bias: float = 0.0
+    """In times of what the depth changes from one pixel to the next."""
+    bias_clamp: float = 0.0
+    """How far both together move at most; 0 for any distance."""
 
     @property
     def is_used(self) -> bool:
         """Whether a pass has to do with depths at all: frames give it an attachment for them."""
         return self.write or self.compare != "always"
+
+    @property
+    def is_biased(self) -> bool:
+        """Whether faces are moved."""
+        return bool(self.bias or self.slope_bias)
+
+
+@frozen
+class StencilSide:
+    """The stencil test of faces of which one side is seen, and what becomes of the values."""
+
+    compare: Compare = "always"
+    """How the reference, on the left, has to compare with the value, both masked."""
+    fail_op: StencilOperation = "keep"
+    """Where that fails."""
+    depth_fail_op: StencilOperation = "keep"
+    """Where only the depth test fails."""
+    pass_op: StencilOperation = "keep"
+    """Where both let the fragment through."""
+
+    @property
+    def operations(self) -> frozenset[StencilOperation]:
+        """All that may become of a value."""
+        return frozenset((self.fail_op, self.depth_fail_op, self.pass_op))
+
+
+@frozen
+class StencilState:
+    """The stencil test, for either side."""
+
+    front: StencilSide = StencilSide()
+    back: StencilSide = StencilSide()
+    reference: int = 0
+    read_mask: int = STENCIL_MOST
+    write_mask: int = STENCIL_MOST
+    """The bits that are compared, and those that are written."""
+
+    @property
+    def writes(self) -> bool:
+        """Whether values may change."""
+        operations = self.front.operations | self.back.operations
+        return bool(self.write_mask and operations - {"keep"})
+
+    @property
+    def tests(self) -> bool:
+        """Whether some value may keep a fragment from being drawn."""
+        return any(side.compare != "always" for side in (self.front, self.back))
+
+    @property
+    def is_used(self) -> bool:
+        """Whether a pass has to do with stencil values at all."""
+        return self.tests or self.writes
 
 
 @frozen
@@ -37,4 +110,7 @@ class RenderState:
     anything of."""
 
     cull: Cull = "none"
+    front: Winding = "counter_clockwise"
+    fill: Fill = "faces"
     depth: DepthState = DepthState()
+    stencil: StencilState = StencilState()

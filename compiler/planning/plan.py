@@ -19,6 +19,7 @@ from .lifetimes import (
     read_by,
     written_by,
 )
+from .stencils import Stencils
 
 State = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as: drawn to, written by a kernel, read, copied. At first it has no
@@ -59,6 +60,10 @@ class Target:
     """Whether what is there is kept; else it is cleared."""
     stores: bool
     """Whether anybody needs what is drawn."""
+    has_stencil: bool = False
+    """Whether there are stencil values, too."""
+    stores_stencil: bool = False
+    """Whether a later step finds these."""
 
 
 @frozen(eq=False)
@@ -100,19 +105,23 @@ class Plan:
     textures: tuple[PlannedTexture, ...]
     texture_of: Mapping[Image, int]
     lifetimes: Lifetimes
+    stencils: Stencils
     steps: tuple[PlannedStep, ...]
     kept: tuple[Kept, ...]
 
 
-def plan(frame: Frame) -> Plan:
-    """The plan of a frame."""
-    return _Planning(frame).plan()
+def plan(frame: Frame, *, shares: bool = True) -> Plan:
+    """The plan of a frame. Unless it ``shares``, every result has a texture of its own: this needs
+    more memory, and says what the frame means even if sharing is wrong."""
+    return _Planning(frame, shares=shares).plan()
 
 
 class _Planning:
-    def __init__(self, frame: Frame) -> None:
+    def __init__(self, frame: Frame, *, shares: bool) -> None:
         self._frame = frame
+        self._shares = shares
         self._lifetimes = Lifetimes.of(frame)
+        self._stencils = Stencils.of(frame)
         self._textures: list[PlannedTexture] = []
         self._texture_of: dict[Image, int] = {}
         self._free: dict[Hashable, list[int]] = {}
@@ -137,6 +146,7 @@ class _Planning:
             tuple(self._textures),
             self._texture_of,
             self._lifetimes,
+            self._stencils,
             tuple(steps),
             kept,
         )
@@ -163,7 +173,8 @@ class _Planning:
         """What two images have in common that can share a texture."""
         value = image.size.value
         size = image.size.kernel if value is None else self._frame.values[value].id
-        return (image.format, size, image.size.level, image.dimension, image.layers, image.levels)
+        format_ = self._stencils.format_of(image)
+        return (format_, size, image.size.level, image.dimension, image.layers, image.levels)
 
     def _placed(self, number: int, step: Step) -> Iterator[Copy]:
         """Find a texture for everything that a step draws; what has to be copied before it."""
@@ -172,7 +183,7 @@ class _Planning:
             image, over = attachment.image, attachment.over
             if over is None or image in self._texture_of:
                 continue
-            if over not in read and self._lifetimes.is_over(over, number):
+            if self._shares and over not in read and self._lifetimes.is_over(over, number):
                 self._share(image, self._texture_of[over])
             else:
                 self._allot(image)
@@ -188,7 +199,7 @@ class _Planning:
 
     def _allot(self, image: Image) -> None:
         free = self._free.get(self._key(image))
-        if free:
+        if free and self._shares:
             self._share(image, free.pop())
         else:
             self._texture_of[image] = self._new(image)
@@ -234,7 +245,8 @@ class _Planning:
         again = (image, attachment.layer, attachment.level) in self._drawn
         return Target(
             attachment, self._texture_of[image], again or attachment.over is not None,
-            self._is_needed(number, image),
+            self._is_needed(number, image), image in self._stencils.images,
+            self._stencils.are_needed(number, attachment),
         )  # fmt: skip
 
     def _is_needed(self, number: int, image: Image) -> bool:

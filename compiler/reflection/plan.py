@@ -108,7 +108,7 @@ class _Document:
         for texture in self._plan.textures:
             image = texture.images[0]
             yield {
-                "format": image.format,
+                "format": self._plan.stencils.format_of(image),
                 "dimension": image.dimension,
                 "size": self._size_row(image),
                 "layers": image.layers,
@@ -207,6 +207,7 @@ class _Document:
             "load": "load" if target.loads else "clear",
             "store": target.stores,
             "over": attachment.over and attachment.over.name,
+            **({"stencil": _stencil_row(target)} if target.has_stencil else {}),
         }
 
     def _drawn_row(self, drawn: Drawn) -> dict[str, Any]:
@@ -243,6 +244,11 @@ class _Document:
         if isinstance(source, FromHost):
             return {"host": source.name}
         return {"result": source.name, "texture": self._texture(source)}
+
+
+def _stencil_row(target: Target) -> dict[str, Any]:
+    load = "load" if target.loads else "clear"
+    return {"load": load, "store": target.stores_stencil, "clear": 0}
 
 
 def _barrier_row(barrier: Barrier) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
-from ..ir.render_state import RenderState
+from ..ir.render_state import DepthState, RenderState, StencilSide, StencilState
 from ..ir.shader import AttributeInfo, MeshInput, Shader
 from ..ir.stages import (
     EDGE_LEVEL,
@@ -86,7 +86,10 @@ def reflect(
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),
         "targets": list(_target_rows(shader)),
-        "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
+        "backends": {
+            name: _backend_row(table, shader.render_state)
+            for name, table in sorted(backends.items())
+        },
     }
 
 
@@ -94,7 +97,38 @@ def _render_state_row(state: RenderState) -> dict[str, Any]:
     """What a host sets of the pipeline, as the pass asks for it."""
     return {
         "cull": state.cull,
-        "depth": {"compare": state.depth.compare, "write": state.depth.write},
+        "front": state.front,
+        "fill": state.fill,
+        "depth": _depth_row(state.depth),
+        "stencil": _stencil_row(state.stencil) if state.stencil.is_used else None,
+    }
+
+
+def _depth_row(state: DepthState) -> dict[str, Any]:
+    bias = {"constant": state.bias, "slope": state.slope_bias, "clamp": state.bias_clamp}
+    return {
+        "compare": state.compare,
+        "write": state.write,
+        "bias": bias if state.is_biased else None,
+    }
+
+
+def _stencil_row(state: StencilState) -> dict[str, Any]:
+    return {
+        "front": _stencil_side_row(state.front),
+        "back": _stencil_side_row(state.back),
+        "reference": state.reference,
+        "read_mask": state.read_mask,
+        "write_mask": state.write_mask,
+    }
+
+
+def _stencil_side_row(side: StencilSide) -> dict[str, Any]:
+    return {
+        "compare": side.compare,
+        "fail": side.fail_op,
+        "depth_fail": side.depth_fail_op,
+        "pass": side.pass_op,
     }
 
 
@@ -236,13 +270,13 @@ def _target_rows(shader: Shader) -> Iterable[dict[str, Any]]:
         }
 
 
-def _backend_row(table: BackendTable) -> dict[str, Any]:
+def _backend_row(table: BackendTable, state: RenderState) -> dict[str, Any]:
     return {
         "language": table.language,
         "clip_depth": table.clip_depth,
         "clip_control": list(table.clip_control),
         "flip_y": table.flip_y,
-        "front_face": table.front_face,
+        "front_face": _front_face(table, state),
         "first_row": table.first_row,
         "files": [
             {"stage": row.stage, "file": row.file, "entry_point": row.entry_point}
@@ -264,6 +298,12 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
             name: _source_map(spans) for name, spans in sorted(table.source_maps.items())
         },
     }
+
+
+def _front_face(table: BackendTable, state: RenderState) -> str:
+    """The winding that a host sets as front: that of the pass, which some texts turn over."""
+    is_turned = table.front_face == "cw"
+    return "cw" if (state.front == "clockwise") != is_turned else "ccw"
 
 
 def _field_name_row(row: FieldName) -> dict[str, Any]:

@@ -6,10 +6,12 @@ Compiling never imports this module: ``jsonschema`` is needed by those who check
 from __future__ import annotations
 
 import json
+from functools import cache
 from importlib.resources import files
 from typing import Any
 
 from jsonschema import Draft202012Validator
+from jsonschema.exceptions import best_match
 from referencing import Registry, Resource
 
 REFLECTION, PLAN = "reflection.schema.json", "plan.schema.json"
@@ -24,11 +26,24 @@ def schema(name: str = REFLECTION) -> dict[str, Any]:
 
 def validate(reflection: dict[str, Any]) -> None:
     """Raises ``jsonschema.ValidationError`` where the reflection does not follow the schema."""
-    Draft202012Validator(schema()).validate(reflection)
+    _validator(REFLECTION).validate(reflection)
 
 
 def validate_plan(plan: dict[str, Any]) -> None:
     """Raises ``jsonschema.ValidationError`` where the plan does not follow the schema."""
+    _validator(PLAN).validate(plan)
+
+
+def errors(document: Any, name: str = REFLECTION) -> list[str]:
+    """Where a document does not follow its schema: each place with what is wrong there, the
+    deepest one of alternatives."""
+    found = sorted(map(best_match, ([each] for each in _validator(name).iter_errors(document))),
+                   key=lambda error: [str(part) for part in error.absolute_path])  # fmt: skip
+    return [f"{error.json_path}: {error.message}" for error in found]
+
+
+@cache
+def _validator(name: str) -> Draft202012Validator:
     rows = Resource.from_contents(schema())
     registry: Registry[Any] = Registry().with_resource(REFLECTION, rows)
-    Draft202012Validator(schema(PLAN), registry=registry).validate(plan)
+    return Draft202012Validator(schema(name), registry=registry)

@@ -79,7 +79,8 @@ class BackendTable:
     flip_y: bool = False
     """Whether the text negates clip y."""
     front_face: Literal["ccw", "cw"] = "ccw"
-    """What a host has to set as front: clockwise where the text turns the picture over."""
+    """What a host has to set as front if it goes counter-clockwise: clockwise where the text turns
+    the picture over."""
     source_maps: Mapping[str, Mapping[int, Span]] = EMPTY
     """By file name, what in Burnish text each line of the file is for."""
     first_row: Literal["top", "bottom"] = "top"

@@ -1,7 +1,9 @@
 """Judges what frames draw: every output has to lie within the reference's bounds.
 
 The reference draws the whole frame with a device's rounding, step by step, so an error of a first
-step counts in all that is drawn of it. Several outputs, and frames one after the other, are cases.
+step counts in all that is drawn of it. It does not believe the plan that drivers execute: it draws
+what was checked, with a texture for every result. Several outputs, and frames one after the other,
+are cases.
 """
 
 from __future__ import annotations
@@ -16,7 +18,8 @@ from ...compiler.ir.shader import Shader
 from ...compiler.reference.picture import Expected, formats
 from ..runner.drivers.draw import Device
 from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
-from ..runner.frames.host import FrameHost, FrameSubject
+from ..runner.frames.checking import PlanError
+from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable
 from ..runner.routes import Route
@@ -45,6 +48,15 @@ class _Sized:
     height: int
 
 
+class _Meant:
+    """A frame with a plan that nobody else executes."""
+
+    def __init__(self, subject: FrameSubject) -> None:
+        self.name = subject.name
+        self.shaders = subject.shaders
+        self.plan = subject.plan_of_reference
+
+
 class FramePlan:
     """The pictures of one frame. Several threads use it."""
 
@@ -52,16 +64,18 @@ class FramePlan:
         """``size`` is that of the outputs, as far as the frame does not say another one."""
         self.label = label
         self.subject = subject
+        self._meant = meant = _Meant(subject)
         self._size = size
-        self._count = SEVERAL if subject.plan["kept"] else 1
-        self._names = [row["name"] for row in subject.plan["outputs"] if row["texture"] is not None]
+        self._count = SEVERAL if meant.plan["kept"] else 1
+        self._names = [row["name"] for row in meant.plan["outputs"] if row["texture"] is not None]
         self._expected: Known[list[dict[str, Drawn]]] = Known()
 
     def results(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
     ) -> Iterator[CaseResult]:
-        """A result for each output of each frame. Raises ``CodeError`` and ``DriverError``."""
-        got = draw_frames(self._host(), route, runner, toolchain, self._count)
+        """A result for each output of each frame. Raises ``CodeError``, ``DriverError`` and
+        ``PlanError``."""
+        got = draw_frames(self._host(self.subject), route, runner, toolchain, self._count)
         questions = bounds_of(_Sized(*self._size), route, device)
         for number, pictures in enumerate(got):
             for name in self._names:
@@ -85,6 +99,11 @@ class FramePlan:
             expected = _expected(wanted)
             expected = replace(expected, undecided=expected.undecided | _undecided(meant))
             (source,) = _expected(meant).targets
+            if got.shape[:3] != meant.levels[0].shape[1:4]:
+                raise PlanError(
+                    f"{case} has {_sides(got.shape)}, and should have "
+                    f"{_sides(meant.levels[0].shape[1:])}"
+                )
             steps = [_step(meant.format, source)]
             comparison = compare(drawn, expected, [source], steps, bounds.level)
             found.append((comparison, expected))
@@ -105,7 +124,7 @@ class FramePlan:
             return to_targets(drawable(made), exact=False)
 
         def made() -> list[dict[str, Drawn]]:
-            drawing = ReferenceFrames(self._host(), rules, errors, shader)
+            drawing = ReferenceFrames(self._host(self._meant), rules, errors, shader)
             found = []
             for _ in range(self._count):
                 drawing.draw()
@@ -114,11 +133,15 @@ class FramePlan:
 
         return self._expected.value((profile, rules, errors), made)
 
-    def _host(self) -> FrameHost:
-        plan = self.subject.plan
-        tags = {row["name"]: row["materials"] for row in plan["models"]}
+    def _host(self, subject: PlannedFrame) -> FrameHost:
+        tags = {row["name"]: row["materials"] for row in self._meant.plan["models"]}
         materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-        return FrameHost(self.subject, in_a_row(materials, tags, MESH), self._size)
+        return FrameHost(subject, in_a_row(materials, tags, MESH), self._size)
+
+
+def _sides(shape: Sequence[int]) -> str:
+    layers, height, width = shape[:3]
+    return f"{width} x {height} texels" + (f" in {layers} layers" if layers > 1 else "")
 
 
 def _rows(layers: Floats) -> Floats:

@@ -14,14 +14,18 @@ from .drivers.draw import (
     BlockSlot,
     BufferSlot,
     CapturedOutput,
+    DepthBias,
     ImageSlot,
     Pipeline,
     Place,
     RenderTarget,
+    Stencil,
+    StencilSide,
     StreamOutput,
     TargetFormat,
     TextureSlot,
     VertexFormat,
+    Winding,
 )
 from .drivers.draw import VertexInput as Input
 from .routes import EVERY_DRIVER, Route
@@ -52,6 +56,9 @@ EXACT: Mapping[str, TargetFormat] = {
     "vec4": "rgba32float",
 }
 """For each type that is written to a target, a format that can hold every value of it."""
+
+WINDINGS: Mapping[str, Winding] = {"counter_clockwise": "ccw", "clockwise": "cw"}
+"""What drivers call the ways in which the corners of a front go around."""
 
 VERTEX_FORMATS: Mapping[str, VertexFormat] = {
     "float": "float32", "vec2": "float32x2", "vec3": "float32x3", "vec4": "float32x4",
@@ -108,11 +115,14 @@ def pipeline(
         primitive=reflection["draw"]["topology"],
         patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
         cull=state["cull"],
+        fill=state["fill"],
         depth_compare=state["depth"]["compare"],
         depth_write=state["depth"]["write"],
+        depth_bias=_depth_bias(state["depth"]["bias"]),
+        stencil=_stencil(state["stencil"]),
         flip_y=backend["flip_y"],
         # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
-        front_face="ccw" if on_vulkan else backend["front_face"],
+        front_face=WINDINGS[state["front"]] if on_vulkan else backend["front_face"],
         first_row="top" if on_vulkan else backend["first_row"],
         host_uniforms=tuple(backend["host_uniforms"]),
         clip_control=tuple(backend["clip_control"]),
@@ -136,6 +146,21 @@ def _stream_output(
         primitive=captured["primitive"],
         in_text=backend["stream_output"] == "text",
     )
+
+
+def _depth_bias(row: Mapping[str, Any] | None) -> DepthBias:
+    return DepthBias() if row is None else DepthBias(**row)
+
+
+def _stencil(row: Mapping[str, Any] | None) -> Stencil | None:
+    if row is None:
+        return None
+    sides = {name: _stencil_side(row[name]) for name in ("front", "back")}
+    return Stencil(**{**row, **sides})
+
+
+def _stencil_side(row: Mapping[str, Any]) -> StencilSide:
+    return StencilSide(row["compare"], row["fail"], row["depth_fail"], row["pass"])
 
 
 def _divided_natively(draw: Mapping[str, Any]) -> bool:

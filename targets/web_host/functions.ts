@@ -254,7 +254,9 @@ const LARGEST_UINT = 2 ** 32 - 2 ** 8;
 
 // --- whole values --------------------------------------------------------------------------------
 
-const dot = (x: number[], y: number[]) => x.reduce((sum, lane, at) => sum + lane * y[at], 0);
+function dot(x: Lanes, y: Lanes, product = (a: number, b: number) => a * b): number {
+  return (x as number[]).reduce((sum, lane, at) => sum + product(lane, (y as number[])[at]), 0);
+}
 const scaled = (v: number[], by: number) => v.map((lane) => lane * by);
 const transposed = (m: number[][]) => m[0].map((_, row) => m.map((column) => column[row]));
 
@@ -288,6 +290,7 @@ function refracted(incident: number[], normal: number[], [eta]: number[]): numbe
 }
 
 const WHOLE: Record<string, Whole> = {
+  dot: (x, y) => [dot(x, y)],
   any: (x: number[]) => [truth(x.some(Boolean))],
   all: (x: number[]) => [truth(x.every(Boolean))],
   cross: (x, y) => [
@@ -327,8 +330,8 @@ const isMatrix = (value: Lanes): value is number[][] => Array.isArray(value[0]);
 
 /** The value of a builtin; `kind` is the type of the operands' lanes. */
 export function evaluate(name: string, operands: Lanes[], kind: Kind): Lanes {
+  if (name === "dot" && kind !== "float") return [wrapped(kind, dot(operands[0], operands[1], Math.imul))];
   if (WHOLE[name]) return WHOLE[name](...operands);
-  if (name === "dot") return [ofKind(kind, dot(operands[0] as number[], operands[1] as number[]))];
   if (operands.some(isMatrix)) {
     if (name === "mul") return product(operands[0], operands[1]);
     return (operands[0] as number[][]).map(
@@ -341,8 +344,6 @@ export function evaluate(name: string, operands: Lanes[], kind: Kind): Lanes {
     lanewise(...(operands as number[][]).map((each) => each[each.length === 1 ? 0 : at])),
   );
 }
-
-const ofKind = (kind: Kind, x: number) => (kind === "int" || kind === "uint" ? wrapped(kind, x) : x);
 
 function laneFunction(name: string, kind: Kind): Lanewise {
   if (name.startsWith("to_")) return (x) => converted(name, kind, x);

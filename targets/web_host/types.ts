@@ -320,7 +320,7 @@ export interface SamplerState {
   filter: "linear" | "nearest";
   mip: "linear" | "nearest" | "none";
   wrap: "repeat" | "clamp" | "mirror";
-  compare: string | null;
+  compare?: string;
 }
 
 export interface VertexInput {

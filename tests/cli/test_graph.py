@@ -145,3 +145,72 @@ def test_pixels_without_an_error(
 ) -> None:
     result = invoke("graph", file, "--error", *words)
     assert result.exit_code == code and message in result.stderr
+
+
+FRAMES = """
+import std.frames.{FullScreen}
+
+material Clay { color = #b5651d }
+
+pass Shown : FullScreen {
+    map drawn : texture2d
+    target color : rgba8 = drawn(uv)
+}
+
+frame One {
+    models scene
+    lit    = Forward(scene)
+    shown  = Shown(screen) with { drawn = lit.color }
+    output picture = shown.color
+}
+
+frame Two : One { output raw = lit.color }
+"""
+
+
+@pytest.fixture
+def frames(tmp_path: Path) -> Path:
+    path = tmp_path / "frames.burnish"
+    path.write_text(FRAMES)
+    return path
+
+
+def test_frames_show_their_steps(frames: Path) -> None:
+    result = invoke("graph", frames)
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert result.stdout.count("\nsteps\n") == 2
+    one = invoke("graph", frames, "--material", "One", "-o", frames.parent / "one.svg")
+    assert (one.exit_code, one.output) == (0, "")
+    assert "<title>One, rig Daylight</title>" in (frames.parent / "one.svg").read_text("utf-8")
+
+
+def test_a_picture_shows_one_frame(frames: Path) -> None:
+    result = invoke("graph", frames, "-o", frames.parent / "a.svg")
+    assert result.exit_code == 2
+    assert "a picture shows one frame, and there are One, Two; choose one" in result.stderr
+    assert tree(frames.parent) == {"frames.burnish"}
+
+
+def test_one_shader_of_a_frame_is_shown_like_a_material(frames: Path) -> None:
+    result = invoke("graph", frames, "--shader", "One.Shown")
+    assert result.exit_code == 0
+    assert result.stdout.startswith("One.Shown, pass Shown, rig Daylight\n\nvertex stage\n")
+    misspelt = invoke("graph", frames, "--shader", "One.Show")
+    assert misspelt.exit_code == 2
+    assert "there is no shader `One.Show`: did you mean `One.Shown`?" in misspelt.stderr
+
+
+def test_options_for_one_shader_are_refused_for_frames(frames: Path, file: Path) -> None:
+    for option in (["--all"], ["--error", "3,4"]):
+        result = invoke("graph", frames, *option)
+        assert result.exit_code == 2
+        assert f"{option[0]} is about one shader of a frame: name it by --shader" in result.stderr
+    result = invoke("graph", file, "--shader", "Plain")
+    assert result.exit_code == 2
+    assert "--shader is for frames, and there is none in the file" in result.stderr
+
+
+def test_proofs_of_frames_are_those_of_their_shaders(frames: Path) -> None:
+    result = invoke("graph", frames, "--material", "One", "--why")
+    assert result.exit_code == 0
+    assert "One.Forward.Clay, pass Forward, rig Daylight" in result.stdout

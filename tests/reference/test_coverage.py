@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from burnish.compiler.ir.render_state import Cull
+from burnish.compiler.ir.render_state import Cull, RenderState
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture.assembly import faces_of
 from burnish.compiler.reference.picture.coverage import Fragments, coverage_of
@@ -34,7 +34,7 @@ def covered(
 ) -> tuple[Fragments, Bools]:
     """What triangles between clip positions cover, and which pixels are undecided."""
     with np.errstate(all="ignore"):
-        faces = faces_of(positions, np.asarray(triangles), rules, cull=cull)
+        faces = faces_of(positions, np.asarray(triangles), rules, state=RenderState(cull=cull))
         found = coverage_of(faces, rules)
     unsure = np.zeros(rules.width * rules.height, dtype=np.bool_)
     unsure[found.doubtful.pixel] = True

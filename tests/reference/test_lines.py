@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from burnish.compiler.ir.render_state import Cull
+from burnish.compiler.ir.render_state import Cull, RenderState
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture.assembly import faces_of
 from burnish.compiler.reference.picture.coverage import coverage_of
@@ -167,7 +167,9 @@ def test_a_line_has_no_back() -> None:
 def test_all_of_a_line_is_drawn_by_a_pipeline_that_culls() -> None:
     rules = by("rectangle")
     for cull in get_args(Cull):
-        faces = faces_of(clip_positions([(1, 2), (9, 6)], rules), LINE, rules, cull=cull)
+        faces = faces_of(
+            clip_positions([(1, 2), (9, 6)], rules), LINE, rules, state=RenderState(cull=cull)
+        )
         assert len(coverage_of(faces, rules).fragments.pixel) > 5
 
 

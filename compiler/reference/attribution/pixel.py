@@ -91,7 +91,7 @@ class PixelShader:
         self._readers = {r: Reader(textures[r.name], r, rules) for r in read}
         vertices = StageEvaluator(shader, values, textures, rules, errors).vertices(geometry)
         faces = faces_of(
-            vertices.positions, geometry.triangles, rules, vertices.off, shader.render_state.cull
+            vertices.positions, geometry.triangles, rules, vertices.off, shader.render_state
         )
         for face in _faces_at(faces, rules, x, y):
             self._enter(faces, face, rules, x, y)

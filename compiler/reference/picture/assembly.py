@@ -7,13 +7,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...ir.render_state import Cull
+from ...ir.render_state import RenderState
+from .bias import biased
 from .faces import Faces, culled, triangles_of
 from .lines import lines_of
 from .scene import Floats, Ints, RasterRules
 
 LINE = 2
 """The vertices of a line."""
+USUAL = RenderState()
+"""What holds for a pass that says nothing."""
 
 
 def faces_of(
@@ -21,14 +24,15 @@ def faces_of(
     primitives: Ints,
     rules: RasterRules,
     off: Floats | None = None,
-    cull: Cull = "none",
+    state: RenderState = USUAL,
 ) -> Faces:
     """The faces of triangles or lines whose vertices have these clip positions, (vertices, 4).
 
-    ``off`` says by how much a device's positions may differ. Triangles of which the side is seen
-    that ``cull`` names are left out; a line has no back.
+    ``off`` says by how much a device's positions may differ. Triangles are culled and moved away
+    from the eye as the pass asks for; a line has no back, and stays where it is.
     """
     known = np.zeros_like(positions) if off is None else off
     if primitives.shape[1] == LINE:
         return lines_of(positions, primitives, rules, known)
-    return culled(triangles_of(positions, primitives, rules, known), cull)
+    triangles = triangles_of(positions, primitives, rules, known, state.front)
+    return culled(biased(triangles, state.depth), state.cull)

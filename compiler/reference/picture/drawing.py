@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from ...ir.render_state import DepthState
 from ...ir.shader import RenderTarget, Shader
 from ...ir.stages import DISCARD
 from ...ir.types import Type, width
@@ -22,6 +21,7 @@ from .quads import Barycentric, Quads, depths_of, quads_of
 from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
+from .stencil import StencilTest
 
 _LANES = 1 << 13
 """How many pixels are shaded at once, so that a large picture needs no more memory than others."""
@@ -126,17 +126,19 @@ class _Drawing:
             geometry.triangles,
             rules,
             self._vertices.off,
-            shader.render_state.cull,
+            shader.render_state,
         )
         self._places = place_numbers(shader, geometry, self._faces) + canvas.places
         canvas.places = int(self._places.max(initial=canvas.places - 1)) + 1
         self._lanes = [width(type_) for _, type_ in written_by(shader)]
         self._depth = shader.render_state.depth
+        self._stencil = shader.render_state.stencil
         self._nearest_wins = (
             not shader.results_of(DISCARD)
             and canvas.is_opaque
             and canvas.has_depth
-            and self._depth == DepthState()
+            and (self._depth.compare, self._depth.write) == ("less", True)
+            and not self._stencil.writes
         )
         """Whether of several fragments at a pixel only the nearest one counts."""
         self._canvas = canvas
@@ -150,21 +152,25 @@ class _Drawing:
         """Draw all fragments on the canvas."""
         canvas = self._canvas
         coverage = coverage_of(self._faces, self._rules)
-        every = (coverage.fragments, coverage.doubtful)
-        fragments, doubtful = coverage.fragments, coverage.doubtful
+        fragments, sure = coverage.fragments, coverage.certain
+        seen, doubtful = self._let_through(fragments), coverage.doubtful
+        fragments, sure = _chosen(fragments, seen), sure[seen]
+        doubtful = _chosen(doubtful, self._let_through(doubtful))
+        every = (fragments, doubtful)
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:
-            sure = coverage.certain
-            hides = Fragments(fragments.face[sure], fragments.pixel[sure]), (depth + off)[sure]
-            doubtful = self._not_hidden(doubtful, *hides)
+            doubtful = self._not_hidden(doubtful, _chosen(fragments, sure), (depth + off)[sure])
             winners, close = nearest(fragments, depth, off, self._places[fragments.face])
             canvas.undecided[close] = True
-            fragments = Fragments(fragments.face[winners], fragments.pixel[winners])
+            fragments = _chosen(fragments, winners)
             depth, off = depth[winners], off[winners]
-        canvas.undecided[doubtful.pixel] = True
         place = self._places[fragments.face]
         shades = self._shaded(fragments, progress)
-        canvas.draw(fragments.pixel, depth, off, place, shades, self._depth)
+        canvas.doubt(doubtful.pixel, self._depth, self._stencil)
+        canvas.draw(
+            fragments.pixel, depth, off, place, shades, self._depth, self._test_of(fragments)
+        )
+        canvas.doubt(doubtful.pixel, self._depth, self._stencil)
         if hulls is not None:
             faces, pixels = (
                 np.concatenate([each.face for each in every]),
@@ -175,6 +181,17 @@ class _Drawing:
                 lambda some: depths_of(self._faces, some, self._rules),
                 lambda some: self._shaded(some, None),
             )
+
+    def _test_of(self, fragments: Fragments) -> StencilTest:
+        return StencilTest(self._stencil, self._faces.front[fragments.face])
+
+    def _let_through(self, fragments: Fragments) -> Bools:
+        """The fragments that the stencil does not hide, as far as that is known beforehand: a draw
+        that writes values may still change them."""
+        if self._stencil.writes:
+            return np.ones(len(fragments.pixel), np.bool_)
+        test = self._test_of(fragments)
+        return self._canvas.stencil.tested(test, fragments.pixel).may_hold
 
     def _not_hidden(self, doubtful: Fragments, certain: Fragments, farthest: Floats) -> Fragments:
         """The doubtful fragments that are not behind others which every device draws.
@@ -225,6 +242,10 @@ class _Drawing:
                 bounded = as_bounded(values)
                 ends = (bounded.value, bounded.low, bounded.high)
                 colours[:, members, i] = np.stack([chosen(end) for end in ends])
+
+
+def _chosen(fragments: Fragments, which: Bools | Ints) -> Fragments:
+    return Fragments(fragments.face[which], fragments.pixel[which])
 
 
 def _known(ends: Floats, otherwise: float) -> Floats:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from ...ir.render_state import Cull
+from ...ir.render_state import Cull, Winding
 from .clip import clip
 from .scene import Bools, Floats, Ints, RasterRules
 
@@ -39,6 +39,8 @@ class Faces:
     """(faces, sides): the corners of the outline, which decide on coverage."""
     area: Floats
     """(faces,): twice its signed area, positive if the corners are clockwise on the screen."""
+    front: Bools
+    """(faces,): whether the front is seen."""
     unsure: Floats
     """(faces, sides): by how many pixels a device may have each side elsewhere, from a corner of
     the outline to the next one."""
@@ -61,11 +63,6 @@ class Faces:
     z_off: Floats
     per_w_off: Floats
     """(faces,): by how much these two may differ on a device."""
-
-    @property
-    def front(self) -> Bools:
-        """(faces,): whether the front is seen, which is counter-clockwise."""
-        return self.area < 0
 
     def only(self, kept: Bools) -> Faces:
         """The faces for which ``kept`` is true."""
@@ -125,11 +122,16 @@ def _may_turn(faces: Faces) -> Bools:
 
 
 def triangles_of(
-    positions: Floats, triangles: Ints, rules: RasterRules, of_vertices: Floats
+    positions: Floats,
+    triangles: Ints,
+    rules: RasterRules,
+    of_vertices: Floats,
+    front: Winding = "counter_clockwise",
 ) -> Faces:
     """The faces of triangles whose vertices have these clip positions, (vertices, 4).
 
-    ``of_vertices`` says by how much a device's positions may differ.
+    ``of_vertices`` says by how much a device's positions may differ, and ``front`` how the corners
+    go around if the front is seen.
     """
     clipped = clip(positions[triangles], sides=rules.clips_sides)
     corners = triangles[clipped.primitive]
@@ -161,6 +163,7 @@ def triangles_of(
         x=snapped_x,
         y=snapped_y,
         area=area,
+        front=(area < 0) == (front == "counter_clockwise"),
         unsure=np.maximum(unsure, np.roll(unsure, -1, axis=1)),
         moved=moved,
         extent=extent_of(planes, rules),

@@ -133,6 +133,7 @@ def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Fl
         x=x,
         y=y,
         area=np.full(len(x), -1.0),
+        front=np.ones(len(x), np.bool_),
         unsure=_unsure(outline, slack, _leaves(ends, rules, _BORDER), rules),
         moved=_moved_plane(whole, whole_off, moved, outline, rules),
         extent=extent_of(plane, rules),

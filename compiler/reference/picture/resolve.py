@@ -10,28 +10,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...ir.render_state import DepthState
+from ...ir.render_state import DepthState, StencilState
 from ...ir.shader import RenderTarget
 from ...ir.types import Type, width
 from ..bounds import Bounded
 from ..namespace import Lanes
+from .comparing import compared
 from .coverage import Fragments
 from .formats import clamped, rounded
 from .scene import Bools, Floats, Ints
+from .stencil import Outcomes, Stencil, StencilTest
 
 _MISSING = (0.0, 0.0, 0.0, 1.0)
 """The values of lanes that a format lacks."""
-
-
-COMPARISONS: Mapping[str, Callable[[Floats, Floats], Bools]] = {
-    "less": np.less,
-    "equal": np.equal,
-    "less_equal": np.less_equal,
-    "greater": np.greater,
-    "not_equal": np.not_equal,
-    "greater_equal": np.greater_equal,
-}
-"""How the depth of a fragment is compared with the one that is there."""
 
 Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
@@ -85,6 +76,7 @@ class Canvas:
         self._may_hide = np.ones(pixels)
         """The nearest depth that a device may have where it is unsure whether a fragment was
         drawn."""
+        self.stencil = Stencil(pixels)
         self.layers = np.zeros(pixels, dtype=np.int64)
         """How many fragments were drawn."""
         self.undecided = np.zeros(pixels, dtype=np.bool_)
@@ -101,6 +93,7 @@ class Canvas:
         place: Ints,
         shades: Shades,
         test: DepthState,
+        stencil: StencilTest | None = None,
     ) -> None:
         """Draw fragments in their order; several may be of the same pixel.
 
@@ -108,9 +101,21 @@ class Canvas:
         ``place``.
         """
         rank = _ranks(pixel)
+        tested = StencilTest(StencilState(), pixel >= 0) if stencil is None else stencil
         for layer in range(int(rank.max(initial=-1)) + 1):
             members = np.flatnonzero(rank == layer)
-            self._draw_layer(pixel, depth, off, place, shades, members, test)
+            self._draw_layer(pixel, depth, off, place, shades, members, test, tested.part(members))
+
+    def doubt(self, pixel: Ints, test: DepthState, stencil: StencilState) -> None:
+        """At these pixels it is unsure which fragments there are, before a draw and behind it."""
+        if self._shows(test):
+            self.undecided[pixel] = True
+        if stencil.writes:
+            self.stencil.unsure[pixel] = True
+
+    def _shows(self, test: DepthState) -> bool:
+        """Whether a draw changes more than stencil values."""
+        return bool(self.targets) or test.write
 
     def _draw_layer(
         self,
@@ -121,25 +126,30 @@ class Canvas:
         shades: Shades,
         members: Ints,
         test: DepthState,
+        stencil: StencilTest,
     ) -> None:
         """Draw at most one fragment of each pixel."""
         at = pixel[members]
         before, new = self.depth[at], depth[members]
         margin = off[members] + self.depth_off[at]
         same = place[members] == self._place[at]
-        passes, doubtful = self._tested(test, new, before, margin, same)
-        hidden = ~passes & ~doubtful
-        unsure = doubtful | (shades.undecided[members] & ~hidden)
+        nearer = Outcomes(*self._tested(test, new, before, margin, same))
+        through = self.stencil.tested(stencil, at)
+        there = Outcomes(~shades.discarded[members], shades.undecided[members])
+        self.stencil.change(stencil, at, there, through, nearer)
+        drawing = there.both(through.both(nearer))
+        unsure = drawing.open
         if self.is_opaque and (test.write or not self.has_depth):
             # Whatever is behind a fragment that certainly wins is not undecided any more.
-            wins = passes & ~unsure & ~shades.discarded[members]
+            wins = drawing.holds & ~unsure
             wins &= self._passes_in_any_case(test, new + off[members], at)
             self.shaky[pixel[members[wins]]] = False
-        self.shaky[at] |= unsure
+        if self._shows(test):
+            self.shaky[at] |= unsure
         # It may have been drawn or not, so that either of the two depths may be there.
         nearest_there = np.minimum(new - off[members], before - self.depth_off[at])
         self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], nearest_there[unsure])
-        drawn = members[passes & ~shades.discarded[members]]
+        drawn = members[drawing.holds]
         at = pixel[drawn]
         if test.write:
             self.depth[at] = depth[drawn]
@@ -167,7 +177,7 @@ class Canvas:
             passes = not self.has_depth or test.compare == "always"
             return np.full(len(new), passes), np.zeros(len(new), np.bool_)
         close: Bools = (np.abs(new - before) <= margin) & ~same
-        return COMPARISONS[test.compare](new, before), close
+        return compared(test.compare, new, before), close
 
     def _passes_in_any_case(self, test: DepthState, farthest: Floats, at: Ints) -> Bools:
         """Which fragments the depth test lets through, whatever was drawn of what is unsure.

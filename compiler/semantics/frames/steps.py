@@ -598,7 +598,8 @@ class Steps:
             for result in shader.shader.results_of(TARGET)
             if result.state is not None
         )
-        uses_depth = shader.shader.render_state.depth.is_used
+        state = shader.shader.render_state
+        uses_depth = state.depth.is_used or state.stencil.is_used
         depth = attached(DEPTH, DEPTH_FORMAT, "") if uses_depth else None
         return RenderStep(name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span)
 

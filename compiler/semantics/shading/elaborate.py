@@ -41,7 +41,7 @@ from .group_results import check_no_groups
 from .host_names import check_host_names
 from .instances import pass_scope
 from .layers import layer_count, layer_of
-from .render_states import check_render_state, render_state_of
+from .render_states import render_state_of
 from .slot_checks import check_rig, check_slots
 
 BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
@@ -73,7 +73,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
-    check_render_state(ctx, passing.record)
+    render_state_of(ctx, passing.record)
     layers = layer_count(ctx, passing.record)
     return (
         *layer_of(ctx, passing, layers),
@@ -122,7 +122,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         pattern=PatchPattern(*told) if told else None,
         capture=capture_of(setting.passing.record, results),
         buffers=tuple(buffer for part in everything for buffer in part.buffers),
-        render_state=render_state_of(setting.passing.record),
+        render_state=render_state_of(ctx, setting.passing.record),
     )
 
 

@@ -1,4 +1,4 @@
-"""What a pass asks of the pipeline: which faces are drawn, and what the depth test does.
+"""What a pass asks of the pipeline: how faces are drawn, what the depth test does, and the stencil.
 
 ``elaborate.py`` checks it for every pass, and gives it to the shader. Each setting is inherited by
 itself: the nearest record that has it counts.
@@ -7,53 +7,187 @@ itself: the nearest record that has it counts.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import cast, get_args
+from typing import Any, get_args
 
-from ...ir.render_state import Compare, Cull, DepthState, RenderState
+from ....frozen import frozen
+from ...diagnostics import rules
+from ...diagnostics.source import Span
+from ...ir.render_state import (
+    MOST_BIAS,
+    STENCIL_MOST,
+    Compare,
+    Cull,
+    DepthState,
+    Fill,
+    RenderState,
+    StencilOperation,
+    StencilSide,
+    StencilState,
+    Winding,
+)
+from ...ir.types import FLOAT, INT
 from ...syntax import ast
+from ..declarations.fitting import typed
 from ..declarations.maps import unknown_word
 from ..inheritance.records import Record
 from ..names.duplicates import check_once
 from ..state.context import Context
+from ..state.scope import Scope
 
-Stated = type[ast.Raster] | type[ast.Depth]
-
-SETTINGS: Mapping[Stated, Mapping[str, tuple[str, ...]]] = {
-    ast.Raster: {"cull": get_args(Cull)},
-    ast.Depth: {"compare": get_args(Compare), "write": ("true", "false")},
-}
-"""What can be said in members of each kind, each with its values."""
+Stated = type[ast.Raster] | type[ast.Depth] | type[ast.Stencil]
+Said = Mapping[str, Any]
+"""The settings of one kind of member, by the names of their fields."""
 
 
-def render_state_of(drawn: Record) -> RenderState:
-    """What a pass asks for; where it says nothing, or something wrong, the defaults hold."""
-    raster, depth, usual = _said(drawn, ast.Raster), _said(drawn, ast.Depth), DepthState()
+@frozen
+class Words:
+    """A setting that is one of some words."""
+
+    words: tuple[str, ...]
+
+
+@frozen
+class Whole:
+    """A setting that is a whole number."""
+
+    least: int
+    most: int
+
+
+@frozen
+class Real:
+    """A setting that is any number."""
+
+
+@frozen
+class Setting:
+    """What can be set."""
+
+    fields: tuple[str, ...]
+    """Of the state: several where one setting sets both sides."""
+    values: Words | Whole | Real
+
+
+SWITCH = Words(("true", "false"))
+BYTE = Whole(0, STENCIL_MOST)
+SIDES = ("front", "back")
+
+
+def _plain(**values: Words | Whole | Real) -> Mapping[str, Setting]:
+    """Settings with the names of the fields."""
+    return {name: Setting((name,), each) for name, each in values.items()}
+
+
+def _sided(**values: Words) -> Mapping[str, Setting]:
+    """Settings of both sides, and of each: ``pass`` and ``front.pass``. Those of one side stand
+    last, as they count more."""
+    fields = {name.removesuffix("_op"): name for name in values}
+    both = {
+        name: Setting(tuple(f"{side}.{field}" for side in SIDES), values[field])
+        for name, field in fields.items()
+    }
+    one = {
+        f"{side}.{name}": Setting((f"{side}.{field}",), values[field])
+        for side in SIDES
+        for name, field in fields.items()
+    }
+    return {**both, **one}
+
+
+COMPARISONS = Words(get_args(Compare))
+OPERATIONS = Words(get_args(StencilOperation))
+
+SETTINGS: Mapping[Stated, Mapping[str, Setting]] = {
+    ast.Raster: _plain(
+        cull=Words(get_args(Cull)), front=Words(get_args(Winding)), fill=Words(get_args(Fill))
+    ),
+    ast.Depth: _plain(
+        compare=COMPARISONS, write=SWITCH, bias=Whole(-MOST_BIAS, MOST_BIAS), slope_bias=Real(),
+        bias_clamp=Real(),
+    ),
+    ast.Stencil: {
+        **_plain(reference=BYTE, read_mask=BYTE, write_mask=BYTE),
+        **_sided(compare=COMPARISONS, fail_op=OPERATIONS, depth_fail_op=OPERATIONS,
+                 pass_op=OPERATIONS),
+    },
+}  # fmt: skip
+"""What can be said in members of each kind."""
+
+
+def render_state_of(ctx: Context, drawn: Record) -> RenderState:
+    """What a pass asks for. Settings that stand twice in one place, and values that mean nothing
+    there, are reported; for them, and where it says nothing, the defaults hold."""
     return RenderState(
-        cull=cast(Cull, raster.get("cull", RenderState().cull)),
-        depth=DepthState(
-            compare=cast(Compare, depth.get("compare", usual.compare)),
-            write=depth["write"] == "true" if "write" in depth else usual.write,
-        ),
+        **_said(ctx, drawn, ast.Raster),
+        depth=DepthState(**_said(ctx, drawn, ast.Depth)),
+        stencil=_stencil_of(_said(ctx, drawn, ast.Stencil)),
     )
 
 
-def _said(drawn: Record, kind: Stated) -> dict[str, str]:
-    """The settings in the members of one kind that mean something; the nearest record's count."""
+def _stencil_of(said: Said) -> StencilState:
+    plain = {name: value for name, value in said.items() if "." not in name}
+    front, back = (StencilSide(**_of_side(side, said)) for side in SIDES)
+    return StencilState(front, back, **plain)
+
+
+def _of_side(side: str, said: Said) -> Said:
+    prefix = f"{side}."
     return {
-        name.text: value.text
-        for member, *_ in drawn.every(kind)
-        for name, value in member.settings
-        if value.text in SETTINGS[kind].get(name.text, ())
+        name.removeprefix(prefix): value for name, value in said.items() if name.startswith(prefix)
     }
 
 
-def check_render_state(ctx: Context, drawn: Record) -> None:
-    """Report settings that stand twice in one place, and words that mean nothing there."""
-    for kind, known in SETTINGS.items():
-        for member, *_ in drawn.every(kind):
-            check_once(ctx.report, (name for name, _ in member.settings))
-            for name, value in member.settings:
-                if name.text not in known:
-                    unknown_word(ctx, f"{ast.kind_of(member).word} setting", name, known)
-                elif value.text not in known[name.text]:
-                    unknown_word(ctx, f"value for `{name.text}`", value, known[name.text])
+def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
+    """The settings in the members of one kind that mean something; the nearest record's count, and
+    in one record those of one side before those of both."""
+    known, found = SETTINGS[kind], dict[str, Any]()
+    order = {name: number for number, name in enumerate(known)}
+    for member, owner, _ in drawn.every(kind):
+        check_once(ctx.report, (name for name, _ in member.settings))
+        scope = Scope(owner.module)
+        for name, value in sorted(member.settings, key=lambda row: order.get(row[0].text, 0)):
+            setting = known.get(name.text)
+            if setting is None:
+                unknown_word(ctx, f"{ast.kind_of(member).word} setting", name, known)
+                continue
+            meant = _value(ctx, name, value, setting.values, scope)
+            if meant is not None:
+                found |= dict.fromkeys(setting.fields, meant)
+    return found
+
+
+def _value(
+    ctx: Context, name: ast.Name, written: ast.Expression, wanted: Words | Whole | Real,
+    scope: Scope,
+) -> Any:  # fmt: skip
+    """What a setting is set to; ``None`` after reporting that it cannot be."""
+    span = written.span
+    match wanted:
+        case Words():
+            word = _word(written)
+            if word in wanted.words:
+                return word == "true" if wanted is SWITCH else word
+            unknown_word(ctx, f"value for `{name.text}`", ast.Name(word, span), wanted.words)
+            return None
+        case Whole():
+            number = ctx.constants.integer(typed(ctx, written, scope, INT, "int"), span)
+            if number is not None and not wanted.least <= number <= wanted.most:
+                ctx.report.add(
+                    rules.SETTING_TOO_LARGE, span, name=name.text, value=number,
+                    least=wanted.least, most=wanted.most,
+                )  # fmt: skip
+                return None
+            return number
+        case Real():
+            return ctx.constants.number(typed(ctx, written, scope, FLOAT, "float"), span)
+
+
+def _word(written: ast.Expression) -> str:
+    """A word as it stands there, or whatever stands in its place."""
+    if isinstance(written, ast.Reference):
+        return written.name
+    return _text(written.span)
+
+
+def _text(span: Span) -> str:
+    return span.source.text[span.start : span.end]

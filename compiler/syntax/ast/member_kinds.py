@@ -91,12 +91,16 @@ def _expand(span: Span, doc: str, primitive: Name, *strips: members.Strips) -> m
     return members.Expand(span, doc, primitive, strips)
 
 
-def _raster(span: Span, *settings: tuple[Name, Name]) -> members.Raster:
+def _raster(span: Span, *settings: tuple[Name, Expression]) -> members.Raster:
     return members.Raster(span, settings)
 
 
-def _depth(span: Span, *settings: tuple[Name, Name]) -> members.Depth:
+def _depth(span: Span, *settings: tuple[Name, Expression]) -> members.Depth:
     return members.Depth(span, settings)
+
+
+def _stencil(span: Span, *settings: tuple[Name, Expression]) -> members.Stencil:
+    return members.Stencil(span, settings)
 
 
 def _work_group(span: Span, *sides: Expression) -> members.WorkGroup:
@@ -220,8 +224,9 @@ KINDS: tuple[MemberKind, ...] = (
         records=("pass",),
         inheritance="gathered",
         contribution="result",
-        form="a pass says which faces it draws by `raster { cull = back }`",
-        doc="which faces a pass draws",
+        form="a pass says how it draws faces by `raster { cull = back, front = clockwise }`, where "
+        "each setting is optional",
+        doc="how a pass draws faces",
     ),
     MemberKind(
         word="depth",
@@ -232,8 +237,20 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="gathered",
         contribution="result",
         form="a pass says what it does with depths by `depth { compare = less, write = false }`, "
-        "where each of the two is optional",
+        "where each setting is optional",
         doc="what a pass does with depths",
+    ),
+    MemberKind(
+        word="stencil",
+        node=members.Stencil,
+        productions={"stencil": _stencil},
+        opening=("{",),
+        records=("pass",),
+        inheritance="gathered",
+        contribution="result",
+        form="a pass says what it does with stencil values by `stencil { compare = equal, "
+        "reference = 1, pass = replace }`, where each setting is optional",
+        doc="what a pass does with stencil values",
     ),
     MemberKind(
         word="capture",

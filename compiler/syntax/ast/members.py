@@ -115,12 +115,16 @@ class Layers:
     count: Expression
 
 
+Settings = tuple[tuple[Name, Expression], ...]
+"""What is set, each with its value: a word, which is a reference then, or a constant."""
+
+
 @frozen(eq=False)
 class Raster:
-    """``raster { cull = back }``: which faces a pass draws."""
+    """``raster { cull = back }``: how a pass turns faces into fragments."""
 
     span: Span
-    settings: tuple[tuple[Name, Name], ...]
+    settings: Settings
 
 
 @frozen(eq=False)
@@ -128,7 +132,16 @@ class Depth:
     """``depth { compare = less_equal, write = false }``: what a pass does with depths."""
 
     span: Span
-    settings: tuple[tuple[Name, Name], ...]
+    settings: Settings
+
+
+@frozen(eq=False)
+class Stencil:
+    """``stencil { compare = equal, front.pass = invert }``: what a pass does with the small whole
+    numbers beside the depths."""
+
+    span: Span
+    settings: Settings
 
 
 @frozen(eq=False)
@@ -266,7 +279,7 @@ class Output:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Raster | Depth
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Raster | Depth | Stencil
     | Capture | Expand | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""

@@ -33,6 +33,9 @@ TargetFormat = Literal[
     "r16float", "rg16float", "rgba16float",
 ]  # fmt: skip
 
+DepthFormat = Literal["depth32float", "depth32float-stencil8"]
+"""Of the depths that are drawn to, and of the stencil values beside them."""
+
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
 """What the vertices are, in turn. Triangles and lines are drawn as they are; all others need a
 geometry stage, and patches need the stages of tessellation instead."""
@@ -61,6 +64,15 @@ Compare = Literal[
 Blend = Literal["none", "alpha", "premultiplied", "add", "multiply"]
 Cull = Literal["none", "back", "front"]
 """Which triangles are not drawn."""
+Winding = Literal["ccw", "cw"]
+"""How the corners of a front go around."""
+Fill = Literal["faces", "lines"]
+"""What is drawn of triangles: all of them, or their edges."""
+StencilOperation = Literal[
+    "keep", "zero", "replace", "invert",
+    "increment_clamp", "decrement_clamp", "increment_wrap", "decrement_wrap",
+]  # fmt: skip
+"""What becomes of a stencil value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,6 +192,41 @@ class RenderTarget:
 
 
 @dataclass(frozen=True, slots=True)
+class DepthBias:
+    """How far triangles are moved away from the eye before the depth test."""
+
+    constant: int = 0
+    """In steps of the format."""
+    slope: float = 0.0
+    """In times of what the depth changes from one pixel to the next."""
+    clamp: float = 0.0
+    """How far both together move at most; 0: any distance."""
+
+
+@dataclass(frozen=True, slots=True)
+class StencilSide:
+    """The stencil test of triangles of which one side is seen, and what becomes of the values."""
+
+    compare: Compare = "always"
+    """How the reference, on the left, has to compare with the value, both masked."""
+    fail: StencilOperation = "keep"
+    depth_fail: StencilOperation = "keep"
+    passed: StencilOperation = "keep"
+    """Where the test fails, where only the depth test does, and where neither does."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stencil:
+    """The stencil test of either side. Each draw of a job begins with values of 0."""
+
+    front: StencilSide
+    back: StencilSide
+    reference: int
+    read_mask: int
+    write_mask: int
+
+
+@dataclass(frozen=True, slots=True)
 class CapturedOutput:
     """An output of the last stage that a stream output writes."""
 
@@ -220,12 +267,16 @@ class Pipeline:
     patch_points: int = 0
     """How many vertices each patch has, where that is what the vertices are."""
     cull: Cull = "none"
+    fill: Fill = "faces"
     depth_compare: Compare = "less"
     """What the depth test lets through, where there are depths."""
     depth_write: bool = True
+    depth_bias: DepthBias = DepthBias()
+    stencil: Stencil | None = None
+    """``None`` where there is no stencil test, and no stencil values are needed."""
     flip_y: bool = False
     """Whether the text negates clip y; a Vulkan driver chooses its viewport by it."""
-    front_face: Literal["ccw", "cw"] = "ccw"
+    front_face: Winding = "ccw"
     """The winding to set as front, in the API's own terms."""
     first_row: Literal["top", "bottom"] = "top"
     """Which row of the picture comes first in the framebuffer's memory."""
@@ -242,6 +293,16 @@ class Pipeline:
     def corners(self) -> int:
         """How many vertices each primitive has."""
         return self.patch_points or CORNERS[self.primitive]
+
+    @property
+    def depth_format(self) -> DepthFormat:
+        """What depths it needs, if it has its own."""
+        return "depth32float" if self.stencil is None else "depth32float-stencil8"
+
+    @property
+    def has_bias(self) -> bool:
+        """Whether depths are moved: only those of triangles are."""
+        return self.depth_bias != DepthBias() and self.primitive != "line"
 
 
 @dataclass(frozen=True, slots=True)

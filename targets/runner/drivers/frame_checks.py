@@ -88,6 +88,10 @@ def _size(texture: FrameTexture, level: int) -> tuple[int, int]:
 def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
     """A draw fits its pipeline."""
     pipeline = job.pipelines[drawn.pipeline]
+    if pipeline.stencil is not None:
+        depths = None if step.depth is None else job.textures[step.depth.texture]
+        if depths is None or not depths.has_stencil:
+            raise DriverError("its pipeline tests stencil values, and there are none")
     targets = [job.textures[each.texture].format for each in step.targets]
     _same_formats("target", targets, [each.format for each in pipeline.targets])
     images = [job.textures[number].format for number in step.images]

@@ -10,9 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from .draw import Dispatch, Draw, KernelJob, Pipeline, Sides, TargetFormat
-
-DepthFormat = Literal["depth32float"]
+from .draw import DepthFormat, Dispatch, Draw, KernelJob, Pipeline, Sides, TargetFormat
 
 TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as; at first it has no contents."""
@@ -40,6 +38,11 @@ class FrameTexture:
         """Whether it holds depths."""
         return self.format.startswith("depth")
 
+    @property
+    def has_stencil(self) -> bool:
+        """Whether it holds stencil values beside them."""
+        return self.format.endswith("stencil8")
+
 
 @dataclass(frozen=True, slots=True)
 class Barrier:
@@ -62,6 +65,9 @@ class Attachment:
     loads: bool = False
     """Whether what is there is kept; else it is cleared."""
     stores: bool = True
+    stores_stencil: bool = True
+    """Whether the stencil values are kept, where there are any. They are loaded where depths are,
+    and else cleared to 0."""
     clear: tuple[float, float, float, float] = BLACK
     """A colour; of depths, the first number."""
 

@@ -8,6 +8,7 @@ that the pixels which read it are as uncertain as they should be.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from copy import deepcopy
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -35,8 +36,8 @@ from .host import FrameDraw, FrameHost, Row, halved
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
 
-DEPTHS = "depth"
-"""What the formats of depths begin with."""
+DEPTHS, STENCILS = "depth", "stencil8"
+"""What the formats of depths begin with, and end with if there are stencil values."""
 _ENDS = 3
 """A value, and between which numbers that of a device is."""
 
@@ -51,6 +52,10 @@ class Drawn:
     """Of each level (3, layers, height, width, lanes): values, and their lower and upper ends."""
     undecided: list[NDArray[np.bool_]]
     """Of each level (layers, height, width): the pixels that hang on rounding."""
+    stencil: list[NDArray[np.int64]]
+    """Of each level (layers, height, width): the values beside depths; empty if there are none."""
+    stencil_unsure: list[NDArray[np.bool_]]
+    """Likewise: where a device may have another one."""
 
     @classmethod
     def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
@@ -61,7 +66,10 @@ class Drawn:
             for level in range(row["levels"])
         ]
         undecided = [np.zeros(level.shape[1:4], np.bool_) for level in levels]
-        return cls(row["format"], row["dimension"], levels, undecided)
+        beside = undecided if row["format"].endswith(STENCILS) else []
+        stencil = [np.zeros(level.shape, np.int64) for level in beside]
+        unsure = [level.copy() for level in beside]
+        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure)
 
     @property
     def lanes(self) -> int:
@@ -79,9 +87,7 @@ class Drawn:
 
     def copy(self) -> Drawn:
         """The same contents in a texture of its own."""
-        levels = [level.copy() for level in self.levels]
-        undecided = [level.copy() for level in self.undecided]
-        return Drawn(self.format, self.dimension, levels, undecided)
+        return deepcopy(self)
 
 
 @dataclass(slots=True)
@@ -229,9 +235,17 @@ class ReferenceFrames:
             value, low, high = self._pixels(depth, layer)[..., 0]
             canvas.depth[:] = value
             canvas.depth_off[:] = np.maximum(high - value, value - low)
+            self._load_stencil(canvas, depth, layer)
         for target in self._loaded(step):
             texture, at, level = _place(target, layer)
             canvas.shaky |= self.textures[texture].undecided[level][at].ravel()
+
+    def _load_stencil(self, canvas: Canvas, depth: Row, layer: int) -> None:
+        texture, at, level = _place(depth, layer)
+        kept = self.textures[texture]
+        if kept.stencil:
+            canvas.stencil.values[:] = kept.stencil[level][at].ravel()
+            canvas.stencil.unsure[:] = kept.stencil_unsure[level][at].ravel()
 
     def _loaded(self, step: Row) -> Iterator[Row]:
         for target in [*step["targets"], *([step["depth"]] if step["depth"] else [])]:
@@ -265,6 +279,7 @@ class ReferenceFrames:
             off = canvas.depth_off.reshape(value.shape)
             ends = np.stack([value, value - off, value + off])
             self._keep_pixels(step["depth"], layer, ends, hulls.depth[..., None], picture)
+            self._keep_stencil(step["depth"], layer, canvas)
 
     def _keep_pixels(
         self, target: Row, layer: int, ends: Floats, hull: Floats, picture: Expected
@@ -280,6 +295,14 @@ class ReferenceFrames:
             ends = np.stack([formats.clamped(drawn.format, end) for end in ends])
         drawn.levels[level][:, at] = ends
         drawn.undecided[level][at] = picture.undecided
+
+    def _keep_stencil(self, depth: Row, layer: int, canvas: Canvas) -> None:
+        texture, at, level = _place(depth, layer)
+        drawn = self.textures[texture]
+        if drawn.stencil:
+            shape = drawn.stencil[level][at].shape
+            drawn.stencil[level][at] = canvas.stencil.values.reshape(shape)
+            drawn.stencil_unsure[level][at] = canvas.stencil.unsure.reshape(shape)
 
     # --- kernels ---------------------------------------------------------------------------------
 

@@ -37,7 +37,7 @@ from .host import FrameHost, Row
 
 Floats = NDArray[np.float64]
 
-DEPTH_FORMATS = {"depth32f": "depth32float"}
+DEPTH_FORMATS = {"depth32f": "depth32float", "depth32f_stencil8": "depth32float-stencil8"}
 WORD = 4
 """Bytes."""
 NEW = -1
@@ -226,7 +226,8 @@ class _Job:
         at = layer if target["layer"] is None else target["layer"]
         return Attachment(
             self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
-            target["store"], (clear, 0.0, 0.0, 0.0),
+            target["store"], "stencil" in target and target["stencil"]["store"],
+            (clear, 0.0, 0.0, 0.0),
         )  # fmt: skip
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:

@@ -34,8 +34,8 @@ MOST_VERTICES = 1 << 24
 Row = Mapping[str, Any]
 
 
-class FrameSubject(Protocol):
-    """A compiled frame, as ``burnish.compile`` returns it."""
+class PlannedFrame(Protocol):
+    """All of a frame that is needed to execute its plan."""
 
     @property
     def name(self) -> str:
@@ -48,6 +48,14 @@ class FrameSubject(Protocol):
     @property
     def shaders(self) -> Sequence[Subject]:
         """The shaders, in the order of the plan."""
+
+
+class FrameSubject(PlannedFrame, Protocol):
+    """A compiled frame, as ``burnish.compile`` returns it."""
+
+    @property
+    def plan_of_reference(self) -> Row:
+        """What the reference does: a plan of its own, in which results share nothing."""
 
 
 def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
@@ -98,12 +106,12 @@ KERNEL = bare_mesh(3)
 class FrameHost:
     """The values of one frame."""
 
-    def __init__(self, subject: FrameSubject, scenery: Scenery, size: tuple[int, int]) -> None:
+    def __init__(self, subject: PlannedFrame, scenery: Scenery, size: tuple[int, int]) -> None:
         """Raises ``PlanError`` for a plan of another version, or one that cannot be executed."""
         plan = subject.plan
         if plan.get("plan") != VERSION:
             raise PlanError(f"this is no plan of version {VERSION}")
-        check_plan(plan)
+        check_plan(plan, [shader.reflection for shader in subject.shaders])
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery

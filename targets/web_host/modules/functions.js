@@ -223,7 +223,9 @@ function converted(name, kind, x) {
 const LARGEST_INT = 2 ** 31 - 2 ** 7;
 const LARGEST_UINT = 2 ** 32 - 2 ** 8;
 // --- whole values --------------------------------------------------------------------------------
-const dot = (x, y) => x.reduce((sum, lane, at) => sum + lane * y[at], 0);
+function dot(x, y, product = (a, b) => a * b) {
+    return x.reduce((sum, lane, at) => sum + product(lane, y[at]), 0);
+}
 const scaled = (v, by) => v.map((lane) => lane * by);
 const transposed = (m) => m[0].map((_, row) => m.map((column) => column[row]));
 function determinant(m) {
@@ -255,6 +257,7 @@ function refracted(incident, normal, [eta]) {
     return incident.map((i, at) => (square < 0 ? 0 : eta * i - along * normal[at]));
 }
 const WHOLE = {
+    dot: (x, y) => [dot(x, y)],
     any: (x) => [truth(x.some(Boolean))],
     all: (x) => [truth(x.every(Boolean))],
     cross: (x, y) => [
@@ -292,10 +295,10 @@ const WHOLE = {
 const isMatrix = (value) => Array.isArray(value[0]);
 /** The value of a builtin; `kind` is the type of the operands' lanes. */
 export function evaluate(name, operands, kind) {
+    if (name === "dot" && kind !== "float")
+        return [wrapped(kind, dot(operands[0], operands[1], Math.imul))];
     if (WHOLE[name])
         return WHOLE[name](...operands);
-    if (name === "dot")
-        return [ofKind(kind, dot(operands[0], operands[1]))];
     if (operands.some(isMatrix)) {
         if (name === "mul")
             return product(operands[0], operands[1]);
@@ -305,7 +308,6 @@ export function evaluate(name, operands, kind) {
     const width = Math.max(...operands.map((each) => each.length));
     return Array.from({ length: width }, (_, at) => lanewise(...operands.map((each) => each[each.length === 1 ? 0 : at])));
 }
-const ofKind = (kind, x) => (kind === "int" || kind === "uint" ? wrapped(kind, x) : x);
 function laneFunction(name, kind) {
     if (name.startsWith("to_"))
         return (x) => converted(name, kind, x);

@@ -13,6 +13,9 @@ const EXTENSIONS = [
   "OES_draw_buffers_indexed",
 ];
 
+// Few pictures need these.
+const OPTIONAL = ["EXT_polygon_offset_clamp"];
+
 const NEWS_DELAY = 100; // milliseconds
 
 let context = null;
@@ -22,7 +25,11 @@ function theContext() {
   if (!context || context.gl.isContextLost()) {
     const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
     if (!gl) throw new LostBrowser("chromium offers no WebGL 2");
-    context = { gl, extensions: Object.fromEntries(EXTENSIONS.map((name) => [name, get(gl, name)])) };
+    const extensions = [
+      ...EXTENSIONS.map((name) => [name, get(gl, name)]),
+      ...OPTIONAL.map((name) => [name, gl.getExtension(name)]),
+    ];
+    context = { gl, extensions: Object.fromEntries(extensions) };
   }
   return context;
 }

@@ -1,16 +1,16 @@
 // Draws one picture of a job: its resources, the state, and reading it back.
 
-import { bytes } from "./answers.mjs";
+import { bytes, Refusal } from "./answers.mjs";
 import { clear, deleteScreen, makeScreen, readTarget, setBlending } from "./webgl2_screen.mjs";
 import { bindSampler, bindTexture, COMPARES } from "./webgl2_textures.mjs";
 
 /** The picture of a draw: the format and the texels of each target. */
 export function drawPicture(gl, extensions, program, job, draw) {
   const size = [draw.width, draw.height];
-  const screen = makeScreen(gl, job.targets, size);
+  const screen = makeScreen(gl, job, size);
   try {
-    clear(gl, draw.clear);
-    setState(gl, job);
+    clear(gl, job, draw.clear);
+    setState(gl, extensions, job);
     setBlending(gl, extensions, job.targets);
     drawMesh(gl, program, job, draw);
     return job.targets.map(({ format }, at) => readTarget(gl, at, format, size));
@@ -19,13 +19,40 @@ export function drawPicture(gl, extensions, program, job, draw) {
   }
 }
 
-function setState(gl, job) {
+const OPERATIONS = {
+  keep: "KEEP", zero: "ZERO", replace: "REPLACE", invert: "INVERT",
+  increment_clamp: "INCR", decrement_clamp: "DECR",
+  increment_wrap: "INCR_WRAP", decrement_wrap: "DECR_WRAP",
+};
+
+function setState(gl, extensions, job) {
   gl.enable(gl.DEPTH_TEST);
   gl.depthFunc(gl[COMPARES[job.depth_compare]]);
   gl.depthMask(job.depth_write);
   (job.cull === "none" ? gl.disable : gl.enable).call(gl, gl.CULL_FACE);
   gl.cullFace(job.cull === "front" ? gl.FRONT : gl.BACK);
   gl.frontFace(job.front_face === "cw" ? gl.CW : gl.CCW);
+  setBias(gl, extensions, job.depth_bias);
+  setStencil(gl, job.stencil);
+}
+
+function setBias(gl, { EXT_polygon_offset_clamp: clamped }, { constant, slope, clamp }) {
+  gl.enable(gl.POLYGON_OFFSET_FILL);
+  if (!clamp) return gl.polygonOffset(slope, constant);
+  if (!clamped) throw new Refusal("WebGL cannot limit a depth bias: it lacks EXT_polygon_offset_clamp");
+  clamped.polygonOffsetClampEXT(slope, constant, clamp);
+}
+
+function setStencil(gl, stencil) {
+  if (!stencil) return gl.disable(gl.STENCIL_TEST);
+  gl.enable(gl.STENCIL_TEST);
+  gl.stencilMask(stencil.write_mask);
+  for (const [face, side] of [[gl.FRONT, stencil.front], [gl.BACK, stencil.back]]) {
+    const { reference, read_mask: mask } = stencil;
+    gl.stencilFuncSeparate(face, gl[COMPARES[side.compare]], reference, mask);
+    const operations = [side.fail, side.depth_fail, side.passed];
+    gl.stencilOpSeparate(face, ...operations.map((name) => gl[OPERATIONS[name]]));
+  }
 }
 
 function drawMesh(gl, program, job, draw) {

@@ -24,13 +24,17 @@ const BLEND_FACTORS = {
 };
 
 /** A framebuffer, which is bound, and its renderbuffers. */
-export function makeScreen(gl, targets, size) {
+export function makeScreen(gl, { targets, stencil }, size) {
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   const buffers = targets.map(({ format }, at) =>
     attach(gl, gl.COLOR_ATTACHMENT0 + at, gl[STORAGE[format]], size),
   );
-  buffers.push(attach(gl, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F, size));
+  buffers.push(
+    stencil
+      ? attach(gl, gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH32F_STENCIL8, size)
+      : attach(gl, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F, size),
+  );
   gl.drawBuffers(targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at));
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
     const formats = targets.map(({ format }) => format).join(", ");
@@ -53,10 +57,13 @@ export function deleteScreen(gl, { framebuffer, buffers }) {
   gl.deleteFramebuffer(framebuffer);
 }
 
-export function clear(gl, colors) {
+export function clear(gl, { stencil }, colors) {
   colors.forEach((color, at) => gl.clearBufferfv(gl.COLOR, at, color));
   gl.depthMask(true);
   gl.clearBufferfv(gl.DEPTH, 0, [1]);
+  if (!stencil) return;
+  gl.stencilMask(0xff);
+  gl.clearBufferiv(gl.STENCIL, 0, [0]);
 }
 
 /** Set the blend mode of each target. */

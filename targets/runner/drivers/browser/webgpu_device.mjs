@@ -2,8 +2,8 @@
 
 import { LostBrowser, Refusal } from "./answers.mjs";
 
-// Features that float32 targets and textures need.
-const FEATURES = ["float32-blendable", "float32-filterable"];
+// Features that float32 targets and textures need, and stencil values beside float32 depths.
+const FEATURES = ["float32-blendable", "float32-filterable", "depth32float-stencil8"];
 // Several float32 targets need more than the default.
 const LIMITS = ["maxColorAttachmentBytesPerSample"];
 const SCOPES = ["validation", "out-of-memory", "internal"];

@@ -2,7 +2,7 @@
 
 import { base64, bytes } from "./answers.mjs";
 import { bindGroups, makeBuffer, makeStorage } from "./webgpu_bindings.mjs";
-import { vertexBuffers } from "./webgpu_pipeline.mjs";
+import { depthFormat, vertexBuffers } from "./webgpu_pipeline.mjs";
 
 const ROW_ALIGNMENT = 256;
 const TEXEL_SIZES = {
@@ -18,10 +18,11 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   try {
     const size = [draw.width, draw.height];
     const screen = job.targets.map(({ format }) => keep(makeTarget(device, format, size)));
-    const depth = keep(makeTarget(device, "depth32float", size));
+    const depth = keep(makeTarget(device, depthFormat(job), size));
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass(passDescriptor(screen, depth, draw.clear));
+    const pass = encoder.beginRenderPass(passDescriptor(job, screen, depth, draw.clear));
     pass.setPipeline(pipeline);
+    if (job.stencil) pass.setStencilReference(job.stencil.reference);
     const storage = makeStorage(device, job, draw, keep);
     bindGroups(device, job, layouts, draw, storage, keep).forEach((group, at) =>
       pass.setBindGroup(at, group),
@@ -48,7 +49,7 @@ function makeTarget(device, format, size) {
   });
 }
 
-function passDescriptor(screen, depth, clear) {
+function passDescriptor(job, screen, depth, clear) {
   return {
     colorAttachments: screen.map((target, at) => ({
       view: target.createView(),
@@ -61,6 +62,11 @@ function passDescriptor(screen, depth, clear) {
       depthClearValue: 1,
       depthLoadOp: "clear",
       depthStoreOp: "discard",
+      ...(job.stencil && {
+        stencilClearValue: 0,
+        stencilLoadOp: "clear",
+        stencilStoreOp: "discard",
+      }),
     },
   };
 }

@@ -52,11 +52,7 @@ export async function makePipeline(device, job) {
       cullMode: job.cull,
       frontFace: job.front_face,
     },
-    depthStencil: {
-      format: "depth32float",
-      depthWriteEnabled: job.depth_write,
-      depthCompare: job.depth_compare.replace("_", "-"),
-    },
+    depthStencil: depthStencilState(device, job),
   });
   return { pipeline, layouts };
 }
@@ -91,6 +87,43 @@ export async function makeModule(device, stage, code) {
   }
   return module;
 }
+
+// The words of a job are WebGPU's, with other dashes.
+const dashed = (word) => word.replace("_", "-");
+
+function depthStencilState(device, job) {
+  const format = depthFormat(job);
+  if (job.stencil && !device.features.has(format)) {
+    throw new Refusal(`the WebGPU adapter has no ${format}`);
+  }
+  const { constant, slope, clamp } = job.depth_bias;
+  const side = ({ compare, fail, depth_fail, passed }) => ({
+    compare: dashed(compare),
+    failOp: dashed(fail),
+    depthFailOp: dashed(depth_fail),
+    passOp: dashed(passed),
+  });
+  return {
+    format,
+    depthWriteEnabled: job.depth_write,
+    depthCompare: dashed(job.depth_compare),
+    // Only triangles are moved, and of anything else WebGPU wants to hear nothing of it.
+    ...(job.primitive === "triangle" && {
+      depthBias: constant,
+      depthBiasSlopeScale: slope,
+      depthBiasClamp: clamp,
+    }),
+    ...(job.stencil && {
+      stencilFront: side(job.stencil.front),
+      stencilBack: side(job.stencil.back),
+      stencilReadMask: job.stencil.read_mask,
+      stencilWriteMask: job.stencil.write_mask,
+    }),
+  };
+}
+
+/** The format of the depths that a job draws to, and of the stencil values beside them. */
+export const depthFormat = (job) => (job.stencil ? "depth32float-stencil8" : "depth32float");
 
 function targetState(device, { format, blend }) {
   const float32 = FLOAT32_TARGETS.includes(format);

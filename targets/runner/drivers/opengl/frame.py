@@ -15,13 +15,12 @@ from .bindings import bound, bound_at
 from .context import (
     GL_COLOR,
     GL_COLOR_ATTACHMENT0,
-    GL_DEPTH,
     GL_FRAMEBUFFER,
     Functions,
 )
 from .frame_textures import make_frame_texture
 from .program import link, link_kernel
-from .screen import set_blending
+from .screen import clear_depths, set_blending
 from .state import set_state
 from .vertices import MODES, vertices
 
@@ -93,9 +92,10 @@ class _Frame:
         with self._framebuffer(step):
             self._functions.glViewport(0, 0, width, height)
             for number, target in enumerate(step.targets):
-                self._clear(target, GL_COLOR, number)
-            if step.depth is not None:
-                self._clear(step.depth, GL_DEPTH, 0)
+                self._clear(target, number)
+            if step.depth is not None and not step.depth.loads:
+                made = self._textures[step.depth.texture]
+                clear_depths(self._functions, step.depth.clear[0], made.point(0))
             for drawn in step.draws:
                 self._draw_one(step, drawn)
 
@@ -116,13 +116,10 @@ class _Frame:
             functions.glBindFramebuffer(GL_FRAMEBUFFER, 0)
             functions.glDeleteFramebuffers(1, ctypes.byref(name))
 
-    def _clear(self, attachment: Attachment, part: int, number: int) -> None:
-        if attachment.loads:
-            return
-        self._functions.glDepthMask(1)
-        count = 1 if part == GL_DEPTH else len(attachment.clear)
-        lanes = (ctypes.c_float * count)(*attachment.clear[:count])
-        self._functions.glClearBufferfv(part, number, lanes)
+    def _clear(self, target: Attachment, number: int) -> None:
+        if not target.loads:
+            lanes = (ctypes.c_float * len(target.clear))(*target.clear)
+            self._functions.glClearBufferfv(GL_COLOR, number, lanes)
 
     def _draw_one(self, step: FrameStep, drawn: FrameDraw) -> None:
         draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]

@@ -10,12 +10,10 @@ from ..frame_job import Attachment, FrameTexels, FrameTexture
 from ..readback import depths_to_float, to_float
 from .context import (
     GL_COLOR_ATTACHMENT0,
-    GL_DEPTH_ATTACHMENT,
-    GL_DEPTH_COMPONENT32F,
     GL_FRAMEBUFFER,
     Functions,
 )
-from .screen import STORAGE, widened_format
+from .screen import DEPTHS, STORAGE, widened_format
 from .texture_units import (
     GL_DEPTH_COMPONENT,
     GL_FLOAT,
@@ -30,6 +28,8 @@ from .texture_units import (
 
 GL_PACK_ALIGNMENT = 0x0D05
 GL_WRITE_ONLY = 0x88B9
+GL_DEPTH_STENCIL = 0x84F9
+GL_FLOAT_32_UNSIGNED_INT_24_8_REV = 0x8DAD
 FACES = 6
 
 
@@ -52,9 +52,17 @@ class MadeTexture:
         made = self.description
         return max(made.width >> level, 1), max(made.height >> level, 1)
 
+    def point(self, number: int) -> int:
+        """What it is attached as, if it is a target that of this number."""
+        match self.description.format:
+            case "depth32float" | "depth32float-stencil8" as depths:
+                return DEPTHS[depths][1]
+            case _:
+                return GL_COLOR_ATTACHMENT0 + number
+
     def attach(self, attachment: Attachment, number: int) -> None:
         """Attach it to the framebuffer that is bound: as a target, or as the depths."""
-        point = GL_DEPTH_ATTACHMENT if self.description.is_depth else GL_COLOR_ATTACHMENT0 + number
+        point = self.point(number)
         if self.description.dimension == "2d":
             self.functions.glFramebufferTexture(GL_FRAMEBUFFER, point, self.name, attachment.level)
         else:
@@ -79,10 +87,17 @@ class MadeTexture:
 
     def clear(self) -> None:
         """Make it transparent black, or as far away as can be."""
-        lanes, value = (GL_DEPTH_COMPONENT, 1.0) if self.description.is_depth else (GL_RGBA, 0.0)
-        contents = (ctypes.c_float * 4)(*[value] * 4)
         for level in range(self.description.levels):
-            self.functions.glClearTexImage(self.name, level, lanes, GL_FLOAT, contents)
+            self.functions.glClearTexImage(self.name, level, *self._cleared())
+
+    def _cleared(self) -> tuple[int, int, ctypes.Array[ctypes.c_float]]:
+        """The lanes, their type and the contents of a texel that is cleared."""
+        if self.description.has_stencil:
+            # A depth, and behind it a word that ends in the stencil value.
+            return GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, (ctypes.c_float * 2)(1.0)
+        if self.description.is_depth:
+            return GL_DEPTH_COMPONENT, GL_FLOAT, (ctypes.c_float * 1)(1.0)
+        return GL_RGBA, GL_FLOAT, (ctypes.c_float * 4)()
 
     def copy_to(self, other: MadeTexture) -> None:
         """Copy all of it."""
@@ -109,11 +124,13 @@ class MadeTexture:
     def _read(self, part: int, layers: int) -> bytes:
         made = self.description
         count = made.width * made.height * layers
-        if made.format == "depth32float":
-            depths = (ctypes.c_float * count)()
-            self.functions.glGetTexImage(part, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths)
-            return depths_to_float(bytes(depths))
-        widened = widened_format(made.format)
+        match made.format:
+            case "depth32float" | "depth32float-stencil8":
+                depths = (ctypes.c_float * count)()
+                self.functions.glGetTexImage(part, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths)
+                return depths_to_float(bytes(depths))
+            case colours:
+                widened = widened_format(colours)
         is_float = widened == "rgba32float"
         texels = ((ctypes.c_float if is_float else ctypes.c_ubyte) * (4 * count))()
         kind = GL_FLOAT if is_float else GL_UNSIGNED_BYTE
@@ -129,9 +146,11 @@ def make_frame_texture(functions: Functions, wanted: FrameTexture) -> MadeTextur
     """A texture of a frame."""
     name = ctypes.c_uint()
     functions.glGenTextures(1, ctypes.byref(name))
-    internal = (
-        GL_DEPTH_COMPONENT32F if wanted.format == "depth32float" else STORAGE[wanted.format][2]
-    )
+    match wanted.format:
+        case "depth32float" | "depth32float-stencil8" as depths:
+            internal = DEPTHS[depths][0]
+        case colours:
+            internal = STORAGE[colours][2]
     made = MadeTexture(functions, wanted, name, internal)
     functions.glBindTexture(made.target, name)
     size = wanted.width, wanted.height

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
 
 import moderngl
 
-from ..draw import Pipeline, RenderTarget
+from ..draw import Pipeline
 from ..readback import to_float
 from .context import (
     GL_COLOR_ATTACHMENT0,
-    GL_DEPTH_ATTACHMENT,
-    GL_DEPTH_COMPONENT32F,
     GL_FRAMEBUFFER,
     GL_TEXTURE_2D_ARRAY,
     Functions,
@@ -33,12 +30,11 @@ class LayeredScreen(Screen):
         self,
         context: moderngl.Context,
         functions: Functions,
-        targets: Sequence[RenderTarget],
+        pipeline: Pipeline,
         size: tuple[int, int],
-        layers: int,
     ) -> None:
-        super().__init__(context, functions, targets, size)
-        self._layers = layers
+        super().__init__(context, functions, pipeline, size)
+        self._layers, targets = pipeline.layers, pipeline.targets
         self._arrays = (ctypes.c_uint * (len(targets) + 1))()
         functions.glGenTextures(len(self._arrays), self._arrays)
         self._layered = ctypes.c_uint()
@@ -47,7 +43,8 @@ class LayeredScreen(Screen):
         for number, target in enumerate(targets):
             _, _, internal_format = STORAGE[target.format]
             self._attach(number, GL_COLOR_ATTACHMENT0 + number, internal_format)
-        self._attach(len(targets), GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F)
+        storage, attachment = self._depths
+        self._attach(len(targets), attachment, storage)
         drawn = range(GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + len(targets))
         functions.glDrawBuffers(len(targets), (ctypes.c_uint * len(targets))(*drawn))
 

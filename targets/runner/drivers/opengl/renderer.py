@@ -94,9 +94,9 @@ def _picture(
 ) -> Picture:
     size, layers = (draw.width, draw.height), pipeline.layers
     screen = (
-        LayeredScreen(context, functions, pipeline.targets, size, layers)
+        LayeredScreen(context, functions, pipeline, size)
         if layers
-        else Screen(context, functions, pipeline.targets, size)
+        else Screen(context, functions, pipeline, size)
     )
     try:
         screen.clear(draw.clear)

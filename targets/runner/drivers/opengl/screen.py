@@ -7,16 +7,19 @@ from collections.abc import Sequence
 
 import moderngl
 
-from ..draw import Blend, Pipeline, RenderTarget, TargetFormat
+from ..draw import Blend, DepthFormat, Pipeline, RenderTarget, TargetFormat
 from ..readback import to_float
 from .context import (
     GL_BLEND,
     GL_COLOR,
     GL_DEPTH,
+    GL_DEPTH32F_STENCIL8,
     GL_DEPTH_ATTACHMENT,
     GL_DEPTH_COMPONENT32F,
+    GL_DEPTH_STENCIL_ATTACHMENT,
     GL_FRAMEBUFFER,
     GL_RENDERBUFFER,
+    GL_STENCIL,
     Functions,
 )
 
@@ -33,6 +36,13 @@ STORAGE: dict[TargetFormat, tuple[int, str, int]] = {
     "rgba32float": (4, "f4", 0x8814),
 }
 """The number of lanes, moderngl's type of a lane, and OpenGL's internal format."""
+
+DEPTHS: dict[DepthFormat, tuple[int, int]] = {
+    "depth32float": (GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT),
+    "depth32float-stencil8": (GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT),
+}
+"""OpenGL's internal format, and what it is attached as."""
+STENCIL_BITS = 0xFF
 
 ZERO, ONE, DST_COLOR = 0, 1, 0x0306
 SRC_ALPHA, ONE_MINUS_SRC_ALPHA = 0x0302, 0x0303
@@ -56,30 +66,31 @@ class Screen:
         self,
         context: moderngl.Context,
         functions: Functions,
-        targets: Sequence[RenderTarget],
+        pipeline: Pipeline,
         size: tuple[int, int],
     ) -> None:
         self._context = context
         self._functions = functions
-        self._targets = targets
+        self._targets = targets = pipeline.targets
+        self._depths = DEPTHS[pipeline.depth_format]
         self._size = size
         self._framebuffer = context.framebuffer([_make(context, size, t) for t in targets])
         self._framebuffer.use()
         self._depth = ctypes.c_uint()
         functions.glGenRenderbuffers(1, ctypes.byref(self._depth))
         functions.glBindRenderbuffer(GL_RENDERBUFFER, self._depth)
-        functions.glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, *size)
+        storage, attachment = self._depths
+        functions.glRenderbufferStorage(GL_RENDERBUFFER, storage, *size)
         functions.glFramebufferRenderbuffer(
-            GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, self._depth
+            GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, self._depth
         )
 
     def clear(self, colors: Sequence[tuple[float, float, float, float]]) -> None:
-        """Clear every target to its colour, and the depth to 1."""
-        self._functions.glDepthMask(1)
+        """Clear every target to its colour, depths to 1, and stencil values to 0."""
         for number, color in enumerate(colors):
             lanes = (ctypes.c_float * 4)(*color)
             self._functions.glClearBufferfv(GL_COLOR, number, lanes)
-        self._functions.glClearBufferfv(GL_DEPTH, 0, (ctypes.c_float * 1)(1.0))
+        clear_depths(self._functions, 1.0, self._depths[1])
 
     def set_blending(self) -> None:
         """Set the blend mode of each target."""
@@ -103,6 +114,15 @@ class Screen:
         for attachment in self._framebuffer.color_attachments:
             attachment.release()
         self._framebuffer.release()
+
+
+def clear_depths(functions: Functions, depth: float, attachment: int) -> None:
+    """Clear the depths of the framebuffer that is bound, and stencil values to 0 if it has any."""
+    functions.glDepthMask(1)
+    functions.glStencilMask(STENCIL_BITS)
+    functions.glClearBufferfv(GL_DEPTH, 0, (ctypes.c_float * 1)(depth))
+    if attachment == GL_DEPTH_STENCIL_ATTACHMENT:
+        functions.glClearBufferiv(GL_STENCIL, 0, (ctypes.c_int * 1)(0))
 
 
 def set_blending(functions: Functions, targets: Sequence[RenderTarget]) -> None:

@@ -9,10 +9,10 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import Picture, RenderTarget
+from ..draw import Picture, Pipeline, RenderTarget
 from ..readback import TEXEL_LANES, to_float
 from .device import Gpu
-from .formats import DEPTH, TARGETS
+from .formats import ASPECTS, DEPTHS, TARGETS
 from .memory import Buffer, ImageSpec, make_buffer, make_image
 
 DRAWN = vk.VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
@@ -65,14 +65,12 @@ class Canvas:
 def make_canvas(
     owned: ExitStack,
     gpu: Gpu,
-    targets: Sequence[RenderTarget],
+    pipeline: Pipeline,
     render_pass: Any,
     size: tuple[int, int],
-    layers: int,
 ) -> Canvas:
-    """A canvas of ``size`` (width, height) pixels for a render pass with these targets, which have
-    ``layers``, or are single pictures if that is 0."""
-    width, height = size
+    """A canvas of ``size`` (width, height) pixels for a pipeline and its render pass."""
+    (width, height), targets, layers = size, pipeline.targets, pipeline.layers
     view = vk.VK_IMAGE_VIEW_TYPE_2D_ARRAY if layers else vk.VK_IMAGE_VIEW_TYPE_2D
     count = layers or 1
     made = [
@@ -85,8 +83,9 @@ def make_canvas(
         for target in targets
     ]  # fmt: skip
     depth = ImageSpec(
-        DEPTH, width, height, vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-        aspect=vk.VK_IMAGE_ASPECT_DEPTH_BIT, depth=count, view=view,
+        DEPTHS[pipeline.depth_format], width, height,
+        vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+        aspect=ASPECTS[pipeline.depth_format], depth=count, view=view,
     )  # fmt: skip
     _, depth_view = make_image(owned, gpu, depth)
     info = vk.VkFramebufferCreateInfo(
@@ -112,14 +111,18 @@ def _texel_size(target: RenderTarget) -> int:
     return lanes * int(kind.itemsize)
 
 
-def make_render_pass(owned: ExitStack, gpu: Gpu, targets: Sequence[RenderTarget]) -> Any:
-    """A render pass that clears targets and depth, draws, and makes the targets ready to copy."""
+def make_render_pass(owned: ExitStack, gpu: Gpu, pipeline: Pipeline) -> Any:
+    """A render pass that clears targets, depths and stencil values, draws, and makes the targets
+    ready to copy."""
+    targets = pipeline.targets
     colours = [
         _attachment(TARGETS[target.format], DRAWN, vk.VK_ATTACHMENT_STORE_OP_STORE)
         for target in targets
     ]
     depth_layout = vk.VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
-    depth = _attachment(DEPTH, depth_layout, vk.VK_ATTACHMENT_STORE_OP_DONT_CARE)
+    depth = _attachment(
+        DEPTHS[pipeline.depth_format], depth_layout, vk.VK_ATTACHMENT_STORE_OP_DONT_CARE
+    )
     references = [
         vk.VkAttachmentReference(index, vk.VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL)
         for index in range(len(targets))
@@ -151,7 +154,7 @@ def _attachment(vk_format: int, final_layout: int, store: int) -> Any:
         samples=vk.VK_SAMPLE_COUNT_1_BIT,
         loadOp=vk.VK_ATTACHMENT_LOAD_OP_CLEAR,
         storeOp=store,
-        stencilLoadOp=vk.VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+        stencilLoadOp=vk.VK_ATTACHMENT_LOAD_OP_CLEAR,
         stencilStoreOp=vk.VK_ATTACHMENT_STORE_OP_DONT_CARE,
         initialLayout=vk.VK_IMAGE_LAYOUT_UNDEFINED,
         finalLayout=final_layout,

@@ -41,6 +41,10 @@ class Gpu:
     """``VkPhysicalDeviceMemoryProperties``."""
     independent_blend: bool
     """Whether each target may have a blend mode of its own."""
+    draws_lines: bool
+    """Whether of triangles the edges can be drawn."""
+    clamps_bias: bool
+    """Whether a depth bias can have a limit."""
     transform_feedback: bool
     """Whether vertices can be captured."""
     messages: Messages
@@ -77,6 +81,8 @@ def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
             properties=properties,
             memory=vk.vkGetPhysicalDeviceMemoryProperties(physical),
             independent_blend=bool(features.independentBlend),
+            draws_lines=bool(features.fillModeNonSolid),
+            clamps_bias=bool(features.depthBiasClamp),
             transform_feedback=captures,
             messages=messages,
             seconds=seconds,
@@ -129,6 +135,8 @@ def _device(owned: ExitStack, physical: Any, family: int, offered: Any, *, captu
     queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=family, pQueuePriorities=[1.0])
     features = vk.VkPhysicalDeviceFeatures(
         independentBlend=offered.independentBlend,
+        fillModeNonSolid=offered.fillModeNonSolid,
+        depthBiasClamp=offered.depthBiasClamp,
         geometryShader=offered.geometryShader,
         tessellationShader=offered.tessellationShader,
     )

@@ -4,9 +4,16 @@ from __future__ import annotations
 
 import vulkan as vk
 
-from ..draw import Dimension, TargetFormat, TextureFormat, VertexFormat
+from ..draw import DepthFormat, Dimension, TargetFormat, TextureFormat, VertexFormat
 
-DEPTH = vk.VK_FORMAT_D32_SFLOAT
+DEPTHS: dict[DepthFormat, int] = {
+    "depth32float": vk.VK_FORMAT_D32_SFLOAT,
+    "depth32float-stencil8": vk.VK_FORMAT_D32_SFLOAT_S8_UINT,
+}
+ASPECTS: dict[DepthFormat, int] = {
+    "depth32float": vk.VK_IMAGE_ASPECT_DEPTH_BIT,
+    "depth32float-stencil8": vk.VK_IMAGE_ASPECT_DEPTH_BIT | vk.VK_IMAGE_ASPECT_STENCIL_BIT,
+}
 
 TEXTURES: dict[TextureFormat, int] = {
     "rgba8unorm": vk.VK_FORMAT_R8G8B8A8_UNORM,

@@ -14,6 +14,7 @@ from ..readback import TEXEL_LANES, depths_to_float, to_float
 from .compute import COMPUTE, make_compute_pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
+from .formats import DEPTHS
 from .frame_textures import USES, MadeTexture, make_frame_texture, record
 from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .job import GRAPHICS, INDEX_SIZE, MESH, STORAGE
@@ -21,6 +22,9 @@ from .memory import Buffer, filled_buffer, make_buffer
 from .texture_images import make_texture
 
 DEPTH_BYTES = 4
+
+_LOADS = {True: vk.VK_ATTACHMENT_LOAD_OP_LOAD, False: vk.VK_ATTACHMENT_LOAD_OP_CLEAR}
+_STORES = {True: vk.VK_ATTACHMENT_STORE_OP_STORE, False: vk.VK_ATTACHMENT_STORE_OP_DONT_CARE}
 
 
 def draw_frame(gpu: Gpu, job: FrameJob) -> list[FrameTexels]:
@@ -232,7 +236,12 @@ class _Frame:
         """The render pass for the formats of a step, and for what it loads and stores."""
         attachments = _attachments(step)
         key = tuple(
-            (self._job.textures[each.texture].format, each.loads, each.stores)
+            (
+                self._job.textures[each.texture].format,
+                each.loads,
+                each.stores,
+                each.stores_stencil,
+            )
             for each in attachments
         )
         if key not in self._passes:
@@ -262,14 +271,10 @@ class _Frame:
         return vk.VkAttachmentDescription(
             format=texture.spec.format,
             samples=vk.VK_SAMPLE_COUNT_1_BIT,
-            loadOp=vk.VK_ATTACHMENT_LOAD_OP_LOAD
-            if attachment.loads
-            else vk.VK_ATTACHMENT_LOAD_OP_CLEAR,
-            storeOp=vk.VK_ATTACHMENT_STORE_OP_STORE
-            if attachment.stores
-            else vk.VK_ATTACHMENT_STORE_OP_DONT_CARE,
-            stencilLoadOp=vk.VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-            stencilStoreOp=vk.VK_ATTACHMENT_STORE_OP_DONT_CARE,
+            loadOp=_LOADS[attachment.loads],
+            storeOp=_STORES[attachment.stores],
+            stencilLoadOp=_LOADS[attachment.loads],
+            stencilStoreOp=_STORES[attachment.stores_stencil],
             initialLayout=layout,
             finalLayout=layout,
         )
@@ -285,7 +290,7 @@ class _Frame:
     def _read_back(self, commands: Any, number: int, buffer: Buffer) -> None:
         texture = self._textures[number]
         copy = vk.VkBufferImageCopy(
-            imageSubresource=_layers(texture, 0),
+            imageSubresource=_layers(texture, 0, texture.spec.read_aspect),
             imageExtent=vk.VkExtent3D(texture.description.width, texture.description.height, 1),
         )
         layout = USES["copied_from"].layout
@@ -294,10 +299,11 @@ class _Frame:
     def _found(self, number: int, buffer: Buffer) -> FrameTexels:
         texture = self._job.textures[number]
         rows, data = texture.height * texture.layers, bytes(buffer.mapped[:])
-        if texture.format == "depth32float":
-            texels = depths_to_float(data)
-        else:
-            texels = to_float(data, texture.format, texture.width, rows, "top")
+        match texture.format:
+            case "depth32float" | "depth32float-stencil8":
+                texels = depths_to_float(data)
+            case colours:
+                texels = to_float(data, colours, texture.width, rows, "top")
         return FrameTexels(texture.width, texture.height, texture.layers, texels)
 
 
@@ -306,7 +312,7 @@ def _attachments(step: FrameStep) -> tuple[Attachment, ...]:
 
 
 def _texel_size(format_: Any) -> int:
-    if format_ == "depth32float":
+    if format_ in DEPTHS:
         return DEPTH_BYTES
     lanes, kind = TEXEL_LANES[format_]
     return lanes * int(kind.itemsize)
@@ -317,9 +323,11 @@ def _halved(texture: MadeTexture, level: int) -> tuple[int, int]:
     return max(described.width >> level, 1), max(described.height >> level, 1)
 
 
-def _layers(texture: MadeTexture, level: int) -> Any:
+def _layers(texture: MadeTexture, level: int, aspect: int = 0) -> Any:
     return vk.VkImageSubresourceLayers(
-        aspectMask=texture.spec.aspect, mipLevel=level, layerCount=texture.description.layers
+        aspectMask=aspect or texture.spec.aspect,
+        mipLevel=level,
+        layerCount=texture.description.layers,
     )
 
 

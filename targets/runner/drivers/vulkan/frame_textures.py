@@ -11,7 +11,7 @@ import vulkan as vk
 
 from ..frame_job import Attachment, Barrier, FrameTexture, TextureUse
 from .device import Gpu
-from .formats import DEPTH, TARGETS, VIEWS
+from .formats import ASPECTS, DEPTHS, TARGETS, VIEWS
 from .memory import ImageSpec, make_image
 
 DRAWING = vk.VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT
@@ -22,7 +22,7 @@ SHADERS = vk.VK_PIPELINE_STAGE_ALL_GRAPHICS_BIT | vk.VK_PIPELINE_STAGE_COMPUTE_S
 COPYING = vk.VK_PIPELINE_STAGE_TRANSFER_BIT
 
 COLOURS = vk.VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | vk.VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT
-DEPTHS = (
+TESTS = (
     vk.VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT | vk.VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT
 )
 
@@ -39,7 +39,7 @@ class Use:
 USES: Mapping[TextureUse, Use] = {
     "undefined": Use(vk.VK_IMAGE_LAYOUT_UNDEFINED, vk.VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0),
     "target": Use(vk.VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, DRAWING, COLOURS),
-    "depth": Use(vk.VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, TESTING, DEPTHS),
+    "depth": Use(vk.VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, TESTING, TESTS),
     "image": Use(
         vk.VK_IMAGE_LAYOUT_GENERAL, vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
         vk.VK_ACCESS_SHADER_WRITE_BIT,
@@ -132,11 +132,15 @@ def make_frame_texture(
     )
     usage = _READS | (attached if drawn else 0)
     usage |= vk.VK_IMAGE_USAGE_STORAGE_BIT if written else 0
-    format_ = DEPTH if wanted.format == "depth32float" else TARGETS[wanted.format]
-    aspect = vk.VK_IMAGE_ASPECT_DEPTH_BIT if wanted.is_depth else vk.VK_IMAGE_ASPECT_COLOR_BIT
+    colour, depth = vk.VK_IMAGE_ASPECT_COLOR_BIT, vk.VK_IMAGE_ASPECT_DEPTH_BIT
+    match wanted.format:
+        case "depth32float" | "depth32float-stencil8" as depths:
+            format_, aspect, read = DEPTHS[depths], ASPECTS[depths], depth
+        case colours:
+            format_, aspect, read = TARGETS[colours], colour, colour
     spec = ImageSpec(
         format_, wanted.width, wanted.height, usage, wanted.levels, aspect, wanted.layers,
-        VIEWS[wanted.dimension],
+        VIEWS[wanted.dimension], read,
     )  # fmt: skip
     image, view = make_image(owned, gpu, spec)
     return MadeTexture(gpu, owned, wanted, spec, image, view)

@@ -4,12 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import ExitStack
-from typing import Any, Literal
+from typing import Any
 
 import vulkan as vk
 
 from ..checks import lane_count
-from ..draw import Blend, Code, Cull, Pipeline, Primitive, StepMode, VertexInput
+from ..draw import (
+    Blend,
+    Code,
+    Cull,
+    Fill,
+    Pipeline,
+    Primitive,
+    Stencil,
+    StencilOperation,
+    StencilSide,
+    StepMode,
+    VertexInput,
+    Winding,
+)
 from .device import Gpu
 from .formats import VERTICES
 from .texture_images import COMPARES
@@ -63,11 +76,24 @@ RATES: dict[StepMode, int] = {
     "instance": vk.VK_VERTEX_INPUT_RATE_INSTANCE,
 }
 
-FRONT: dict[Literal["ccw", "cw"], int] = {
+FRONT: dict[Winding, int] = {
     "ccw": vk.VK_FRONT_FACE_COUNTER_CLOCKWISE,
     "cw": vk.VK_FRONT_FACE_CLOCKWISE,
 }
 """Windings. Vulkan determines them in the framebuffer, so after the effect of ``viewport``."""
+
+FILLS: dict[Fill, int] = {"faces": vk.VK_POLYGON_MODE_FILL, "lines": vk.VK_POLYGON_MODE_LINE}
+
+OPERATIONS: dict[StencilOperation, int] = {
+    "keep": vk.VK_STENCIL_OP_KEEP,
+    "zero": vk.VK_STENCIL_OP_ZERO,
+    "replace": vk.VK_STENCIL_OP_REPLACE,
+    "invert": vk.VK_STENCIL_OP_INVERT,
+    "increment_clamp": vk.VK_STENCIL_OP_INCREMENT_AND_CLAMP,
+    "decrement_clamp": vk.VK_STENCIL_OP_DECREMENT_AND_CLAMP,
+    "increment_wrap": vk.VK_STENCIL_OP_INCREMENT_AND_WRAP,
+    "decrement_wrap": vk.VK_STENCIL_OP_DECREMENT_AND_WRAP,
+}
 
 
 def viewport(pipeline: Pipeline, width: int, height: int) -> Any:
@@ -115,11 +141,7 @@ def make_pipeline(
             pMultisampleState=vk.VkPipelineMultisampleStateCreateInfo(
                 rasterizationSamples=vk.VK_SAMPLE_COUNT_1_BIT
             ),
-            pDepthStencilState=vk.VkPipelineDepthStencilStateCreateInfo(
-                depthTestEnable=vk.VK_TRUE,
-                depthWriteEnable=pipeline.depth_write,
-                depthCompareOp=COMPARES[pipeline.depth_compare],
-            ),
+            pDepthStencilState=_depth_stencil(pipeline),
             pColorBlendState=vk.VkPipelineColorBlendStateCreateInfo(pAttachments=blends),
             pDynamicState=vk.VkPipelineDynamicStateCreateInfo(pDynamicStates=dynamic),
             layout=layout,
@@ -160,12 +182,48 @@ def _tessellation(pipeline: Pipeline) -> Any:
 
 
 def _rasterization(pipeline: Pipeline) -> Any:
+    bias = pipeline.depth_bias
     return vk.VkPipelineRasterizationStateCreateInfo(
-        polygonMode=vk.VK_POLYGON_MODE_FILL,
+        depthBiasEnable=pipeline.has_bias,
+        depthBiasConstantFactor=bias.constant,
+        depthBiasSlopeFactor=bias.slope,
+        depthBiasClamp=bias.clamp,
+        polygonMode=FILLS[pipeline.fill],
         cullMode=CULL[pipeline.cull],
         frontFace=FRONT[pipeline.front_face],
         lineWidth=1.0,
         rasterizerDiscardEnable=pipeline.stream_output is not None,
+    )
+
+
+def _depth_stencil(pipeline: Pipeline) -> Any:
+    stencil = pipeline.stencil
+    sides = (
+        {}
+        if stencil is None
+        else {
+            "stencilTestEnable": vk.VK_TRUE,
+            "front": _stencil_side(stencil, stencil.front),
+            "back": _stencil_side(stencil, stencil.back),
+        }
+    )
+    return vk.VkPipelineDepthStencilStateCreateInfo(
+        depthTestEnable=vk.VK_TRUE,
+        depthWriteEnable=pipeline.depth_write,
+        depthCompareOp=COMPARES[pipeline.depth_compare],
+        **sides,
+    )
+
+
+def _stencil_side(stencil: Stencil, side: StencilSide) -> Any:
+    return vk.VkStencilOpState(
+        failOp=OPERATIONS[side.fail],
+        passOp=OPERATIONS[side.passed],
+        depthFailOp=OPERATIONS[side.depth_fail],
+        compareOp=COMPARES[side.compare],
+        compareMask=stencil.read_mask,
+        writeMask=stencil.write_mask,
+        reference=stencil.reference,
     )
 
 

@@ -48,7 +48,7 @@ class Painter:
         self._owned = owned
         self._gpu = gpu
         self._description = job.pipeline
-        self._render_pass = make_render_pass(owned, gpu, job.pipeline.targets)
+        self._render_pass = make_render_pass(owned, gpu, job.pipeline)
         self._bindings = make_descriptor_sets(owned, gpu, job.pipeline)
         self._layout = make_layout(owned, gpu, self._bindings.layouts)
         self._pipeline = make_pipeline(owned, gpu, job.pipeline, self._layout, self._render_pass)
@@ -115,12 +115,7 @@ class Painter:
         width, height = size
         if (width, height) not in self._canvases:
             self._canvases[width, height] = make_canvas(
-                self._owned,
-                self._gpu,
-                self._description.targets,
-                self._render_pass,
-                (width, height),
-                self._description.layers,
+                self._owned, self._gpu, self._description, self._render_pass, (width, height)
             )
         return self._canvases[width, height]
 
@@ -137,7 +132,7 @@ class Painter:
 
 
 def _clear_values(colours: Sequence[Sequence[float]]) -> list[Any]:
-    """The targets' clear colours, and a depth of 1."""
+    """The targets' clear colours, a depth of 1, and a stencil value of 0."""
     cleared = [vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in colours]
     far = vk.VkClearValue(depthStencil=vk.VkClearDepthStencilValue(depth=1.0))
     return [*cleared, far]

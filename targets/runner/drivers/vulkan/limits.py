@@ -12,7 +12,7 @@ from ..checks import check_block_size, check_groups
 from ..draw import Dispatch, Draw, DriverError, Image, Job, KernelJob, Pipeline, TextureSlot
 from .blocks import block_sizes
 from .device import Gpu
-from .formats import TARGETS, TEXTURES
+from .formats import DEPTHS, TARGETS, TEXTURES
 
 LINEAR = vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT
 
@@ -82,6 +82,17 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
                 f"{limits.maxBoundDescriptorSets}"
             )
     yield from _target_problems(gpu, pipeline)
+    yield from _state_problems(gpu, pipeline)
+
+
+def _state_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
+    depths = _features(gpu, DEPTHS[pipeline.depth_format])
+    if not depths & vk.VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT:
+        yield f"the device has no {pipeline.depth_format}"
+    if pipeline.fill == "lines" and not gpu.draws_lines:
+        yield "the device cannot draw the edges of triangles"
+    if pipeline.has_bias and pipeline.depth_bias.clamp and not gpu.clamps_bias:
+        yield "the device cannot limit a depth bias"
 
 
 def _buffer_problems(gpu: Gpu, pipeline: Pipeline, values: Draw | Dispatch) -> Iterator[str]:

@@ -61,6 +61,8 @@ class ImageSpec:
     depth: int = 1
     """Slices of a 3D texture, layers, or faces of a cube."""
     view: int = vk.VK_IMAGE_VIEW_TYPE_2D
+    read_aspect: int = 0
+    """What the view shows, if that is not all of it: shaders read depths without stencil values."""
 
     @property
     def is_volume(self) -> bool:
@@ -72,10 +74,10 @@ class ImageSpec:
         """The number of layers in Vulkan's sense: a cube has six."""
         return 1 if self.is_volume else self.depth
 
-    def subresources(self) -> Any:
+    def subresources(self, aspect: int = 0) -> Any:
         """A ``VkImageSubresourceRange`` of all levels and layers."""
         return vk.VkImageSubresourceRange(
-            aspectMask=self.aspect, levelCount=self.levels, layerCount=self.layers
+            aspectMask=aspect or self.aspect, levelCount=self.levels, layerCount=self.layers
         )
 
 
@@ -104,7 +106,7 @@ def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
         image=image,
         viewType=spec.view,
         format=spec.format,
-        subresourceRange=spec.subresources(),
+        subresourceRange=spec.subresources(spec.read_aspect),
     )
     view = vk.vkCreateImageView(gpu.device, view_info, None)
     owned.callback(vk.vkDestroyImageView, gpu.device, view, None)

@@ -15,6 +15,12 @@ from .bindings import bind_groups, make_buffer, make_storage
 from .device import Gpu, explained
 from .pipeline import DEPTH, Buffer, Made, make_pipeline
 
+CLEARED_STENCIL = {
+    "stencil_clear_value": 0,
+    "stencil_load_op": "clear",
+    "stencil_store_op": "discard",
+}
+
 
 def draw_job(gpu: Gpu, job: Job) -> list[Picture]:
     """A picture for each draw. Raises ``DriverError``."""
@@ -37,13 +43,16 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
             for target, clear in zip(targets, draw.clear, strict=True)
         ],
         depth_stencil_attachment={
-            "view": _target(gpu, DEPTH, draw).create_view(),
+            "view": _target(gpu, pipeline.depth_format, draw).create_view(),
             "depth_clear_value": 1.0,
             "depth_load_op": "clear",
             "depth_store_op": "discard",
+            **(CLEARED_STENCIL if pipeline.stencil else {}),
         },
     )
     drawn.set_pipeline(made.handle)
+    if pipeline.stencil is not None:
+        drawn.set_stencil_reference(pipeline.stencil.reference)
     storage = make_storage(gpu, pipeline.buffers, draw.buffers)
     for number, group in enumerate(bind_groups(gpu, made.layouts, made.groups, draw, storage)):
         drawn.set_bind_group(number, group)
@@ -60,7 +69,7 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
 
 def _target(gpu: Gpu, format: str, draw: Draw) -> Any:
     usage = wgpu.TextureUsage.RENDER_ATTACHMENT
-    if format != DEPTH:
+    if not format.startswith(DEPTH):
         usage |= wgpu.TextureUsage.COPY_SRC
     size = (draw.width, draw.height, 1)
     return gpu.device.create_texture(format=format, size=size, usage=usage)

@@ -17,6 +17,7 @@ from ..draw import (
     ImageSlot,
     Pipeline,
     RenderTarget,
+    StencilSide,
     TextureSlot,
     VertexInput,
 )
@@ -103,13 +104,45 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
             "cull_mode": pipeline.cull,
             "front_face": pipeline.front_face,
         },
-        depth_stencil={
-            "format": DEPTH,
-            "depth_write_enabled": pipeline.depth_write,
-            "depth_compare": pipeline.depth_compare.replace("_", "-"),
-        },
+        depth_stencil=_depth_stencil(gpu, pipeline),
     )
     return Made(handle, groups, layouts, buffers)
+
+
+def _depth_stencil(gpu: Gpu, pipeline: Pipeline) -> Mapping[str, Any]:
+    """The words of a pipeline are WebGPU's, with other dashes."""
+    state: dict[str, Any] = {
+        "format": pipeline.depth_format,
+        "depth_write_enabled": pipeline.depth_write,
+        "depth_compare": pipeline.depth_compare.replace("_", "-"),
+    }
+    if pipeline.has_bias:
+        bias = pipeline.depth_bias
+        state |= {
+            "depth_bias": bias.constant,
+            "depth_bias_slope_scale": bias.slope,
+            "depth_bias_clamp": bias.clamp,
+        }
+    if (stencil := pipeline.stencil) is not None:
+        if pipeline.depth_format not in gpu.features:
+            raise DriverError(f"{gpu.description.name} has no {pipeline.depth_format}")
+        state |= {
+            "stencil_front": _stencil_side(stencil.front),
+            "stencil_back": _stencil_side(stencil.back),
+            "stencil_read_mask": stencil.read_mask,
+            "stencil_write_mask": stencil.write_mask,
+        }
+    return state
+
+
+def _stencil_side(side: StencilSide) -> Mapping[str, str]:
+    words = {
+        "compare": side.compare,
+        "fail_op": side.fail,
+        "depth_fail_op": side.depth_fail,
+        "pass_op": side.passed,
+    }
+    return {name: word.replace("_", "-") for name, word in words.items()}
 
 
 def vertex_buffers(inputs: Sequence[VertexInput]) -> list[Buffer]:

@@ -1,0 +1,160 @@
+"""Draws the time line of a frame: a row for each texture, a column for each step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from html import escape
+
+from ..shapes import FAINT, INK, NAME_SIZE, TEXT_SIZE, cut, text, width_of
+from .looks import ONCE, texture_color
+from .model import MARKS, Column, FramePicture, Life, MarkKind, Row
+
+CELL, HEIGHT, BAR = 30.0, 26.0, 18.0
+LONG = 8
+"""Of an equation with more steps than this, those in the middle are left out."""
+BEFORE, AFTER = 4, 2
+"""How many of its first and last steps are shown then."""
+SLOPE = math.radians(45)
+LONGEST = 26
+"""The most letters of a step's name."""
+HOLDS = 64
+"""The most letters of the names of what a texture holds."""
+TITLE = 26.0
+
+
+def drawn_lanes(picture: FramePicture) -> tuple[list[str], float, float]:
+    """The shapes, and their width and height."""
+    lanes = _Lanes(picture)
+    return list(lanes.shapes()), lanes.width, lanes.height
+
+
+class _Lanes:
+    def __init__(self, picture: FramePicture) -> None:
+        self._picture = picture
+        self._shown, self._place = _columns(picture.columns)
+        titles = [f"{row.title}  {row.what}" for row in picture.rows]
+        self._left = max((width_of(title, TEXT_SIZE) for title in titles), default=0.0) + 40
+        names = [width_of(cut(c.name, LONGEST), TEXT_SIZE) if c else 0.0 for c in self._shown]
+        self._top = TITLE + max(names, default=0.0) * math.sin(SLOPE) + 16
+        self._right = self._left + CELL * len(self._shown)
+        leaning = [
+            self._left + CELL * (number + 0.5) + width * math.cos(SLOPE) + 12
+            for number, width in enumerate(names)
+        ]
+        held = max((len(cut(row.holds, HOLDS)) for row in picture.rows), default=0)
+        self.width = max([self._right + 36 + width_of("x" * held, TEXT_SIZE), *leaning])
+        self.height = self._top + HEIGHT * len(picture.rows) + 6
+
+    def shapes(self) -> Iterator[str]:
+        yield text(0, 12, "Textures and buffers, from step to step", NAME_SIZE, FAINT, bold=True)
+        for number, column in enumerate(self._shown):
+            yield from self._heading(number, column)
+        for number, row in enumerate(self._picture.rows):
+            yield from self._row(row, self._top + HEIGHT * number)
+
+    def _heading(self, number: int, column: Column | None) -> Iterator[str]:
+        x, bottom = self._left + CELL * number, self.height - 6
+        odd = number % 2 == 0
+        yield (
+            f'<rect x="{x:.1f}" y="{self._top:.1f}" width="{CELL:.1f}" '
+            f'height="{bottom - self._top:.1f}" fill="{"#f0f3f6" if odd else "#f7f9fa"}"/>'
+        )
+        middle, y = x + CELL / 2, self._top - 7
+        if column is None:
+            yield text(middle - 4, y, "…", NAME_SIZE, FAINT)
+            return
+        if column.only_first:
+            yield (
+                f'<rect x="{x + 1:.1f}" y="{self._top:.1f}" width="{CELL - 2:.1f}" '
+                f'height="{bottom - self._top:.1f}" fill="none" stroke="#8b97a3" '
+                f'stroke-dasharray="{ONCE}"/>'
+            )
+        name = cut(column.name, LONGEST)
+        yield f'<g transform="translate({middle:.1f} {y:.1f}) rotate(-45)">'
+        yield text(0, 4, name, TEXT_SIZE, INK, bold=not column.group) + "</g>"
+
+    def _row(self, row: Row, y: float) -> Iterator[str]:
+        middle, color = y + HEIGHT / 2, texture_color(row.texture)
+        yield (f'<rect x="0" y="{middle - 5:.1f}" width="10" height="10" rx="2" fill="{color}"/>')
+        yield text(17, middle + 4, f"{row.title}  {row.what}", TEXT_SIZE, INK)
+        yield (
+            f'<path d="M0 {y + HEIGHT:.1f}H{self._right + 14:.1f}" stroke="#e2e7ec" fill="none"/>'
+        )
+        lives = sorted(row.lives, key=lambda life: (life.first, life.last))
+        for number, life in enumerate(lives):
+            if self._is_left_out(life):
+                continue
+            yield self._bar(life, lives[number + 1 :], middle, color, 0.30 + 0.22 * (number % 2))
+        for number, mark in row.marks.items():
+            if self._shown[self._place[number]] is not None:
+                x = self._left + CELL * (self._place[number] + 0.5)
+                words = f"{self._picture.columns[number].name}: {MARKS[mark]}"
+                yield f"<g><title>{escape(words)}</title>{drawn_mark(mark, x, middle)}</g>"
+        yield f"<g><title>{escape(row.holds)}</title>"
+        yield text(self._right + 30, middle + 4, cut(row.holds, HOLDS), TEXT_SIZE, FAINT) + "</g>"
+
+    def _is_left_out(self, life: Life) -> bool:
+        """Whether all steps that need a result are among those that are not shown."""
+        first, last = self._place[life.first], self._place[life.last]
+        return first == last and self._shown[first] is None
+
+    def _bar(
+        self, life: Life, later: Sequence[Life], middle: float, color: str, opacity: float
+    ) -> str:
+        """How long a result is needed; where the next one begins in the step in which it ends, the
+        two meet in the middle."""
+        begin = 0.0 if life.before else CELL * self._place[life.first] + 4
+        end = CELL * (self._place[life.last] + 1) - 4
+        if later and later[0].first == life.last:
+            end = CELL * (self._place[life.last] + 0.5) - 1
+        if any(other.first <= life.first < other.last for other in later):
+            begin += CELL / 2
+        end = max(end, begin + 6)
+        if life.after:
+            end = CELL * len(self._shown) + 4
+        top, left = middle - BAR / 2, self._left + begin
+        right = self._left + end
+        point = f"l8 {BAR / 2:.1f} l-8 {BAR / 2:.1f}" if life.after else f"v{BAR:.1f}"
+        dent = f"l8 {-BAR / 2:.1f} z" if life.before else "z"
+        words = f"{life.result}{' of the last frame' if life.before else ''}"
+        return (
+            f'<path d="M{left:.1f} {top:.1f} H{right:.1f} {point} H{left:.1f} {dent}" '
+            f'fill="{color}" fill-opacity="{opacity:.2f}"><title>{escape(words)}</title></path>'
+        )
+
+
+def drawn_mark(mark: MarkKind, x: float, y: float) -> str:
+    """What a step does with a texture, as a small shape."""
+    if mark == "read":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#ffffff" stroke="{INK}"/>'
+    if mark == "dropped":
+        shape = f"M{x - 4:.1f} {y - 4:.1f}l8 8m0 -8l-8 8"
+        return f'<path d="{shape}" stroke="{INK}" stroke-width="1.6" fill="none"/>'
+    if mark == "written":
+        return f'<rect x="{x - 4:.1f}" y="{y - 4:.1f}" width="8" height="8" fill="{INK}"/>'
+    dot = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5" fill="{INK}"/>'
+    if mark == "drawn over":
+        dot += f'<circle cx="{x:.1f}" cy="{y:.1f}" r="1.8" fill="#ffffff"/>'
+    return dot
+
+
+def _columns(columns: Sequence[Column]) -> tuple[list[Column | None], dict[int, int]]:
+    """The columns to show, of which ``None`` stands for several that are left out; and for each
+    step the place of its column."""
+    sizes: dict[str, int] = {}
+    for column in columns:
+        sizes[column.group] = sizes.get(column.group, 0) + 1
+    shown: list[Column | None] = []
+    place: dict[int, int] = {}
+    group, at = "", 0
+    for column in columns:
+        group, at = column.group, at + 1 if group == column.group else 0
+        is_long = column.group != "" and sizes[column.group] > LONG
+        if is_long and BEFORE <= at < sizes[column.group] - AFTER:
+            if shown[-1] is not None:
+                shown.append(None)
+        else:
+            shown.append(column)
+        place[column.number] = len(shown) - 1
+    return shown, place

@@ -1,0 +1,71 @@
+"""Finds the depths of a frame that need stencil values beside them.
+
+``plan.py`` asks once for each frame. A step's depths have stencil values if a pass uses them that
+draws there, or over what is there: then all of these have one format.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from ...frozen import record
+from ..ir.frame import Attachment, Frame, Image, RenderStep, Step
+from .lifetimes import uses_of
+
+STENCIL_FORMATS: Mapping[str, str] = {"depth32f": "depth32f_stencil8"}
+"""What formats of depths become, so that depths stay the same numbers."""
+
+
+@record
+class Stencils:
+    """Which images have stencil values, and how long steps need them."""
+
+    frame: Frame
+    images: frozenset[Image]
+
+    @classmethod
+    def of(cls, frame: Frame) -> Stencils:
+        """Those of a frame."""
+        over: dict[Image, list[Image]] = {}
+        pending: list[Image] = []
+        for step, depth in _depths(frame):
+            if depth.over is not None:
+                over.setdefault(depth.image, []).append(depth.over)
+                over.setdefault(depth.over, []).append(depth.image)
+            if _uses_stencil(step):
+                pending.append(depth.image)
+        found: set[Image] = set()
+        while pending:
+            image = pending.pop()
+            if image not in found:
+                found.add(image)
+                pending += over.get(image, [])
+        return cls(frame, frozenset(found))
+
+    def format_of(self, image: Image) -> str:
+        """The format of the texture that holds an image."""
+        return STENCIL_FORMATS[image.format] if image in self.images else image.format
+
+    def are_needed(self, number: int, attachment: Attachment) -> bool:
+        """Whether a later step than the one of this number finds the values that it leaves."""
+        for step in self.frame.steps[number + 1 :]:
+            depth = step.depth if isinstance(step, RenderStep) else None
+            if depth is None:
+                continue
+            if depth.over is attachment.image or _place(depth) == _place(attachment):
+                return True
+        return False
+
+
+def _place(depth: Attachment) -> tuple[Image, int | None, int]:
+    return depth.image, depth.layer, depth.level
+
+
+def _depths(frame: Frame) -> Iterator[tuple[Step, Attachment]]:
+    for step in frame.steps:
+        if isinstance(step, RenderStep) and step.depth is not None:
+            yield step, step.depth
+
+
+def _uses_stencil(step: Step) -> bool:
+    return any(use.shader.shader.render_state.stencil.is_used for use in uses_of(step))

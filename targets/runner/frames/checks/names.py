@@ -1,0 +1,243 @@
+"""Checks that every name and number of a plan stands for something, and only for one thing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from .....compiler.ir.host import KNOWN_TO_HOST
+from ...binding import FORMATS
+from .rows import Row, attachments, fail, inputs, step_name, uses
+
+DEPTH_FORMATS = ("depth32f",)
+LAYERS = {"2d": range(1, 2), "cube": range(6, 7)}
+"""How many layers textures of a dimension have; any number where none is said."""
+
+
+def check_names(plan: Row) -> None:
+    """Raise ``PlanError`` for a row that names what is not there, or what cannot be meant."""
+    _check_unique(plan)
+    for row in plan["shaders"]:
+        if row["rig"] not in (None, plan["rig"]):
+            fail(plan, row["name"], f"it is drawn under `{row['rig']}`, and not `{plan['rig']}`")
+    for number, value in enumerate(plan["values"]):
+        _check_value(plan, f"value {number}", value)
+    for number, texture in enumerate(plan["textures"]):
+        _check_texture(plan, f"texture {number}", texture)
+    for step in plan["steps"]:
+        _check_step(plan, step)
+    for row in plan["kept"]:
+        _check_kept(plan, row)
+    for row in plan["outputs"]:
+        _one_of(plan, f"output {row['name']}", "result", row["result"], _results(plan))
+        _texture(plan, f"output {row['name']}", row["texture"])
+
+
+def _check_unique(plan: Row) -> None:
+    named = {
+        "shaders": "name", "models": "name", "parameters": "name", "lights": "name",
+        "host_textures": "name", "host_buffers": "name", "results": "name", "outputs": "name",
+        "kept": "result",
+    }  # fmt: skip
+    for table, key in named.items():
+        _no_two(plan, table, [row[key] for row in plan[table]])
+    _no_two(plan, "steps", [step["name"] for step in plan["steps"] if "name" in step])
+    set_by_host = [*plan["parameters"], *plan["host_textures"], *plan["host_buffers"]]
+    for row in set_by_host:
+        _one_of(plan, "sources", "declaration", row["name"], plan["sources"])
+    for name in plan["sources"]:
+        _one_of(plan, "sources", "value of the host", name, [row["name"] for row in set_by_host])
+    for row in plan["results"]:
+        if (row["kind"] == "texture") != (row["texture"] is not None):
+            fail(plan, row["name"], "a texture has a number, and a buffer has none")
+        _texture(plan, row["name"], row["texture"])
+
+
+def _no_two(plan: Row, table: str, names: Iterable[str]) -> None:
+    seen: set[str] = set()
+    for name in names:
+        if name in seen:
+            fail(plan, table, f"there are two of the name `{name}`")
+        seen.add(name)
+
+
+# --- values and textures -------------------------------------------------------------------------
+
+
+def _check_value(plan: Row, where: str, value: Row) -> None:
+    """The steps of a number: known operations on what stands before them."""
+    steps = value["steps"]
+    parameters = {row["name"]: row["representation"] for row in plan["parameters"]}
+    textures = [row["name"] for row in plan["host_textures"]]
+    if not steps:
+        fail(plan, where, "it has no steps")
+    for number, step in enumerate(steps):
+        try:
+            op, type_, args = step["op"], step["type"], step["args"]
+        except KeyError as error:
+            fail(plan, where, f"step {number} has no {error}")
+        _one_of(plan, where, "operation", op, KNOWN_TO_HOST)
+        if not all(isinstance(each, int) and 0 <= each < number for each in args):
+            fail(plan, where, f"step {number} is computed of {args}, which do not stand before it")
+        if op == "parameter":
+            _one_of(plan, where, "parameter", step.get("parameter"), parameters)
+            if type_ != parameters[step["parameter"]]:
+                fail(plan, where, f"`{step['parameter']}` is no {type_}")
+        if op == "resource":
+            _one_of(plan, where, "texture of the host", step.get("texture"), textures)
+    if steps[-1]["type"] != value["representation"]:
+        fail(plan, where, f"it is {steps[-1]['type']}, and not {value['representation']}")
+
+
+def _check_texture(plan: Row, where: str, texture: Row) -> None:
+    _one_of(plan, where, "format", texture["format"], (*FORMATS, *DEPTH_FORMATS))
+    if texture["layers"] not in LAYERS.get(texture["dimension"], range(1, 1 << 16)):
+        fail(plan, where, f"{texture['dimension']} does not have {texture['layers']} layers")
+    size = texture["size"]
+    if (size["value"] is None) == (size["extent_of"] is None):
+        fail(plan, where, "its size is either a value or the extent of a step")
+    if size["value"] is not None:
+        _value(plan, where, size["value"], "ivec2")
+        return
+    kernels = [step["name"] for step in plan["steps"] if step.get("images")]
+    _one_of(plan, where, "step that writes images", size["extent_of"], kernels)
+
+
+# --- steps ---------------------------------------------------------------------------------------
+
+
+def _check_step(plan: Row, step: Row) -> None:
+    where = step_name(step)
+    _no_two(plan, where, [f"texture {row['texture']}" for row in step["barriers"]])
+    for barrier in step["barriers"]:
+        _texture(plan, where, barrier["texture"])
+    for use in uses(step):
+        _number(plan, where, "shader", use["shader"], plan["shaders"])
+        _no_two(plan, where, [row["name"] for row in use["inputs"]])
+    for row in inputs(step):
+        _check_input(plan, f"{where}, input {row['name']}", row)
+    _no_two(plan, where, [f"texture {each}" for each in _drawn_to(step)])
+    for image in step.get("images", ()):
+        _texture(plan, where, image["texture"])
+    for row in attachments(step):
+        _check_attachment(plan, f"{where}, {row['name']}", row, is_depth=row is step["depth"])
+    for drawn in step.get("draws", ()):
+        _check_drawn(plan, where, step, drawn)
+    for end in ("from", "to"):
+        if end in step:
+            _one_of(plan, where, "result", step[end].get("result"), _results(plan))
+            _texture(plan, where, step[end].get("texture"))
+    _check_result_names(plan, where, step)
+
+
+def _drawn_to(step: Row) -> Iterator[int]:
+    for row in (*attachments(step), *step.get("images", ())):
+        yield row["texture"]
+
+
+def _check_result_names(plan: Row, where: str, step: Row) -> None:
+    """A result is called like what leaves it."""
+    for row in attachments(step):
+        if row["result"].rpartition(".")[2] != row["name"]:
+            fail(plan, where, f"`{row['name']}` is drawn to `{row['result']}`")
+    for row in (*step.get("images", ()), *step.get("buffers", ())):
+        if row["result"] != f"{step['name']}.{row['name']}":
+            fail(plan, where, f"`{row['name']}` is written to `{row['result']}`")
+
+
+def _check_input(plan: Row, where: str, row: Row) -> None:
+    if "value" in row:
+        _number(plan, where, "value", row["value"], plan["values"])
+        return
+    for source in (row, row.get("initially") or {}):
+        if "host" in source:
+            known = [each["name"] for each in (*plan["host_textures"], *plan["host_buffers"])]
+            _one_of(plan, where, "texture or buffer of the host", source["host"], known)
+        if "result" in source:
+            _one_of(plan, where, "result", source["result"], _results(plan))
+        _texture(plan, where, source.get("texture"))
+    if "previous" in row:
+        kept = {each["result"]: each["previous"] for each in plan["kept"]}
+        _one_of(plan, where, "result that is kept", row["previous"], kept)
+        if kept[row["previous"]] != row["texture"]:
+            fail(plan, where, f"texture {row['texture']} does not keep `{row['previous']}`")
+
+
+def _check_attachment(plan: Row, where: str, row: Row, *, is_depth: bool) -> None:
+    texture = plan["textures"][_texture(plan, where, row["texture"])]
+    if (texture["format"] in DEPTH_FORMATS) != is_depth:
+        fail(plan, where, f"texture {row['texture']} is {texture['format']}")
+    layer, level = row["layer"], row["level"]
+    if not 0 <= level < texture["levels"] or not (layer is None or 0 <= layer < texture["layers"]):
+        fail(plan, where, f"texture {row['texture']} has no layer {layer}, level {level}")
+    if row["over"] is not None:
+        _one_of(plan, where, "result", row["over"], _results(plan))
+
+
+def _check_drawn(plan: Row, where: str, step: Row, drawn: Row) -> None:
+    """What is drawn: models, each by the shader for its material, or vertices without any."""
+    models, lights = drawn["models"], [row["name"] for row in plan["lights"]]
+    materials: list[str | None] = [None]
+    if (models is None) == (drawn["vertices"] is None):
+        fail(plan, where, "it draws either models or vertices without models")
+    if models is None:
+        _value(plan, where, drawn["vertices"], "int")
+    else:
+        known = {row["name"]: row["materials"] for row in plan["models"]}
+        _one_of(plan, where, "name of models", models, known)
+        materials = known[models]
+    if [use["material"] for use in drawn["uses"]] != materials:
+        fail(plan, where, f"it does not have one shader for each material of `{models}`")
+    if drawn["light"] is not None:
+        _one_of(plan, where, "light", drawn["light"], lights)
+    for use in drawn["uses"]:
+        shader = plan["shaders"][use["shader"]]
+        parts = (plan["frame"], step["pass"], use["material"], drawn["light"])
+        meant = ".".join(part for part in parts if part)
+        if (shader["name"], shader["pass"]) != (meant, step["pass"]):
+            fail(plan, where, f"it is drawn by `{shader['name']}`, and not by `{meant}`")
+
+
+def _check_kept(plan: Row, row: Row) -> None:
+    where = f"kept {row['result']}"
+    _one_of(plan, where, "result", row["result"], _results(plan))
+    if row["texture"] is None and row["previous"] is None:
+        return
+    if _texture(plan, where, row["texture"]) == _texture(plan, where, row["previous"]):
+        fail(plan, where, "what was drawn and what is drawn are one texture")
+    one, other = (plan["textures"][row[end]] for end in ("texture", "previous"))
+    for key in ("format", "dimension", "size", "layers", "levels"):
+        if one[key] != other[key]:
+            fail(plan, where, f"its two textures differ in their {key}")
+
+
+# --- parts ---------------------------------------------------------------------------------------
+
+
+def _results(plan: Row) -> list[str]:
+    return [row["name"] for row in plan["results"]]
+
+
+def _one_of(plan: Row, where: str, what: str, name: Any, known: Iterable[str]) -> None:
+    known = list(known)
+    if name not in known:
+        fail(plan, where, f"there is no {what} `{name}`")
+
+
+def _number(plan: Row, where: str, what: str, number: int, rows: list[Row]) -> None:
+    if not 0 <= number < len(rows):
+        fail(plan, where, f"there is no {what} {number}: there are {len(rows)}")
+
+
+def _value(plan: Row, where: str, number: int, type_: str) -> None:
+    _number(plan, where, "value", number, plan["values"])
+    found = plan["values"][number]["representation"]
+    if found != type_:
+        fail(plan, where, f"value {number} is {found}, and not {type_}")
+
+
+def _texture(plan: Row, where: str, number: int | None) -> int:
+    if number is None:
+        return -1
+    _number(plan, where, "texture", number, plan["textures"])
+    return number

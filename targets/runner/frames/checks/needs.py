@@ -1,0 +1,172 @@
+"""Checks what a plan says of its results against what its steps do with them.
+
+Which result is where, who needs it last, what a texture is used as, and what has to be stored: all
+of this follows from the steps, and hosts rely on it when they make, share and free memory.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+
+from .rows import (
+    Reading,
+    Row,
+    attachments,
+    drawn_over,
+    fail,
+    is_rare,
+    read_before,
+    read_now,
+    step_name,
+    written,
+)
+
+
+def check_needs(plan: Row) -> None:
+    """Raise ``PlanError`` where a row says something else than the steps."""
+    needs = _Needs(plan)
+    needs.check_results()
+    needs.check_textures()
+    needs.check_steps()
+
+
+class _Needs:
+    def __init__(self, plan: Row) -> None:
+        self._plan = plan
+        self._steps = plan["steps"]
+        self._results = {row["name"]: row for row in plan["results"]}
+        self._outputs = {row["result"] for row in plan["outputs"]}
+
+    @cached_property
+    def _read_last(self) -> dict[str, None]:
+        """The results that the next frame reads, in order."""
+        return {result: None for step in self._steps for result, _ in read_before(step)}
+
+    # --- results and textures --------------------------------------------------------------------
+
+    def check_results(self) -> None:
+        """Every result is where all that use it say, and needed as long as it says."""
+        first: dict[str, int] = {}
+        last: dict[str, int] = {}
+        for number, step in enumerate(self._steps):
+            for result, texture in self._mentioned(step):
+                self._check_place(step_name(step), result, texture)
+            if step["kind"] == "copy":
+                continue
+            for result, _ in written(step):
+                first.setdefault(result, number)
+            used = (*written(step), *read_now(step, is_first=True))
+            for result in (*(result for result, _ in used), *drawn_over(step)):
+                last[result] = number
+        last |= dict.fromkeys(self._outputs, len(self._steps) - 1)
+        for row in (*self._plan["outputs"], *self._plan["kept"]):
+            self._check_place(f"result {row['result']}", row["result"], row["texture"])
+        for name, row in self._results.items():
+            if name not in first:
+                fail(self._plan, name, "no step leaves it")
+            if (row["first"], row["last"]) != (first[name], last[name]):
+                fail(self._plan, name,
+                     f"it is needed from step {first[name]} to {last[name]}, and not from "
+                     f"{row['first']} to {row['last']}")  # fmt: skip
+        kept = [row["result"] for row in self._plan["kept"]]
+        if sorted(kept) != sorted(self._read_last):
+            fail(self._plan, "kept", f"the next frame reads {_listed(self._read_last)}, and "
+                 f"{_listed(kept)} is kept")  # fmt: skip
+
+    def _mentioned(self, step: Row) -> Iterator[Reading]:
+        """The results of this frame that a step names, each with a texture."""
+        yield from written(step)
+        yield from read_now(step, is_first=True)
+        yield from read_now(step, is_first=False)
+        for end in ("from", "to"):
+            if end in step:
+                yield step[end]["result"], step[end]["texture"]
+
+    def _check_place(self, where: str, result: str, texture: int | None) -> None:
+        row = self._results.get(result)
+        if row is None or row["texture"] != texture:
+            fail(self._plan, where, f"`{result}` is not in texture {texture}")
+
+    def check_textures(self) -> None:
+        """Every texture has the results and uses that it says."""
+        previous = {row["previous"]: row["result"] for row in self._plan["kept"]}
+        kept = {*previous, *(row["texture"] for row in self._plan["kept"])}
+        for number, row in enumerate(self._plan["textures"]):
+            where = f"texture {number}"
+            results = [each for each in self._plan["results"] if each["texture"] == number]
+            names = [each["name"] for each in sorted(results, key=lambda each: int(each["first"]))]
+            if number in previous:
+                names = [previous[number]]
+            if row["results"] != names:
+                fail(self._plan, where, f"it holds {_listed(names)}")
+            if row["kept"] != (number in kept):
+                fail(self._plan, where, f"kept is {not row['kept']}")
+            uses = {barrier["to"] for step in self._steps for barrier in step["barriers"]
+                    if barrier["texture"] == number}  # fmt: skip
+            uses |= {"sampled"} if number in previous else set()
+            if set(row["uses"]) != uses or len(row["uses"]) != len(uses):
+                fail(self._plan, where, f"it is used as {_listed(sorted(uses))}")
+
+    # --- steps -----------------------------------------------------------------------------------
+
+    def check_steps(self) -> None:
+        """A step stores what somebody needs, and is left out of later frames if these do not need
+        it."""
+        rare = self._only_first()
+        in_first = {texture for step in self._steps if not is_rare(step)
+                    for _, texture in written(step)}  # fmt: skip
+        in_first |= {row[end] for row in self._plan["kept"] for end in ("texture", "previous")}
+        for number, step in enumerate(self._steps):
+            where = step_name(step)
+            if is_rare(step) != (step.get("name") in rare):
+                fail(self._plan, where, "whether it is needed in later frames is said wrongly")
+            for barrier in step["barriers"]:
+                if barrier["only_first"] == (barrier["texture"] in in_first):
+                    fail(self._plan, where,
+                         "whether later frames wait for texture "
+                         f"{barrier['texture']} is said wrongly")  # fmt: skip
+            for row in attachments(step):
+                if row["store"] != self._is_needed(number, row["result"]):
+                    said = "stored" if row["store"] else "dropped"
+                    fail(self._plan, where, f"`{row['result']}` is {said}")
+            places = {(row["layer"], row["level"]) for row in attachments(step)}
+            if len(places) > 1:
+                fail(self._plan, where, "its targets are different layers or levels")
+
+    def _is_needed(self, number: int, result: str) -> bool:
+        """Whether anybody needs behind a step what it draws."""
+        is_left = result in self._outputs or result in self._read_last
+        return is_left or self._last_read.get(result, number) > number
+
+    @cached_property
+    def _last_read(self) -> dict[str, int]:
+        """The last step that reads each result, or draws over it."""
+        return {
+            result: number
+            for number, step in enumerate(self._steps)
+            for result in (*(each for each, _ in read_now(step, is_first=True)), *drawn_over(step))
+        }
+
+    def _only_first(self) -> set[str]:
+        """The names of the steps that only a first frame needs, since it has no last one."""
+        needed: set[str] = set()
+        pending = list(self._outputs)
+        reached = set(pending)
+        while pending:
+            result = pending.pop()
+            for step in self._steps:
+                results = [each for each, _ in written(step)]
+                if result not in results:
+                    continue
+                needed.add(step["name"])
+                now = read_now(step, is_first=False)
+                wanted = {each for each, _ in (*read_before(step), *now)}
+                further = (wanted | {*results, *drawn_over(step)}) - reached
+                reached |= further
+                pending += further
+        return {step["name"] for step in self._steps if "name" in step} - needed
+
+
+def _listed(names: Iterable[str]) -> str:
+    return ", ".join(f"`{name}`" for name in names) or "nothing"

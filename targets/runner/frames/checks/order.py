@@ -1,0 +1,192 @@
+"""Executes a plan in thought: every step finds what it reads, where it reads it, and has waited.
+
+This is done for a first frame and for a second one: which result each texture holds in each layer
+and level, and how it is used.
+"""
+
+from __future__ import annotations
+
+from .rows import (
+    WRITES,
+    Row,
+    fail,
+    inputs,
+    is_rare,
+    places,
+    read_before,
+    read_now,
+    step_name,
+    written,
+)
+
+
+def check_order(plan: Row) -> None:
+    """Raise ``PlanError`` for the first step that uses something before it is ready."""
+    _Execution(plan).execute()
+
+
+class _Execution:
+    def __init__(self, plan: Row) -> None:
+        self._plan = plan
+        self._uses: dict[int, str] = {}
+        self._touched: set[int] = set()
+        """Textures that this frame has used."""
+        self._holds: dict[int, dict[tuple[int, int], str]] = {}
+        """For each texture which result each layer and level holds."""
+        self._copies: dict[int, str] = {}
+        """For each texture that a copy has filled, of which result."""
+        self._buffers: set[str] = set()
+        """The results that are there in buffers."""
+        self._kept_buffers: set[str] = set()
+        self._step = ""
+        self._waited: set[int] = set()
+        """Textures with a barrier before this step."""
+        self._used_here: set[int] = set()
+
+    def execute(self) -> None:
+        """Draw two frames."""
+        for row in self._plan["kept"]:
+            if row["previous"] is not None:
+                self._uses[row["previous"]] = "sampled"
+        for is_first in (True, False):
+            self._begin()
+            for step in self._plan["steps"]:
+                if is_first or not is_rare(step):
+                    self._do(step, is_first)
+            self._end()
+
+    def _begin(self) -> None:
+        """Forget what the last frame has left, but for what is kept."""
+        previous = {row["previous"] for row in self._plan["kept"]}
+        self._holds = {texture: held for texture, held in self._holds.items()
+                       if texture in previous}  # fmt: skip
+        self._touched, self._copies, self._buffers = set(previous), {}, set()
+
+    def _end(self) -> None:
+        """Give the host its outputs, and the next frame what it reads."""
+        for row in (*self._plan["outputs"], *self._plan["kept"]):
+            self._step = f"output {row['name']}" if "name" in row else f"kept {row['result']}"
+            self._finds(row["texture"], row["result"])
+        self._kept_buffers = set()
+        for row in self._plan["kept"]:
+            one, other = row["texture"], row["previous"]
+            if one is None:
+                self._kept_buffers.add(row["result"])
+                continue
+            self._holds[one], self._holds[other] = self._holds.get(other, {}), self._holds[one]
+            self._uses[one], self._uses[other] = "sampled", "sampled"
+
+    # --- steps -----------------------------------------------------------------------------------
+
+    def _do(self, step: Row, is_first: bool) -> None:
+        self._step = step_name(step)
+        self._waited, self._used_here = set(), set()
+        for barrier in step["barriers"]:
+            if is_first or not barrier["only_first"]:
+                self._wait(barrier)
+        self._read_all(step, is_first)
+        if step["kind"] == "copy":
+            self._copy(step["from"], step["to"])
+        for image in step.get("images", ()):
+            self._written(image["texture"], "image")
+            self._holds[image["texture"]] = {(0, 0): image["result"]}
+        for target in step.get("targets", ()):
+            self._draw(target, "target")
+        if step.get("depth") is not None:
+            self._draw(step["depth"], "depth")
+        self._buffers |= {result for result, texture in written(step) if texture is None}
+        for texture in sorted(self._waited - self._used_here):
+            self._fail(f"it waits for texture {texture}, which it does not use")
+
+    def _wait(self, barrier: Row) -> None:
+        texture, before = barrier["texture"], barrier["from"]
+        known = self._uses.get(texture, "undefined") if texture in self._touched else "undefined"
+        if before != known:
+            self._fail(f"texture {texture} is used as {known} before, and not as {before}")
+        if before == barrier["to"] and before not in WRITES:
+            self._fail(f"it waits for texture {texture}, which was only read as {before}")
+        if before == "undefined":
+            self._holds[texture] = {}
+        self._uses[texture] = barrier["to"]
+        self._touched.add(texture)
+        self._waited.add(texture)
+
+    def _used(self, texture: int, use: str) -> None:
+        known = self._uses.get(texture, "undefined")
+        if known != use or texture not in self._touched:
+            self._fail(f"texture {texture} is used as {use}, and no barrier says so: it is {known}")
+        self._used_here.add(texture)
+
+    def _written(self, texture: int, use: str) -> None:
+        self._used(texture, use)
+        if texture not in self._waited:
+            self._fail(f"nothing waits for what was done to texture {texture} before")
+
+    # --- contents --------------------------------------------------------------------------------
+
+    def _read_all(self, step: Row, is_first: bool) -> None:
+        for result, texture in read_now(step, is_first=is_first):
+            if texture is not None:
+                self._used(texture, "sampled")
+            self._finds(texture, result)
+        black = {
+            (row["previous"], row["texture"])
+            for row in inputs(step)
+            if "previous" in row and row["initially"] is None
+        }
+        for result, texture in read_before(step):
+            if texture is None:
+                if not is_first and result not in self._kept_buffers:
+                    self._fail(f"the last frame has left no `{result}`")
+                continue
+            if is_first and (result, texture) not in black:
+                continue
+            self._used(texture, "sampled")
+            if not is_first:
+                self._finds(texture, result)
+
+    def _finds(self, texture: int | None, result: str) -> None:
+        """Check that a texture holds a result, all of it; or that a buffer is there."""
+        if texture is None:
+            if result not in self._buffers:
+                self._fail(f"`{result}` is read before it is there")
+            return
+        held = self._holds.get(texture, {})
+        for place in places(self._plan["textures"][texture]):
+            if held.get(place) != result:
+                found = held.get(place)
+                what = f"`{found}`" if found else "nothing"
+                self._fail(f"texture {texture} should hold `{result}`, and holds {what}")
+
+    def _copy(self, source: Row, target: Row) -> None:
+        self._used(source["texture"], "copied_from")
+        self._finds(source["texture"], source["result"])
+        self._written(target["texture"], "copied_to")
+        whole = places(self._plan["textures"][target["texture"]])
+        result: str = target["result"]
+        self._holds[target["texture"]] = dict.fromkeys(whole, result)
+        self._copies[target["texture"]] = source["result"]
+
+    def _draw(self, target: Row, use: str) -> None:
+        texture, result, over = target["texture"], target["result"], target["over"]
+        self._written(texture, use)
+        held = self._holds.setdefault(texture, {})
+        layers = self._plan["textures"][texture]["layers"]
+        for layer in range(layers) if target["layer"] is None else (target["layer"],):
+            place = layer, target["level"]
+            found = held.get(place)
+            if target["load"] == "load" and not self._is_over(texture, found, result, over):
+                self._fail(f"`{result}` is drawn over something else: {found or 'nothing'}")
+            if target["load"] == "clear" and (found == result or over is not None):
+                self._fail(f"`{result}` is cleared, and should be drawn over")
+            held[place] = result if target["store"] else ""
+
+    def _is_over(self, texture: int, found: str | None, result: str, over: str | None) -> bool:
+        """Whether what is there is what a step draws over: another result, a copy of it, or what
+        the step's result is so far."""
+        if over is None:
+            return found == result
+        return found == over or (found == result and self._copies.get(texture) == over)
+
+    def _fail(self, text: str) -> None:
+        fail(self._plan, self._step, text)

@@ -1,0 +1,100 @@
+"""What all checks of plans share: their error, and how they walk over the rows of a plan.
+
+A plan has every name and every number several times over, and the checks compare these. So a plan
+in which one place is wrong contradicts itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NoReturn
+
+Row = Mapping[str, Any]
+
+Reading = tuple[str, int | None]
+"""A result that a step reads, and the number of its texture; ``None`` of a buffer."""
+
+WRITES = frozenset(("target", "depth", "image", "copied_to"))
+"""Uses of a texture behind which even the same use has to wait."""
+
+
+class PlanError(ValueError):
+    """A plan cannot be executed; the text tells people why."""
+
+
+def fail(plan: Row, where: str, text: str) -> NoReturn:
+    """Raise ``PlanError``; ``where`` names the row that is wrong."""
+    raise PlanError(f"{plan['frame']}, {where}: {text}")
+
+
+def step_name(step: Row) -> str:
+    """What messages call a step."""
+    return str(step.get("name", "a copy"))
+
+
+def is_rare(step: Row) -> bool:
+    """Whether a step is done in the first frame only."""
+    return bool(step.get("only_first", False))
+
+
+def attachments(step: Row) -> Iterator[Row]:
+    """What a step draws to, its depths last."""
+    yield from step.get("targets", ())
+    if step.get("depth") is not None:
+        yield step["depth"]
+
+
+def uses(step: Row) -> Iterator[Row]:
+    """The shaders of a step, with what the frame sets of them."""
+    if step["kind"] == "run":
+        yield step
+    for drawn in step.get("draws", ()):
+        yield from drawn["uses"]
+
+
+def inputs(step: Row) -> Iterator[Row]:
+    """What the frame sets in a step."""
+    for use in uses(step):
+        yield from use["inputs"]
+
+
+def read_now(step: Row, *, is_first: bool) -> Iterator[Reading]:
+    """The results of this frame that a step reads: a first frame has no last one."""
+    for row in inputs(step):
+        source = row
+        if "previous" in row:
+            if not is_first or row["initially"] is None:
+                continue
+            source = row["initially"]
+        if "result" in source:
+            yield source["result"], source["texture"]
+
+
+def read_before(step: Row) -> Iterator[Reading]:
+    """The results of the last frame that a step reads."""
+    for row in inputs(step):
+        if "previous" in row:
+            yield row["previous"], row["texture"]
+
+
+def written(step: Row) -> Iterator[Reading]:
+    """The results that a step leaves. A copy leaves nothing of its own: the next step draws over
+    it."""
+    for row in (*attachments(step), *step.get("images", ())):
+        yield row["result"], row["texture"]
+    for row in step.get("buffers", ()):
+        yield row["result"], None
+
+
+def drawn_over(step: Row) -> Iterator[str]:
+    """The results that are there before, where a step draws."""
+    for row in attachments(step):
+        if row["over"] is not None:
+            yield row["over"]
+
+
+def places(texture: Row) -> Iterator[tuple[int, int]]:
+    """Every layer and level of a texture."""
+    for layer in range(texture["layers"]):
+        for level in range(texture["levels"]):
+            yield layer, level

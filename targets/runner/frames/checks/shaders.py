@@ -1,0 +1,150 @@
+"""Checks a plan against the reflections of its shaders: what steps give them, and draw to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from .rows import Row, attachments, fail, step_name, uses
+
+DEPTHS = "depth"
+"""What the formats of depths begin with, and what textures are called that hold them."""
+_BUFFER = ("representation", "stride", "members", "structs")
+"""What has to be alike where one shader reads the elements that another one writes."""
+
+
+def check_shaders(plan: Row, reflections: Sequence[Row]) -> None:
+    """Raise ``PlanError`` for a shader that is given, or draws, something else than its reflection
+    says. ``reflections`` are those of the plan's shaders, in order."""
+    if len(reflections) != len(plan["shaders"]):
+        fail(plan, "shaders", f"there are {len(reflections)}, and not {len(plan['shaders'])}")
+    for row, reflection in zip(plan["shaders"], reflections, strict=True):
+        found = {key: reflection[key] or None for key in ("material", "pass", "rig")}
+        wanted = {"material": row["name"], "pass": row["pass"], "rig": row["rig"]}
+        if found != wanted:
+            fail(plan, row["name"], f"{row['reflection']} is the reflection of another shader")
+    shaders = _Shaders(plan, reflections)
+    for step in plan["steps"]:
+        for use in uses(step):
+            shaders.check_use(step_name(step), use)
+        if step["kind"] == "draw":
+            shaders.check_draw(step)
+        elif step["kind"] == "run":
+            shaders.check_run(step)
+
+
+class _Shaders:
+    def __init__(self, plan: Row, reflections: Sequence[Row]) -> None:
+        self._plan = plan
+        self._reflections = reflections
+        self._textures: dict[str, tuple[str, str]] = dict(self._all_textures())
+        """Of each result, and each texture of the host, the dimension and what it holds."""
+        self._buffers: dict[str, Row] = dict(self._all_buffers())
+
+    def _all_textures(self) -> Iterator[tuple[str, tuple[str, str]]]:
+        for row in self._plan["host_textures"]:
+            yield f"host {row['name']}", (row["dimension"], row["sample"])
+        for row in self._plan["results"]:
+            if row["texture"] is not None:
+                texture = self._plan["textures"][row["texture"]]
+                holds = DEPTHS if texture["format"].startswith(DEPTHS) else "float"
+                yield row["name"], (texture["dimension"], holds)
+
+    def _all_buffers(self) -> Iterator[tuple[str, Row]]:
+        for row in self._plan["host_buffers"]:
+            yield f"host {row['name']}", row
+        for step in self._plan["steps"]:
+            for row in step.get("buffers", ()):
+                written = self._reflections[step["shader"]]["results"]
+                yield row["result"], _by_name(written).get(row["name"], {})
+
+    # --- what shaders are given ------------------------------------------------------------------
+
+    def check_use(self, where: str, use: Row) -> None:
+        """Every input is one of the shader, and of its type."""
+        reflection = self._reflections[use["shader"]]
+        for row in use["inputs"]:
+            name = row["name"]
+            wanted = next(
+                (kind for kind in ("parameters", "textures", "buffers")
+                 if name in _by_name(reflection[kind])), None,
+            )  # fmt: skip
+            if wanted is None:
+                fail(self._plan, where, f"{reflection['material']} has no input `{name}`")
+            declared = _by_name(reflection[wanted])[name]
+            if (wanted == "parameters") != ("value" in row):
+                fail(self._plan, where, f"`{name}` is one of the shader's {wanted}")
+            if "value" in row:
+                self._check_value(where, row, declared)
+                continue
+            for source in (row, row.get("initially") or {}):
+                named = _source(source)
+                if named is not None:
+                    self._check_source(where, named, wanted, declared)
+
+    def _check_value(self, where: str, row: Row, declared: Row) -> None:
+        found = self._plan["values"][row["value"]]["representation"]
+        if found != declared["representation"]:
+            fail(self._plan, where,
+                 f"`{row['name']}` is {declared['representation']}, and value {row['value']} is "
+                 f"{found}")  # fmt: skip
+
+    def _check_source(self, where: str, named: str, wanted: str, declared: Row) -> None:
+        name = declared["name"]
+        if wanted == "textures":
+            found = self._textures.get(named)
+            if found != (declared["dimension"], declared["sample"]):
+                fail(self._plan, where, f"`{name}` is {declared['type']}, and `{named}` is not")
+            return
+        buffer = self._buffers.get(named, {})
+        if any(buffer.get(key) != declared[key] for key in _BUFFER):
+            fail(self._plan, where, f"`{name}` is {declared['type']}, and `{named}` is not")
+
+    # --- what they draw and write ----------------------------------------------------------------
+
+    def check_draw(self, step: Row) -> None:
+        """The targets of a pass are drawn to textures of their formats."""
+        where = step_name(step)
+        layers = self._plan["textures"][next(attachments(step))["texture"]]["layers"]
+        for use in uses(step):
+            reflection = self._reflections[use["shader"]]
+            self._check_targets(where, step["targets"], reflection)
+            depth = reflection["render_state"]["depth"]
+            if (depth["write"] or depth["compare"] != "always") != (step["depth"] is not None):
+                said = "no depths" if step["depth"] is None else "depths"
+                fail(self._plan, where, f"it has {said}, and {reflection['material']} differs")
+            own = reflection["draw"]["layers"]
+            for row in attachments(step):
+                if (own is not None) != (row["layer"] is None):
+                    fail(self._plan, where, f"`{row['name']}` is drawn to layer {row['layer']}")
+            if own is not None and own["count"] != layers:
+                fail(self._plan, where, f"it draws {own['count']} layers to {layers}")
+
+    def check_run(self, step: Row) -> None:
+        """A kernel writes what its reflection says."""
+        reflection = self._reflections[step["shader"]]
+        self._check_targets(step_name(step), step["images"], reflection)
+        found = [row["name"] for row in step["buffers"]]
+        wanted = [row["name"] for row in reflection["results"]]
+        if found != wanted:
+            fail(self._plan, step_name(step), f"it writes {', '.join(wanted)}")
+
+    def _check_targets(self, where: str, rows: Sequence[Row], reflection: Row) -> None:
+        found = [(row["name"], self._plan["textures"][row["texture"]]["format"]) for row in rows]
+        wanted = [(row["name"], row["format"]) for row in reflection["targets"]]
+        if found != wanted:
+            given, meant = (", ".join(f"`{name}` as {format_}" for name, format_ in each) or "none"
+                            for each in (found, wanted))  # fmt: skip
+            fail(self._plan, where, f"its targets are {given}, and those of the shader {meant}")
+
+
+def _source(row: Row) -> str | None:
+    """What an input reads, by the name under which it is known here."""
+    if "host" in row:
+        return f"host {row['host']}"
+    found = row.get("result", row.get("previous"))
+    return None if found is None else str(found)
+
+
+def _by_name(rows: Sequence[Row]) -> Mapping[str, Any]:
+    return {row["name"]: row for row in rows}

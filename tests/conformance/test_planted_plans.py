@@ -1,0 +1,125 @@
+"""Errors in plans that these alone cannot tell: pictures of what the source means tell them."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+
+import burnish
+from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.runner.frames.checking import PlanError
+from burnish.targets.runner.frames.host import FrameSubject
+from burnish.targets.runner.routes import ROUTES
+
+from .kit import Studio
+
+ROUTE = ROUTES["lavapipe:glsl"]
+SIZE = (8, 8)
+FRAME = """
+import std.frames.{FullScreen}
+pass Filled : FullScreen blend add {
+    param one : float = 0
+    param two : float = 0
+    target value : rgba16f = vec4(one, two, uv.x, 1)
+}
+pass Read : FullScreen {
+    map first : texture2d with { filter = nearest, mip = none }
+    map other : texture2d with { filter = nearest, mip = none }
+    target value : rgba16f = first.load(ivec2(0)) - 2 * other.load(ivec2(0))
+}
+frame F {
+    param small : int in 1..64 = 8
+    a = Filled(screen, small) with { one = 3, two = 5 }
+    b = Filled(screen, 2 * small) with { one = 7, two = 11 }
+    c = Filled(screen, a) with { one = 1, two = 1 }
+    read = Read(screen) with { first = c.value, other = b.value }
+    output value = read.value
+    output filled = b.value
+}
+"""
+Plan = dict[str, Any]
+
+
+def _inputs(plan: Plan, step: str) -> list[dict[str, Any]]:
+    (row,) = [row for row in plan["steps"] if row.get("name") == step]
+    found: list[dict[str, Any]] = row["draws"][0]["uses"][0]["inputs"]
+    return found
+
+
+def _swap(plan: Plan, step: str, key: str) -> None:
+    """Exchange something of the two inputs of a step."""
+    one, other = _inputs(plan, step)
+    one[key], other[key] = other[key], one[key]
+
+
+def _swapped_textures(plan: Plan) -> None:
+    for key in ("result", "texture"):
+        _swap(plan, "read", key)
+
+
+def _swapped_numbers(plan: Plan) -> None:
+    _swap(plan, "a", "value")
+
+
+def _swapped_names(plan: Plan) -> None:
+    _swap(plan, "b", "name")
+
+
+def _drawn_twice(plan: Plan) -> None:
+    plan["steps"][0]["draws"] *= 2
+
+
+def _without_a_number(plan: Plan) -> None:
+    del _inputs(plan, "a")[0]
+
+
+def _other_constant(plan: Plan) -> None:
+    value = plan["values"][_inputs(plan, "b")[0]["value"]]
+    value["steps"][-1]["value"] += 1
+
+
+def _nothing(_plan: Plan) -> None:
+    pass
+
+
+def _half_the_size(plan: Plan) -> None:
+    (row,) = [row for row in plan["textures"] if "b.value" in row["results"]]
+    row["size"]["level"] = 1
+
+
+def _results(studio: Studio, change: Callable[[Plan], None]) -> list[bool]:
+    """Whether each output agrees."""
+    (frame,) = burnish.compile(FRAME, (ROUTE.profile,)).frames
+    plan = copy.deepcopy(frame.plan)
+    change(plan)
+    planted = SimpleNamespace(
+        name="F", shaders=frame.shaders, plan=plan, plan_of_reference=frame.plan_of_reference
+    )
+    drawn = FramePlan("F", cast(FrameSubject, planted), SIZE)
+    device = studio.runner.device(ROUTE)
+    results = list(drawn.results(ROUTE, device, studio.runner, studio.toolchain))
+    return [not result.comparison.wrong for result in results]
+
+
+def test_the_frame_itself_agrees(studio: Studio) -> None:
+    assert _results(studio, _nothing) == [True, True]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        _swapped_textures, _swapped_numbers, _swapped_names, _drawn_twice, _without_a_number,
+        _other_constant,
+    ],
+)  # fmt: skip
+def test_another_meaning_is_found(studio: Studio, change: Callable[[Plan], None]) -> None:
+    assert False in _results(studio, change)
+
+
+def test_another_size_is_told(studio: Studio) -> None:
+    with pytest.raises(PlanError, match="filled has 8 x 8 texels, and should have 16 x 16 texels"):
+        _results(studio, _half_the_size)

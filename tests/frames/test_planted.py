@@ -1,0 +1,72 @@
+"""Errors that are planted in plans: what contradicts the plan or its reflections is refused.
+
+What a plan *means* it alone cannot tell: another number for another input is another frame, which
+only the source contradicts. ``MEANING`` lists these places; ``tests/conformance/test_frames.py``
+shows that pictures tell them apart.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from burnish.api import CompiledFrame
+from burnish.compiler.reflection.schema import PLAN, errors
+from burnish.targets.runner.frames.checking import PlanError, check_plan
+
+from .changes import changes
+from .kit import EXAMPLES, compiled
+
+MEANING = re.compile(
+    "|".join((
+        # What the host sets, and what is computed of it.
+        r"(parameters|lights|host_textures|host_buffers|values|models)\b",
+        # How large a texture is, and into how many levels nobody draws.
+        r"textures\.\d+\.(size|levels|layers)\b",
+        # What is drawn how often, and what a shader is given of things that are alike.
+        r"steps\.\d+\.draws: ",
+        r"steps\.\d+\.(draws\.\d+\.uses\.\d+\.)?inputs: without",
+        r"steps\.\d+\.draws\.\d+\.(models|vertices|light)\b",
+        r".*inputs\.\d+\.(value|host|result|previous|name|initially.*): ",
+        # What only has to be the same word as the host's.
+        r"steps\.\d+\.(name|pass): ", r"outputs\b",
+        # The same, in another order.
+        r".*(barriers|inputs|uses|results|kept): row \d+ before",
+    ))
+)  # fmt: skip
+"""Changes that make another plan, or the same one."""
+
+SEED = 13
+SAMPLE = 100
+"""How many changes of each example are tried; ``BURNISH_PLANTED=all`` tries all."""
+
+
+def is_refused(frame: CompiledFrame, wrong: dict[str, Any]) -> bool:
+    """Whether a host says no, before anything is drawn."""
+    files = {row["reflection"]: made.reflection for row, made in
+             zip(frame.plan["shaders"], frame.shaders, strict=True)}  # fmt: skip
+    if any(row["reflection"] not in files for row in wrong["shaders"]):
+        return True
+    try:
+        check_plan(wrong, [files[row["reflection"]] for row in wrong["shaders"]])
+    except PlanError:
+        return True
+    except (KeyError, TypeError, AttributeError):
+        assert errors(wrong, PLAN), "what follows the schema ends in no traceback"
+        return True
+    return bool(errors(wrong, PLAN))
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_changed_plans_are_refused(path: Path) -> None:
+    frame = compiled(path)
+    found = [change for change in changes(frame.plan) if not MEANING.match(change.name)]
+    if os.environ.get("BURNISH_PLANTED") != "all":
+        found = random.Random(SEED).sample(found, SAMPLE)
+    missed = [change.name for change in found if not is_refused(frame, change.made(frame.plan))]
+    assert not missed
