@@ -110,7 +110,7 @@ class Documents:
         return {
             "file": self._request.file.name,
             **self._listed,
-            "meshes": [] if self._request.scene else list(MESHES),
+            "meshes": [],
         }
 
     def _drawn(self, choice: Choice) -> dict[str, Any]:
@@ -122,11 +122,13 @@ class Documents:
         chosen = self._chosen(choice, declared)
         frame = self._compiled(chosen, declared)
         host = self._host(frame, chosen.mesh or self._request.mesh)
+        has_mesh = self._request.scene is None and bool(frame.plan["models"])
         return {
             "chosen": {
                 "subject": chosen.subject, "rig": chosen.rig, "pass": chosen.pass_,
-                "mesh": None if self._request.scene else chosen.mesh,
+                "mesh": chosen.mesh if has_mesh else None,
             },
+            "meshes": list(MESHES) if has_mesh else [],
             "doc": frame.plan["doc"],
             "controls": controls(host),
             "orbit": orbit(host.scenery),

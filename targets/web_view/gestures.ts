@@ -9,12 +9,12 @@ const WHEEL_ZOOM = 0.0015;
 /** What a line and a page of a wheel are, in pixels. */
 const WHEEL_UNITS = [1, 16, 400];
 
-type Point = { x: number; y: number };
+type Place = { x: number; y: number };
 
 /** Follow gestures on an element. `orbit` gives the camera, which changes with what is shown;
  * `moved` is called after each movement. */
 export function follow(element: HTMLElement, orbit: () => Orbit | null, moved: () => void): void {
-  const held = new Map<number, Point>();
+  const held = new Map<number, Place>();
 
   const act = (movement: (camera: Orbit) => void) => {
     const camera = orbit();
@@ -83,6 +83,6 @@ const KEYS: Record<string, { right: number; up: number; zoom?: number }> = {
   "-": { right: 0, up: 0, zoom: KEY_ZOOM },
 };
 
-function distance(a: Point, b: Point): number {
+function distance(a: Place, b: Place): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }

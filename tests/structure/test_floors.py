@@ -94,7 +94,7 @@ FLOORS: dict[str, str] = {
     ),
     "commands": (
         "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
-        "availability selection runner web_host conformance toolchain compiled api"
+        "availability selection runner web_host web_view conformance toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from PIL import Image
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
 
 from burnish.targets.runner.drivers.browser.chromium import FLAGS, START_LIMIT
 from burnish.targets.toolchain.tools import tool_named
@@ -19,7 +19,7 @@ from .kit import FLAT, Viewer, viewing
 
 CANVAS = ("--enable-features=Vulkan", "--use-vulkan=swiftshader")
 """Without these, a canvas of WebGPU is lost where there is no GPU."""
-SIZE = {"width": 900, "height": 500}
+SIZE = ViewportSize(width=900, height=500)
 NEAR = 3
 """How far a lane of a pixel may be off, of 255."""
 
@@ -95,7 +95,7 @@ def _write(viewer: Viewer, text: str) -> None:
 def _pixel(page: Page, right: float = 0.5, down: float = 0.5) -> Color:
     """A pixel of the picture, by shares of its sides."""
     with Image.open(io.BytesIO(page.locator("#picture").screenshot())) as image:
-        found = image.convert("RGB").getpixel((right * image.width, down * image.height))
+        found = image.convert("RGB").getpixel((int(right * image.width), int(down * image.height)))
     assert isinstance(found, tuple)
     return found[0], found[1], found[2]
 
@@ -112,7 +112,7 @@ def _shows(page: Page, color: Color, right: float = 0.5, down: float = 0.5) -> N
 
 def _srgb(linear: float) -> int:
     """Of 255, for a number in linear light."""
-    return round(255 * (1.055 * linear ** (1 / 2.4) - 0.055))
+    return round(255 * (1.055 * math.pow(linear, 1 / 2.4) - 0.055))
 
 
 def _of_normal(yaw: float, pitch: float) -> Color:
@@ -169,7 +169,9 @@ def test_a_saved_file_is_drawn_with_what_was_set(page: Page, viewer: Viewer) -> 
     _shows(page, (255, 255, 255))
 
 
-def test_mistakes_are_shown_over_the_last_picture(page: Page, viewer: Viewer) -> None:
+def test_mistakes_are_shown_over_the_last_picture(
+    browser: Browser, page: Page, viewer: Viewer
+) -> None:
     _shows(page, (0xB5, 0x65, 0x1D))
     problem = page.locator("#problem")
     assert problem.is_hidden()
@@ -186,7 +188,7 @@ def test_mistakes_are_shown_over_the_last_picture(page: Page, viewer: Viewer) ->
     _write(viewer, "material Flat {")
     problem.wait_for(state="visible")
     # Who opens the page now sees what is wrong, and then what is right.
-    with page.context.browser.new_context(viewport=SIZE) as context:  # type: ignore[union-attr]
+    with browser.new_context(viewport=SIZE) as context:
         second = context.new_page()
         second.goto(viewer.address)
         second.locator("#problem").wait_for(state="visible")
@@ -274,8 +276,8 @@ def test_a_browser_that_cannot_draw(browser: Browser, viewer: Viewer) -> None:
         page.locator("#problem").wait_for(state="visible")
         said = page.locator("#problem").inner_text()
     assert said == (
-        "This browser offers nothing that this page can draw with: WebGPU. A newer one may, such as "
-        "Chrome 113, Edge 113, Safari 26 or Firefox 141."
+        "This browser offers nothing that this page can draw with: WebGPU. A newer one may, such "
+        "as Chrome 113, Edge 113, Safari 26 or Firefox 141."
     )
 
 

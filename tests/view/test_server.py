@@ -99,7 +99,7 @@ def test_changes_and_mistakes(tmp_path: Path) -> None:
             stream.sendall(head.encode())
             _told(stream, first["version"])
             file.write_text(FLAT.replace("level\n", "levle\n"))
-            until(lambda: "unknown name" in viewer.said.read_text(), "the mistake is told")
+            until(lambda: "error" in viewer.ask("/document").json(), "the mistake is seen")
             broken = viewer.ask("/document").json()
             _told(stream, broken["version"])
             assert broken["version"] != first["version"]

@@ -6,15 +6,17 @@ kernels over images; who writes an engine can do the same with any reflection.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ....compiler.ir.shader import Shader
+from ..codes import ShaderFile
 from ..kernels import has_images
 from ..meshes import MESHES, farthest_first
-from ..scene import Scene, with_inputs
+from ..scene import Scene, declared_as, with_inputs
 from ..subject import Subject
-from .checking import PlanError
+from .checks.rows import PlanError
 from .host import VERSION, Row
 from .scenery import WHOLE, Model, Scenery
 
@@ -24,6 +26,8 @@ SIZE = f"{STEP}.size"
 """The parameter with the size of the picture. A material may have a ``size`` of its own."""
 
 _DEPTH = "depth"
+_DEPTH_FORMATS = {False: "depth32f", True: "depth32f_stencil8"}
+"""Without and with stencil values."""
 _PLACE: Row = {"file": "", "line": 1, "column": 1, "length": 0}
 """Nobody has written the plan."""
 _IVEC2 = {"type": "ivec2", "representation": "ivec2"}
@@ -37,6 +41,39 @@ class SingleFrame:
     plan: Row
     shaders: Sequence[Subject]
 
+    @property
+    def plan_of_reference(self) -> Row:
+        """The same: what one step leaves shares nothing."""
+        return self.plan
+
+
+@dataclass(frozen=True, slots=True)
+class _Renamed:
+    """A material under the name that frames give their shaders."""
+
+    subject: Subject
+    name: str
+    reflection: Row
+
+    @property
+    def files(self) -> Sequence[ShaderFile]:
+        """The emitted texts."""
+        return self.subject.files
+
+    @property
+    def lacking(self) -> Mapping[str, str]:
+        """For profiles without texts, the reason."""
+        return self.subject.lacking
+
+    @property
+    def shader(self) -> Shader:
+        """What the material means."""
+        return self.subject.shader
+
+    def emitted(self, profile: str) -> Shader:
+        """What the texts for a profile compute."""
+        return self.subject.emitted(profile)
+
 
 def single_frame(subject: Subject) -> SingleFrame:
     """The frame that shows a material on all models of the scene, or what a kernel writes; it has
@@ -49,19 +86,23 @@ def single_frame(subject: Subject) -> SingleFrame:
     if not reflection["targets"]:
         raise PlanError(f"{subject.name} draws no picture")
     is_kernel = has_images(reflection)
+    parts = (subject.name,) if is_kernel else (reflection["pass"], subject.name)
+    name = ".".join((subject.name, *parts))
+    shader = _Renamed(subject, name, {**reflection, "material": name})
+    parameters = [_size_row(), *_parameters_of_lights(reflection)]
     plan = {
         "plan": VERSION,
         "frame": subject.name,
         "doc": reflection["doc"],
         "source": _PLACE,
         "rig": reflection["rig"],
-        "parameters": [_size_row(), *_parameters_of_lights(reflection)],
+        "parameters": parameters,
         "lights": [_own(reflection, row) for row in reflection["lights"]],
         "host_textures": [],
         "host_buffers": [],
-        "sources": {},
+        "sources": {row["name"]: _PLACE for row in parameters},
         "models": [] if is_kernel else [_models_row(subject)],
-        "shaders": [_shader_row(subject)],
+        "shaders": [_shader_row(shader)],
         "values": [_size_value()],
         "textures": [],
         "results": [],
@@ -71,7 +112,7 @@ def single_frame(subject: Subject) -> SingleFrame:
     }
     _add_images(plan, reflection, is_kernel=is_kernel)
     plan["steps"] = [_run(plan) if is_kernel else _draw(plan, subject)]
-    return SingleFrame(subject.name, plan, (subject,))
+    return SingleFrame(subject.name, plan, (shader,))
 
 
 # --- what the host sets --------------------------------------------------------------------------
@@ -81,7 +122,7 @@ def _size_row() -> Row:
     return {
         **_IVEC2,
         "name": SIZE, "range": [1.0, 16384.0], "default": [512, 512],
-        "doc": "Of what is shown, in pixels", "library": "std.prelude.Viewport.size",
+        "doc": "Of what is shown, in pixels", "library": declared_as("size"),
         "group": "frame", "block": None, "offset": None, "size": 8,
         "layout": {"stored": "ivec2", "kind": "int", "lanes": 2}, "members": [], "count": None,
     }  # fmt: skip
@@ -129,7 +170,7 @@ def _shader_row(subject: Subject) -> Row:
     reflection = subject.reflection
     return {
         "name": subject.name, "reflection": f"{subject.name}.json",
-        "pass": reflection["pass"], "rig": reflection["rig"],
+        "pass": reflection["pass"] or None, "rig": reflection["rig"] or None,
     }  # fmt: skip
 
 
@@ -148,29 +189,39 @@ def _add_images(plan: dict[str, Any], reflection: Row, *, is_kernel: bool) -> No
                 "level": 0,
             },
             "layers": layers["count"] if layers else 1, "levels": 1,
-            "uses": [use, "sampled"], "kept": False, "results": [result],
+            "uses": [use], "kept": False, "results": [result],
         })  # fmt: skip
-        plan["results"].append({
-            "name": result, "kind": "texture", "texture": number, "first": 0, "last": 0,
-            "doc": target["doc"], "source": _PLACE,
-        })  # fmt: skip
+        plan["results"].append(_result_row(result, number, target["doc"]))
         plan["outputs"].append({
             "name": target["name"], "result": result, "texture": number, "doc": target["doc"],
             "source": _PLACE,
         })  # fmt: skip
 
 
+def _result_row(name: str, texture: int, doc: str) -> Row:
+    return {
+        "name": name, "kind": "texture", "texture": texture, "first": 0, "last": 0, "doc": doc,
+        "source": _PLACE,
+    }  # fmt: skip
+
+
 def _draw(plan: dict[str, Any], subject: Subject) -> Row:
     reflection, targets = subject.reflection, list(plan["outputs"])
     layers = reflection["draw"]["layers"]
     depth = None
-    state = reflection["render_state"][_DEPTH]
-    if state["write"] or state["compare"] != "always":
+    state = reflection["render_state"]
+    stencil = state["stencil"] is not None
+    if state[_DEPTH]["write"] or state[_DEPTH]["compare"] != "always":
         depth = _target(_DEPTH, len(plan["textures"]), layers, store=False)
+        if stencil:
+            depth["stencil"] = {"load": "clear", "store": False, "clear": 0}
         plan["textures"].append({
-            **plan["textures"][0], "format": "depth32f", "uses": [_DEPTH],
-            "results": [f"{STEP}.{_DEPTH}"],
+            **plan["textures"][0],
+            "format": _DEPTH_FORMATS[stencil],
+            "uses": [_DEPTH],
+            "results": [depth["result"]],
         })  # fmt: skip
+        plan["results"].append(_result_row(depth["result"], depth["texture"], ""))
     return {
         "kind": "draw", "name": STEP, "pass": reflection["pass"], "only_first": False,
         "barriers": [
@@ -187,7 +238,7 @@ def _draw(plan: dict[str, Any], subject: Subject) -> Row:
     }  # fmt: skip
 
 
-def _target(name: str, texture: int, layers: Row | None, *, store: bool) -> Row:
+def _target(name: str, texture: int, layers: Row | None, *, store: bool) -> dict[str, Any]:
     return {
         "name": name, "result": f"{STEP}.{name}", "texture": texture,
         "layer": None if layers else 0, "level": 0, "load": "clear", "store": store, "over": None,
