@@ -18,9 +18,8 @@ HERE = Path(__file__).parent.resolve()
 ROOTS = ("commands", "compiler", "targets", "stdlib")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
-
-ENDINGS = ("css", "h", "html", "j2", "js", "json", "lark", "mjs", "svg", "ts", "txt")
-"""Of the files that are no modules and belong to the package."""
+DATA = ("h", "j2", "txt", "json", "lark", "mjs", "ts", "css", "js", "html", "svg")
+"""The endings of files that belong to a sub-package besides its code."""
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
 
@@ -68,9 +67,9 @@ setup(
         "burnish.stdlib": ["*.burnish", "*.toml"],
         "burnish.targets.web_host": ["webgpu/*.ts", "modules/*.js", "modules/webgpu/*.js"],
         **{
-            f"burnish.{name}": [f"*.{ending}" for ending in ENDINGS]
+            f"burnish.{name}": [f"*.{ending}" for ending in DATA]
             for name in sub_packages
-            if name.startswith(("compiler", "targets"))
+            if name.startswith(("commands", "compiler", "targets"))
         },
     },
 )

@@ -174,7 +174,8 @@ def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
     reflection, scene = material.reflection, Scene()
     target_number(reflection, request.target)
     mesh = _mesh(reflection, request, scene.camera.eye)
-    return set_up(material.instance(), mesh, scene, request.size, request.background)
+    instance, background = material.instance(), request.background
+    return set_up(instance, mesh, scene, request.size, background=background)
 
 
 def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float]) -> Mesh:

@@ -683,6 +683,17 @@ NO_ALPHA = _error(
     "`alpha` and `premultiplied` mix by the fourth lane of what is written. A target of fewer "
     "lanes can be added or multiplied.",
 )
+FACTOR_IGNORED = _error(
+    "B0507",
+    "`{operation}` has no factors",
+    "The smaller or the larger of two numbers is kept as it is, in all APIs: `source` and "
+    "`destination` mean nothing for it. Multiply what the target is given instead.",
+)
+NO_DEPTH = _error(
+    "B0508",
+    "a depth lies between 0 and 1, and this is {depth}",
+    "0 is nearest, and 1 as far away as can be: `clear { depth = 1 }`.",
+)
 
 # Kernels
 

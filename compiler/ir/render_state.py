@@ -39,6 +39,8 @@ class DepthState:
 
     compare: Compare = "less"
     write: bool = True
+    clear: float = 1.0
+    """What depths are before anything is drawn."""
     bias: int = 0
     """In steps of the format, as it has them at the farthest corner of the face."""
     slope_bias: float = 0.0
@@ -50,6 +52,11 @@ class DepthState:
     def is_used(self) -> bool:
         """Whether a pass has to do with depths at all: frames give it an attachment for them."""
         return self.write or self.compare != "always"
+
+    @property
+    def keeps_nearest(self) -> bool:
+        """Whether of several fragments at a place only the nearest one is left."""
+        return self.write and self.compare == "less"
 
     @property
     def is_biased(self) -> bool:

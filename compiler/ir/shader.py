@@ -11,6 +11,7 @@ from typing import Any
 
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
+from .blending import REPLACES, Blend, Mask
 from .capture import Capture
 from .expansion import Expansion
 from .kernel import ScatterOperator, WorkGroup
@@ -131,11 +132,21 @@ class RenderTarget:
     """The state of a render target, which a host has to set up."""
 
     format: str
-    blend: str
-    """``none``, ``alpha``, ``add`` …: what the hardware does behind the shader."""
+    blend: Blend = REPLACES
+    """What the hardware does behind the shader."""
     layers: int = 0
     """How many it has; 0 where it is a single picture and no array of them. All targets of a shader
     have equally many."""
+    mask: Mask = "rgba"
+    """Which lanes are written, of those that the format has."""
+    clear: tuple[float, ...] | None = None
+    """What the pass wants to be there before anything is drawn, in four lanes; ``None`` where that
+    is a host's affair."""
+
+    @property
+    def is_replaced(self) -> bool:
+        """Whether nothing is left of what is there where something is drawn."""
+        return self.blend == REPLACES and self.mask == "rgba"
 
 
 @frozen(key=True)

@@ -7,6 +7,7 @@ from typing import Any
 
 from ...stdlib.builtins.geometry import SHORTEST
 from ..diagnostics.source import Span
+from ..ir.blending import REPLACES, Blend
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
@@ -109,6 +110,7 @@ def _depth_row(state: DepthState) -> dict[str, Any]:
     return {
         "compare": state.compare,
         "write": state.write,
+        "clear": state.clear,
         "bias": bias if state.is_biased else None,
     }
 
@@ -265,9 +267,25 @@ def _target_rows(shader: Shader) -> Iterable[dict[str, Any]]:
             "representation": str(result.value.type),
             "location": location,
             "format": result.state.format,
-            "blend": result.state.blend,
+            "blend": _blend_row(result.state.blend),
+            "mask": result.state.mask,
+            "clear": result.state.clear and list(result.state.clear),
             "doc": result.doc,
         }
+
+
+def _blend_row(blend: Blend) -> dict[str, Any] | None:
+    """Both equations; ``None`` where nothing is blended."""
+    if blend == REPLACES:
+        return None
+    return {
+        part: {
+            "source": equation.source,
+            "destination": equation.destination,
+            "operation": equation.operation,
+        }
+        for part, equation in (("color", blend.color), ("alpha", blend.alpha))
+    }
 
 
 def _backend_row(table: BackendTable, state: RenderState) -> dict[str, Any]:

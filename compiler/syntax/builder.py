@@ -109,6 +109,14 @@ class Builder:
     def kind(self, _: Span, word: Token) -> str:
         return word.text
 
+    def named_blending(self, span: Span, mode: Name) -> ast.Blending:
+        return ast.Blending(span, mode)
+
+    def set_blending(
+        self, span: Span, mode: Name | None, *settings: tuple[Name, Name]
+    ) -> ast.Blending:
+        return ast.Blending(span, mode, settings)
+
     def setting(self, _: Span, name: Name, value: Name) -> tuple[Name, Name]:
         return name, value
 

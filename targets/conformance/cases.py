@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ..runner.binding import keeps_something
 from ..runner.cameras import looking
 from ..runner.instances.instance import Instance
 from ..runner.kernels import full_screen_state, has_images
@@ -92,7 +93,7 @@ def series_of(
         _behind(reflection, seed + 1, size, form),
         _inside(reflection, seed + 2, size),
     ))  # fmt: skip
-    if any(row["blend"] != "none" for row in reflection["targets"]):
+    if any(keeps_something(row) for row in reflection["targets"]):
         yield Series(
             exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size, form),)
         )

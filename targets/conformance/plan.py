@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.shader import Result, Shader
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules, compares_neighbours, formats
@@ -287,7 +288,7 @@ def _to_target(result: Result, *, exact: bool) -> Result:
     if state is None:
         return result
     if exact:
-        return changed(result, state=changed(state, format=FLOATS, blend="none"))
+        return changed(result, state=changed(state, format=FLOATS, blend=REPLACES, mask="rgba"))
     drawn = FORMATS[state.format]
     name = next(name for name, other in FORMATS.items() if other == drawn)
     return changed(result, state=changed(state, format=name))

@@ -11,6 +11,9 @@ from typing import Any
 from ...compiler.ir.stages import EVALUATION
 from .codes import Codes
 from .drivers.draw import (
+    ALL_LANES,
+    Blend,
+    BlendEquation,
     BlockSlot,
     BufferSlot,
     CapturedOutput,
@@ -107,9 +110,7 @@ def pipeline(
             if images
         ),
         targets=tuple(
-            RenderTarget(target_format(row, exact=exact), "none" if exact else row["blend"])
-            for row in reflection["targets"]
-            if not images
+            render_target(row, exact=exact) for row in reflection["targets"] if not images
         ),
         layers=_layers(reflection["draw"]["layers"]),
         primitive=reflection["draw"]["topology"],
@@ -170,6 +171,24 @@ def _divided_natively(draw: Mapping[str, Any]) -> bool:
 def _layers(row: Mapping[str, Any] | None) -> int:
     """To how many layers a single draw reaches; 0 if there are none, or a draw for each."""
     return 0 if row is None or row["parameter"] is not None else row["count"]
+
+
+def render_target(row: Mapping[str, Any], *, exact: bool = False) -> RenderTarget:
+    """One of the reflection's targets; an ``exact`` one keeps what the shader writes."""
+    format_ = target_format(row, exact=exact)
+    if exact:
+        return RenderTarget(format_)
+    blend = None
+    if row["blend"] is not None:
+        color, alpha = (BlendEquation(**row["blend"][part]) for part in ("color", "alpha"))
+        blend = Blend(color, alpha)
+    return RenderTarget(format_, blend, row["mask"])
+
+
+def keeps_something(row: Mapping[str, Any]) -> bool:
+    """Whether something is left of what is there, where one of the reflection's targets is drawn
+    to."""
+    return row["blend"] is not None or row["mask"] != ALL_LANES
 
 
 def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:

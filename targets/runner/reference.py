@@ -59,6 +59,7 @@ def expected(
                 layer.clear,
                 errors,
                 progress,
+                layer.blend_constant,
             )
             for layer in state.layers or (state,)
         ]

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ...compiler.promises import promises
 from ...compiler.reference.picture import RasterRules
 from ..toolchain import Toolchain
-from .binding import pipeline
+from .binding import keeps_something, pipeline
 from .codes import compile_one
 from .drivers.readback import arrays
 from .kernels import drawable, pictures_of
@@ -41,7 +41,7 @@ def by_route(
     Raises ``CodeError`` if the route's compiler refuses the texts, and ``DriverError``.
     """
     codes = compile_one(route, subject.files, toolchain)
-    blends = any(row["blend"] != "none" for row in subject.reflection["targets"])
+    blends = any(map(keeps_something, subject.reflection["targets"]))
     shader_pipeline = pipeline(subject.reflection, route, codes, exact=not blends)
     draws = (state.draw(),)
     (picture,) = pictures_of(route, runner, subject.reflection, shader_pipeline, draws)

@@ -40,6 +40,8 @@ class SceneState:
     clear: tuple[Color, ...]
     """The clear colour of each render target."""
     instance_count: int = 1
+    blend_constant: Color = CLEAR
+    """What the factor ``constant`` means where a target is blended."""
 
     def geometry(self) -> Geometry:
         """The triangles of all instances, in the form that the reference takes."""
@@ -70,6 +72,8 @@ class SceneState:
                 textures[row["name"]].image() for row in reflection["textures"] if row["stages"]
             ),
             clear=self.clear,
+            clear_depth=reflection["render_state"]["depth"]["clear"],
+            blend_constant=self.blend_constant,
             buffers=tuple(
                 buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]
             ),
@@ -94,19 +98,29 @@ class SceneState:
 
 
 def set_up(
-    instance: Instance, mesh: Mesh, scene: Scene, size: tuple[int, int], clear: Color = CLEAR
+    instance: Instance,
+    mesh: Mesh,
+    scene: Scene,
+    size: tuple[int, int],
+    clear: Color | None = None,
+    background: Color = CLEAR,
 ) -> SceneState:
     """Put a mesh into a scene. The scene may set parameters for which ``instance`` has no value.
+    Without a ``clear`` colour for all targets, each has what its pass says, or ``background``.
 
     Raises ``MeshError`` if the mesh lacks something that the shader reads.
     """
     width, height = size
     scene.apply(instance, width / height)
-    return drawn_state(instance, mesh, size, clear)
+    return drawn_state(instance, mesh, size, clear, background)
 
 
 def drawn_state(
-    instance: Instance, mesh: Mesh, size: tuple[int, int], clear: Color = CLEAR
+    instance: Instance,
+    mesh: Mesh,
+    size: tuple[int, int],
+    clear: Color | None = None,
+    background: Color = CLEAR,
 ) -> SceneState:
     """The state of a scene whose parameters have been set.
 
@@ -114,11 +128,12 @@ def drawn_state(
     """
     width, height = size
     reflection = instance.reflection
-    data = vertex_data(reflection, mesh)
+    data, rows = vertex_data(reflection, mesh), reflection["targets"]
     drawn = as_drawn(instance, data, mesh)
     if mesh_rows(reflection) and reflection["capture"] is None:
         give_mesh(instance, drawn.attributes)
-    cleared = (clear,) * len(reflection["targets"])
+    own = (background if row["clear"] is None else tuple(row["clear"]) for row in rows)
+    cleared = tuple(own) if clear is None else (clear,) * len(rows)
     return SceneState(
         width, height, drawn.attributes, drawn.corners, instance, cleared, drawn.instance_count
     )

@@ -19,7 +19,7 @@ const FORMATS: Record<string, GPUTextureFormat> = {
   bgra8: "rgba8unorm", bgra8_srgb: "rgba8unorm-srgb", rgb10a2: "rgba8unorm",
   r16f: "r16float", rg16f: "rg16float", rgba16f: "rgba16float",
   r32f: "r32float", rg32f: "rg32float", rgba32f: "rgba32float",
-  depth32f: "depth32float",
+  depth32f: "depth32float", depth32f_stencil8: "depth32float-stencil8",
 };
 
 export function formatOf(name: string): GPUTextureFormat {
@@ -28,6 +28,7 @@ export function formatOf(name: string): GPUTextureFormat {
 }
 
 export const isDepth = (format: GPUTextureFormat) => format.startsWith("depth");
+export const hasStencil = (format: GPUTextureFormat) => format.endsWith("stencil8");
 
 /** How many lanes a texel has, and how many bytes each of them. */
 export function lanesOf(format: GPUTextureFormat): [number, number] {

@@ -10,6 +10,7 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,9 @@ from ..runner.primitives import primitives
 from ..runner.scene import inputs_of_mesh, texture_roles, value_roles, vertex_data
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
+
+MODULES = Path(__file__).with_name("modules")
+"""The folder with the modules that a page loads; ``host.js`` is the first of them."""
 
 VERSION = 1
 """The version of the document; a host refuses others."""

@@ -31,7 +31,7 @@ export interface DrawCall<Texture, Buffer> extends Bound<Texture, Buffer> {
 
 /** What a target, or the depths, are drawn to. */
 export interface Attachment<Texture> {
-  target: Pick<Target, "level" | "load" | "store">;
+  target: Pick<Target, "level" | "load" | "store" | "stencil">;
   texture: Texture;
   layer: number;
 }

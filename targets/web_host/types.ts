@@ -159,6 +159,8 @@ export interface Target {
   level: number;
   load: "load" | "clear";
   store: boolean;
+  /** The stencil values beside depths, if there are any. */
+  stencil?: { load: "load" | "clear"; store: boolean; clear: number };
 }
 
 export interface Drawn {
@@ -230,7 +232,7 @@ export interface Reflection {
   textures: TextureRow[];
   samplers: { texture: string; state: SamplerState }[];
   vertex_inputs: VertexInput[];
-  targets: { name: string; format: string; blend: string }[];
+  targets: { name: string; format: string; blend: Blend | null; mask: string }[];
   draw: Draw | null;
   render_state: RenderState;
   backends: Record<string, Backend>;
@@ -350,9 +352,40 @@ export interface Draw {
   layers: { count: number; parameter: string | null } | null;
 }
 
+/** How a target is blended: words of WebGPU, with `_` for `-`. */
+export interface Blend {
+  color: BlendEquation;
+  alpha: BlendEquation;
+}
+
+export interface BlendEquation {
+  source: string;
+  destination: string;
+  operation: string;
+}
+
 export interface RenderState {
   cull: "none" | "front" | "back";
-  depth: { compare: string; write: boolean };
+  fill: "faces" | "lines";
+  depth: {
+    compare: string;
+    write: boolean;
+    bias: { constant: number; slope: number; clamp: number } | null;
+  };
+  stencil: {
+    front: StencilSide;
+    back: StencilSide;
+    reference: number;
+    read_mask: number;
+    write_mask: number;
+  } | null;
+}
+
+export interface StencilSide {
+  compare: string;
+  fail: string;
+  depth_fail: string;
+  pass: string;
 }
 
 export interface Place {
@@ -369,6 +402,8 @@ export interface Backend {
   textures: Record<string, Place>;
   samplers: Record<string, Place>;
   vertex_inputs: Record<string, { identifier: string }>;
+  /** Uniforms of WebGL that are the height of what is drawn to. */
+  host_uniforms: string[];
 }
 
 // --- frames --------------------------------------------------------------------------------------

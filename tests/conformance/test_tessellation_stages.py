@@ -139,7 +139,7 @@ def seen(toy: Toy, smooth: Node, flat: Node) -> list[Result]:
     one, other = (build.floating(graph, each) for each in (1.0, -1.0))
     sign = graph.node("select", FLOAT, (front, one, other))
     shown = build.vector(graph, (smooth, sign))
-    state = RenderTarget("rgba32f", "none")
+    state = RenderTarget("rgba32f")
     return [
         Result(TARGET, FRAGMENT, shown, "shown", state=state),
         Result(TARGET, FRAGMENT, flat, "flat_values", state=state),

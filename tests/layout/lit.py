@@ -126,7 +126,7 @@ SHADER = Shader(
     attributes=(AttributeInfo(UV, "vec2", "Texture coordinates", HERE),),
     results=(
         Result(CLIP_POSITION, VERTEX, _ORIGIN),
-        Result(TARGET, FRAGMENT, _ORIGIN, "color", state=RenderTarget("rgba8", "none")),
+        Result(TARGET, FRAGMENT, _ORIGIN, "color", state=RenderTarget("rgba8")),
     ),
 )
 

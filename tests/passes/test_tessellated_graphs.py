@@ -66,7 +66,7 @@ def divided() -> tuple[Toy, Shader]:
         *(Result(EDGE_LEVEL, CONTROL, edge) for edge in edges),
         Result(INNER_LEVEL, CONTROL, edges[0]),
         Result(CLIP_POSITION, EVALUATION, clip),
-        Result(TARGET, FRAGMENT, seen, "color", state=RenderTarget("rgba8", "none")),
+        Result(TARGET, FRAGMENT, seen, "color", state=RenderTarget("rgba8")),
     )
     return toy, toy.shader(results, *TESSELLATED_CHAIN, tessellation=TRIANGLES)
 

@@ -87,7 +87,7 @@ def three_stages() -> Shader:
     return toy.shader(
         [
             Result(CLIP_POSITION, GEOMETRY, clip),
-            Result(TARGET, FRAGMENT, color, "color", state=RenderTarget("rgba8", "none")),
+            Result(TARGET, FRAGMENT, color, "color", state=RenderTarget("rgba8")),
         ],
         VERTEX, GEOMETRY, FRAGMENT,
     )  # fmt: skip

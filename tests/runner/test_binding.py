@@ -21,6 +21,8 @@ from burnish.targets.runner.drivers.draw import (
 )
 from burnish.targets.runner.routes import ROUTES
 
+from .blends import named
+
 CODES = Codes({"vertex": Code("vs", text="vertex"), "fragment": Code("fs", text="fragment")})
 PROFILES = sorted({route.profile for route in ROUTES.values()})
 
@@ -74,8 +76,8 @@ def test_where_places_are_numbers() -> None:
         ),
     )
     assert made.targets == (
-        RenderTarget("r16float", "add"),
-        RenderTarget("rgba8unorm-srgb", "alpha"),
+        RenderTarget("r16float", named("add")),
+        RenderTarget("rgba8unorm-srgb", named("alpha")),
     )
     assert (made.cull, made.front_face, made.first_row) == ("none", "ccw", "top")
     assert (made.depth_compare, made.depth_write) == ("less", True)

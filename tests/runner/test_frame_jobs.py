@@ -17,6 +17,7 @@ from burnish.targets.runner.drivers.frame_job import (
     TextureUse,
 )
 
+from .blends import named
 from .frame_kit import (
     ALL,
     BLUE,
@@ -101,7 +102,7 @@ def test_a_step_keeps_or_clears_what_is_there(driver: Driver, *, loads: bool) ->
 
 def test_draws_of_one_step_share_its_depths(driver: Driver) -> None:
     """The nearer one is drawn first, with another pipeline than the farther one, that adds."""
-    adding = driver.painting(RenderTarget("rgba32float", "add"))
+    adding = driver.painting(RenderTarget("rgba32float", named("add")))
     steps = FrameStep(
         (*drawn_first(0), Barrier(1, "undefined", "depth")),
         (Attachment(0, clear=BLUE),),

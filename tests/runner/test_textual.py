@@ -9,17 +9,22 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
+from burnish.compiler.ir.blending import NAMED
 from burnish.targets.runner.drivers.draw import (
     Blend,
+    BlendEquation,
     Compare,
     Cull,
+    Factor,
     Job,
+    Operation,
     RenderTarget,
     TargetFormat,
 )
 
 from . import textual_kit as kit
 from . import textual_shaders as shaders
+from .blends import blended, both, named
 from .textual_kit import (
     BLUE,
     CORNERS,
@@ -143,10 +148,14 @@ SOURCE = np.array([0.5, 0.25, 1.0, 0.25])
 TARGET = np.array([0.25, 1.0, 0.5, 0.5])
 
 
-def blended(mode: Blend) -> Floats:
+CONSTANT = (0.5, 0.25, 0.75, 1.0)
+
+
+def with_words(mode: str) -> Floats:
+    """What the states come to that have names of their own."""
     alpha = SOURCE[3]
     color = SOURCE[:3] * alpha + TARGET[:3] * (1 - alpha)
-    results: dict[Blend, Floats] = {
+    results: dict[str, Floats] = {
         "alpha": np.array([*color, alpha + TARGET[3] * (1 - alpha)]),
         "none": SOURCE,
         "premultiplied": SOURCE + TARGET * (1 - alpha),
@@ -157,11 +166,48 @@ def blended(mode: Blend) -> Floats:
 
 
 @pytest.mark.parametrize("format", ["rgba32float", "rgba16float"])
-@pytest.mark.parametrize("mode", get_args(Blend))
-def test_blending(api: str, mode: Blend, format: TargetFormat) -> None:
-    chosen = pipeline(api, targets=[RenderTarget(format, mode)])
+@pytest.mark.parametrize("mode", NAMED)
+def test_blending(api: str, mode: str, format: TargetFormat) -> None:
+    chosen = pipeline(api, targets=[RenderTarget(format, named(mode))])
     draw = replace(full(SOURCE), clear=(tuple(TARGET),))
-    assert (shoot(api, Job(chosen, (draw,))) == blended(mode)).all()
+    assert (shoot(api, Job(chosen, (draw,))) == with_words(mode)).all()
+
+
+def test_every_factor(api: str) -> None:
+    for factor in get_args(Factor):
+        for state in (both(factor, "one"), both("one", factor)):
+            chosen = pipeline(api, targets=[RenderTarget("rgba32float", state)])
+            draw = replace(full(SOURCE), clear=(tuple(TARGET),), blend_constant=CONSTANT)
+            found = shoot(api, Job(chosen, (draw,)))
+            expected = blended(state, SOURCE.tolist(), TARGET.tolist(), CONSTANT)
+            assert (found == np.array(expected)).all(), state
+
+
+def test_every_operation(api: str) -> None:
+    for operation in get_args(Operation):
+        state = Blend(BlendEquation("one", "one", operation), BlendEquation("one", "zero"))
+        chosen = pipeline(api, targets=[RenderTarget("rgba32float", state)])
+        draw = replace(full(SOURCE), clear=(tuple(TARGET),))
+        found = shoot(api, Job(chosen, (draw,)))
+        assert (found == np.array(blended(state, SOURCE.tolist(), TARGET.tolist()))).all(), state
+
+
+@pytest.mark.parametrize("mask", ["rgb", "ga", "none"])
+def test_lanes_that_are_masked_keep_what_they_have(api: str, mask: str) -> None:
+    chosen = pipeline(api, targets=[RenderTarget("rgba32float", None, mask)])
+    draw = replace(full(SOURCE), clear=(tuple(TARGET),))
+    written = [mask != "none" and lane in mask for lane in "rgba"]
+    # Twice, as what clears the second picture must not obey the first one's mask.
+    pictures = kit.asker(api).draw(Job(chosen, (draw, draw)))
+    for picture in pictures:
+        assert (kit.pixels(picture, 0) == np.where(written, SOURCE, TARGET)).all()
+
+
+def test_depths_are_cleared_as_asked(api: str) -> None:
+    chosen = replace(pipeline(api), depth_compare="greater")
+    for depth, drawn in ((0.25, True), (0.75, False)):
+        draw = replace(mesh([(x, y, 0.5) for x, y in CORNERS], RED), clear_depth=depth)
+        assert (shoot(api, Job(chosen, (draw,))) == RED).all() == drawn
 
 
 @pytest.mark.parametrize("format", get_args(TargetFormat))
@@ -191,7 +237,7 @@ def test_srgb_target_is_encoded(api: str) -> None:
 
 def test_two_targets_each_with_its_own(api: str) -> None:
     """Format, clear colour and blending."""
-    targets = [RenderTarget("rgba8unorm"), RenderTarget("rg32float", "add")]
+    targets = [RenderTarget("rgba8unorm"), RenderTarget("rg32float", named("add"))]
     draw = mesh(TOP_LEFT, (1, 0, 0.25, 1))
     draw = replace(draw, clear=((0, 1, 0, 1), (0.5, 8, 0, 0)))
     (picture,) = kit.asker(api).draw(

@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from burnish.targets.runner.drivers.draw import (
-    Blend,
     BlockSlot,
     Compare,
+    Factor,
     Job,
+    Operation,
     Place,
     RenderTarget,
     TargetFormat,
@@ -22,6 +23,7 @@ from burnish.targets.runner.drivers.draw import (
 )
 from burnish.targets.runner.drivers.readback import TEXEL_LANES
 
+from .blends import blended, both, named
 from .vulkan_kit import (
     PLACE,
     SIZE,
@@ -175,13 +177,52 @@ BLENDED = {
 }
 
 
-@pytest.mark.parametrize("blend", get_args(Blend))
-def test_blend_modes(vulkan: Asker, blend: Blend) -> None:
-    pipeline = painted_pipeline(RenderTarget("rgba16float", blend))
+@pytest.mark.parametrize("blend", BLENDED)
+def test_blend_modes(vulkan: Asker, blend: str) -> None:
+    pipeline = painted_pipeline(RenderTarget("rgba16float", named(blend)))
     draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
     picture = vulkan.one(pipeline, draw)
     assert picture[0, 0].tolist() == list(BLENDED[blend])
     assert picture[-1, -1].tolist() == UNDER.tolist()
+
+
+CONSTANT = (0.5, 0.25, 0.75, 1.0)
+
+
+@pytest.mark.parametrize("factor", get_args(Factor))
+def test_every_factor(vulkan: Asker, factor: Factor) -> None:
+    for blend in (both(factor, "one"), both("one", factor)):
+        pipeline = painted_pipeline(RenderTarget("rgba32float", blend))
+        draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
+        picture = vulkan.one(pipeline, replace(draw, blend_constant=CONSTANT))
+        expected = blended(blend, SOURCE.tolist(), UNDER.tolist(), CONSTANT)
+        assert picture[0, 0].tolist() == expected
+
+
+@pytest.mark.parametrize("operation", get_args(Operation))
+def test_every_operation(vulkan: Asker, operation: Operation) -> None:
+    blend = both("one", "one", operation)
+    pipeline = painted_pipeline(RenderTarget("rgba32float", blend))
+    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
+    expected = blended(blend, SOURCE.tolist(), UNDER.tolist())
+    assert vulkan.one(pipeline, draw)[0, 0].tolist() == expected
+
+
+@pytest.mark.parametrize("mask", ["rgb", "ga", "none"])
+def test_lanes_that_are_masked_keep_what_they_have(vulkan: Asker, mask: str) -> None:
+    pipeline = painted_pipeline(RenderTarget("rgba32float", named("add"), mask))
+    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
+    added, written = SOURCE + UNDER, [mask != "none" and lane in mask for lane in "rgba"]
+    expected = np.where(written, added, UNDER).tolist()
+    assert vulkan.one(pipeline, draw)[0, 0].tolist() == expected
+
+
+def test_depths_are_cleared_as_asked(vulkan: Asker) -> None:
+    places, paints = quad(-1, -1, 1, 1, 0.25) + quad(-1, 0, 0, 1, 0.75), [RED] * 6 + [GREEN] * 6
+    draw = replace(draw_of(places, paints), clear_depth=0.5)
+    picture = vulkan.one(painted_pipeline(depth_compare="greater"), draw)
+    assert picture[0, 0].tolist() == GREEN
+    assert picture[-1, -1].tolist() == [0.0] * 4
 
 
 # --- targets -----------------------------------------------------------------------------------
@@ -213,7 +254,7 @@ def test_two_targets_with_blend_modes_of_their_own(vulkan: Asker) -> None:
     layout(location = 1) out vec2 second;
     void main() { first = vec4(0.5); second = vec2(0.25, 0.75); }
     """
-    targets = (RenderTarget("rgba32float"), RenderTarget("rg16float", "add"))
+    targets = (RenderTarget("rgba32float"), RenderTarget("rg16float", named("add")))
     pipeline = flat_pipeline(both, targets=targets)
     draw = draw_of(TOP_LEFT, clear=([1.0] * 4, [0.5, 0.125, 0.0, 0.0]))
     (picture,) = vulkan.draw(Job(pipeline, (draw,)))

@@ -14,7 +14,7 @@ import pytest
 from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, run
 
 CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
-DELIVERS = "compiler/semantics/shading/elaborate.py"
+DELIVERS = "compiler/semantics/shading/blending.py"
 
 KNOB = (
     (GRAMMAR, "_member: param |", "_member: knob | param |"),
@@ -122,9 +122,9 @@ KINDS: tuple[MemberKind, ...] = (
     ),
     (
         DELIVERS,
-        "    named = [target.blend, ",
+        "    named = [mode, ",
         "    mixing = (member.mode for member, _owner, _level in drawn.every(Mixing))\n"
-        "    named = [target.blend, *mixing, ",
+        "    named = [mode, *mixing, ",
     ),
 )
 
@@ -179,13 +179,15 @@ BLENDING = f"""
 import burnish
 for name in ("Over", "Added", "Both"):
     (made,) = burnish.compile({MIXED!r}, targets=("wgsl",), pass_=name).materials
-    print(name, [row["blend"] for row in made.reflection["targets"]])
+    print(name, [row["blend"] and row["blend"]["color"] for row in made.reflection["targets"]])
 """
 
 
 def test_of_a_kind_without_names_the_nearest_counts(package: Path) -> None:
+    alpha = {"source": "src_alpha", "destination": "one_minus_src_alpha", "operation": "add"}
+    added = {"source": "one", "destination": "one", "operation": "add"}
     assert run(package, BLENDING) == (
-        "Over ['alpha']\nAdded ['add', 'add']\nBoth ['add', 'add', 'none']\n"
+        f"Over {[alpha]}\nAdded {[added, added]}\nBoth {[added, added, None]}\n"
     )
 
 

@@ -6,6 +6,7 @@ import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.ir.blending import NAMED, Blend
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import DISCARD, TARGET
 from burnish.compiler.reference.namespace import Lanes
@@ -38,10 +39,15 @@ OVERRIDES: dict[str, Lanes] = {
 }
 
 
+def word_of(blend: Blend) -> str:
+    """The word for a state that has one."""
+    return next(word for word, state in NAMED.items() if state == blend)
+
+
 def states(whole: Shader) -> list[tuple[str, str, str]]:
     """Name, format and blending of each render target."""
     results = whole.results_of(TARGET)
-    return [(r.name, r.state.format, r.state.blend) for r in results if r.state]
+    return [(r.name, r.state.format, word_of(r.state.blend)) for r in results if r.state]
 
 
 @pytest.mark.parametrize(("slots", "expected"), OVERRIDES.items(), ids=OVERRIDES)

@@ -78,7 +78,8 @@ FLOORS: dict[str, str] = {
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
     "targets.runner": (
-        "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
+        "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection closing "
+        "toolchain"
     ),
     "targets.web_host": "runner toolchain",
     "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",
@@ -93,8 +94,9 @@ FLOORS: dict[str, str] = {
         "description emit legalise availability selection runner compiled"
     ),
     "commands": (
-        "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
-        "availability selection runner web_host web_view conformance toolchain compiled api"
+        "frozen cache inputs diagnostics syntax ir passes frontend formula closing description "
+        "emit registry availability selection runner web_host web_view conformance toolchain "
+        "compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",

@@ -141,7 +141,7 @@ def test_targets_and_discards() -> None:
     assert isinstance(target, ast.Target)
     assert isinstance(discard, ast.Discard)
     assert (target.format.text, show(target.value)) == ("rgba8", "(a + b)")
-    assert target.blend and target.blend.text == "add"
+    assert target.blend and target.blend.mode and target.blend.mode.text == "add"
     assert show(discard.condition) == "(a < 0)"
 
 
@@ -254,7 +254,7 @@ def test_docs_stand_above_or_behind() -> None:
     assert file.doc == "The file,\nin two lines."
     assert record.doc == "Above,\ntwice."
     states = ast.Raster | ast.Depth | ast.Stencil
-    undocumented = ast.Discard | ast.Layers | states | ast.Extent | ast.WorkGroup
+    undocumented = ast.Discard | ast.Clear | ast.Layers | states | ast.Extent | ast.WorkGroup
     docs = [m.doc for m in record.members if not isinstance(m, undocumented)]
     assert docs == ["Above a.\nBehind a.", "Behind b.", "", ""]
     assert (rig.doc, rig.entries[0].doc) == ("Behind R.", "Behind e.")

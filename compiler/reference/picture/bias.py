@@ -77,7 +77,8 @@ def _steps(faces: Faces) -> Bounded:
     depth over 1 in what is drawn.
     """
     most = np.abs(faces.z).max(axis=1)
-    low, value, high = (_step(most + by * faces.z_off) for by in (-1.0, 0.0, 1.0))
+    off = faces.z_off + _ROUNDINGS * most
+    low, value, high = (_step(most + by * off) for by in (-1.0, 0.0, 1.0))
     return Bounded(value, low, np.where(faces.whole, high, np.maximum(high, _step(np.ones(1)))))
 
 

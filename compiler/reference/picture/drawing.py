@@ -14,11 +14,11 @@ from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
 from .copies import place_numbers
-from .coverage import Fragments, coverage_of
+from .coverage import Coverage, Fragments, coverage_of
 from .faces import Faces
 from .hulls import Hulls
 from .quads import Barycentric, Quads, depths_of, quads_of
-from .resolve import Canvas, Shades, nearest, with_missing
+from .resolve import BLACK, Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
 from .stencil import StencilTest
@@ -36,6 +36,7 @@ def draw(
     clear: Sequence[Sequence[float]],
     errors: Errors | None = None,
     progress: Callable[[float], None] | None = None,
+    blend_constant: Sequence[float] = BLACK,
 ) -> Expected:
     """The picture that every implementation must draw, with the bounds of a device's rounding.
 
@@ -44,14 +45,18 @@ def draw(
 
     ``values`` are by parameter name, in the evaluator's form: a tuple of lanes, of a matrix's
     columns, of an array's elements, or of a struct's members. ``clear`` has four lanes for each
-    target, and the depth buffer starts with 1. ``progress`` is called with the part that is done.
+    target, and depths are at first what the pass says. ``progress`` is called with the part that is
+    done.
 
     Raises ``ValueError`` for a parameter, texture or vertex attribute without a value, or with one
     that does not fit. Values that are not finite only affect the triangles and pixels that they
     belong to.
     """
     written = written_by(shader)
-    canvas = Canvas(rules.width * rules.height, clear, written, rounds=errors is not None)
+    canvas = Canvas(
+        rules.width * rules.height, clear, written, rounds=errors is not None,
+        depth=shader.render_state.depth.clear, blend_constant=blend_constant,
+    )  # fmt: skip
     broken = draw_onto(canvas, shader, values, textures, geometry, rules, errors, progress)
     return expected_on(canvas, rules, broken)
 
@@ -137,7 +142,7 @@ class _Drawing:
             not shader.results_of(DISCARD)
             and canvas.is_opaque
             and canvas.has_depth
-            and (self._depth.compare, self._depth.write) == ("less", True)
+            and self._depth.keeps_nearest
             and not self._stencil.writes
         )
         """Whether of several fragments at a pixel only the nearest one counts."""
@@ -156,7 +161,7 @@ class _Drawing:
         seen, doubtful = self._let_through(fragments), coverage.doubtful
         fragments, sure = _chosen(fragments, seen), sure[seen]
         doubtful = _chosen(doubtful, self._let_through(doubtful))
-        every = (fragments, doubtful)
+        every, certain = Coverage(fragments, sure, doubtful).in_order()
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:
             doubtful = self._not_hidden(doubtful, _chosen(fragments, sure), (depth + off)[sure])
@@ -172,15 +177,18 @@ class _Drawing:
         )
         canvas.doubt(doubtful.pixel, self._depth, self._stencil)
         if hulls is not None:
-            faces, pixels = (
-                np.concatenate([each.face for each in every]),
-                np.concatenate([each.pixel for each in every]),
-            )
             hulls.extend(
-                Fragments(faces, pixels),
+                every,
+                certain & (not self._may_hide),
                 lambda some: depths_of(self._faces, some, self._rules),
                 lambda some: self._shaded(some, None),
             )
+
+    @property
+    def _may_hide(self) -> bool:
+        """Whether some test may keep fragments from being drawn."""
+        is_tested = self._canvas.has_depth and self._depth.compare != "always"
+        return is_tested or self._stencil.tests
 
     def _test_of(self, fragments: Fragments) -> StencilTest:
         return StencilTest(self._stencil, self._faces.front[fragments.face])

@@ -5,22 +5,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from ...ir.blending import REPLACES
 from ...ir.render_state import DepthState, StencilState
 from ...ir.shader import RenderTarget
 from ...ir.types import Type, width
-from ..bounds import Bounded
-from ..namespace import Lanes
 from .comparing import compared
+from .compositing import composed
 from .coverage import Fragments
 from .formats import clamped, rounded
 from .scene import Bools, Floats, Ints
 from .stencil import Outcomes, Stencil, StencilTest
 
+LANES = "rgba"
+BLACK = (0.0, 0.0, 0.0, 0.0)
 _MISSING = (0.0, 0.0, 0.0, 1.0)
 """The values of lanes that a format lacks."""
 
@@ -52,10 +54,12 @@ class Canvas:
         *,
         rounds: bool,
         has_depth: bool = True,
+        depth: float = 1.0,
+        blend_constant: Sequence[float] = BLACK,
     ) -> None:
         """``written`` are the render targets with the types of the values that are written to
         them. If the device ``rounds``, its values lie between those of their formats. Without
-        depths, what is drawn later is in front."""
+        depths, what is drawn later is in front; ``depth`` is what they are at first."""
         self._rounds = rounds
         self.has_depth = has_depth
         self._lanes = [width(type_) for _, type_ in written]
@@ -66,7 +70,7 @@ class Canvas:
         ]
         for target, state in zip(self.targets, self._states, strict=True):
             target[:] = self._rounded(state, target)
-        self.depth = np.ones(pixels)
+        self.depth = np.full(pixels, float(np.float32(depth)))
         self.depth_off = np.zeros(pixels)
         """By how much a device's depth may differ."""
         self.places = 0
@@ -83,7 +87,10 @@ class Canvas:
         """Pixels that are undecided because their coverage is."""
         self.shaky = np.zeros(pixels, dtype=np.bool_)
         """Pixels that are undecided because of what has been drawn there so far."""
-        self.is_opaque = all(state.blend == "none" for state in self._states)
+        self.is_opaque = all(state.is_replaced for state in self._states)
+        constant = np.asarray(blend_constant, np.float32).astype(np.float64)
+        self._constants = [clamped(state.format, constant).tolist() for state in self._states]
+        """What the factor ``constant`` means in each target."""
 
     def draw(
         self,
@@ -100,10 +107,8 @@ class Canvas:
         ``off`` says by how much a device's depths may differ, except between fragments of the same
         ``place``.
         """
-        rank = _ranks(pixel)
         tested = StencilTest(StencilState(), pixel >= 0) if stencil is None else stencil
-        for layer in range(int(rank.max(initial=-1)) + 1):
-            members = np.flatnonzero(rank == layer)
+        for members in in_layers(pixel):
             self._draw_layer(pixel, depth, off, place, shades, members, test, tested.part(members))
 
     def doubt(self, pixel: Ints, test: DepthState, stencil: StencilState) -> None:
@@ -156,14 +161,27 @@ class Canvas:
             self.depth_off[at] = off[drawn]
             self._place[at] = place[drawn]
         self.layers[at] += 1
-        rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)
-        for target, colours, state, lanes in rows:
-            # A device may blend as precisely as the target's format is, so that it rounds the
-            # colour before. If the target is in fixed point, the colour is clamped, too.
-            colour = self._rounded(state, colours[:, drawn])
-            if state.blend != "none":
-                colour = self._rounded(state, _blended(state.blend, colour, target[:, at]))
-            target[:, at, :lanes] = colour[..., :lanes]
+        for number, (target, colours) in enumerate(zip(self.targets, shades.colours, strict=True)):
+            target[:, at] = self.mixed(number, colours[:, drawn], target[:, at])
+
+    def mixed(self, target: int, colours: Ends, behind: Ends) -> Ends:
+        """What one of the targets holds after colours have been drawn over what is there."""
+        state = self._states[target]
+        # A device may blend as precisely as the target's format is, so that it rounds the colour
+        # before. If the target is in fixed point, the colour is clamped, too.
+        colour = self._rounded(state, colours)
+        if state.blend != REPLACES:
+            made = composed(state.blend, colour, behind, self._constants[target])
+            colour = self._rounded(state, made)
+        kept = behind.copy()
+        for lane in self.written_lanes(target):
+            kept[..., lane] = colour[..., lane]
+        return kept
+
+    def written_lanes(self, target: int) -> list[int]:
+        """The numbers of the lanes that are written of one of the targets."""
+        mask = self._states[target].mask
+        return [lane for lane in range(self._lanes[target]) if LANES[lane] in mask]
 
     def _tested(
         self, test: DepthState, new: Floats, before: Floats, margin: Floats, same: Bools
@@ -199,23 +217,13 @@ class Canvas:
 
     def _rounded(self, state: RenderTarget, colours: Ends) -> Ends:
         """Colours in the range of a target's format, with ends that this format has."""
-        if not self._rounds and state.blend == "none":
+        if not self._rounds and state.is_replaced:
             return colours
         value = clamped(state.format, colours[0])
         if not self._rounds:
             return np.stack([value, value, value])
         low, high = rounded(state.format, colours[1], colours[2])
         return np.stack([value, np.minimum(low, value), np.maximum(high, value)])
-
-
-def _blended(blend: str, source: Ends, behind: Ends) -> Ends:
-    """The contents of a target after a colour is drawn over another (Vulkan, "Blending")."""
-    lanes = BLENDING[blend](_lanes(source), _lanes(behind))
-    return np.stack([np.stack([x.value, x.low, x.high]) for x in lanes], axis=-1)
-
-
-def _lanes(colours: Ends) -> Lanes:
-    return tuple(Bounded(*np.moveaxis(colours, -1, 0)[i]) for i in range(4))
 
 
 def nearest(fragments: Fragments, depth: Floats, off: Floats, place: Ints) -> tuple[Ints, Ints]:
@@ -241,42 +249,14 @@ def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:
     return (*tuple(lanes)[:count], *_MISSING[count:])
 
 
-def _ranks(pixel: Ints) -> Ints:
-    """For each fragment, how many fragments of the same pixel come before it."""
+def in_layers(pixel: Ints) -> Iterator[Ints]:
+    """The numbers of fragments in the order of drawing, in portions with at most one of each
+    pixel."""
     order = np.argsort(pixel, kind="stable")
     starts = np.flatnonzero(np.diff(pixel[order], prepend=-1))
     counts = np.diff(starts, append=len(pixel))
-    ranks = np.empty(len(pixel), dtype=np.int64)
-    ranks[order] = np.arange(len(pixel)) - np.repeat(starts, counts)
-    return ranks
-
-
-def _over(source: Lanes, behind: Lanes) -> Lanes:
-    """Alpha is combined in the same way, but is not multiplied by itself."""
-    *colours, alpha = source
-    weighted = *(lane * alpha for lane in colours), alpha
-    return tuple(lane + below * (1.0 - alpha) for lane, below in zip(weighted, behind, strict=True))
-
-
-def _added(source: Lanes, behind: Lanes) -> Lanes:
-    return tuple(lane + below for lane, below in zip(source, behind, strict=True))
-
-
-def _multiplied(source: Lanes, behind: Lanes) -> Lanes:
-    return tuple(lane * below for lane, below in zip(source, behind, strict=True))
-
-
-def _over_premultiplied(source: Lanes, behind: Lanes) -> Lanes:
-    return tuple(
-        lane + below * (1.0 - source[3]) for lane, below in zip(source, behind, strict=True)
-    )
-
-
-BLENDING: Mapping[str, Callable[[Lanes, Lanes], Lanes]] = {
-    "alpha": _over,
-    "premultiplied": _over_premultiplied,
-    "add": _added,
-    "multiply": _multiplied,
-}
-"""The contents of a target after a colour is drawn over another, lane by lane; ``none`` replaces
-them."""
+    rank = np.arange(len(pixel)) - np.repeat(starts, counts)
+    by_rank = np.argsort(rank, kind="stable")
+    ends = np.cumsum(np.bincount(rank, minlength=1))
+    for part in np.split(order[by_rank], ends[:-1]):
+        yield np.sort(part)

@@ -14,6 +14,7 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir import build
+from ...ir.blending import REPLACES
 from ...ir.frame import (
     DEPTH,
     Attachment,
@@ -520,7 +521,7 @@ class Steps:
     def _is_added(self, shader: FrameShader, symbol: Symbol, e: ast.Call) -> bool:
         """Whether what one light adds does not replace what others have."""
         for result in shader.shader.results_of(TARGET):
-            if result.state is not None and result.state.blend == "none":
+            if result.state is not None and result.state.blend == REPLACES:
                 self._ctx.report.add(rules.NOT_ADDED, e.span, target=result.name, step=symbol.name)
                 return False
         return True

@@ -25,7 +25,6 @@ from ...ir.stages import (
 from ...ir.types import BOOL, VEC4
 from ...syntax import ast
 from ..checking.slots import slot
-from ..checking.unknown_names import unknown
 from ..declarations.externs import read_externs
 from ..declarations.fitting import fit, typed
 from ..declarations.parameters import all_parameters
@@ -35,18 +34,16 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, MadeSlots
 from .assembly import Setting, is_declared_abstract
+from .blending import blending_of
 from .captures import capture_of, captures, captures_of
-from .formats import FORMATS, texel_value
+from .clears import clears_of
+from .formats import texel_value
 from .group_results import check_no_groups
 from .host_names import check_host_names
 from .instances import pass_scope
 from .layers import layer_count, layer_of
 from .render_states import render_state_of
 from .slot_checks import check_rig, check_slots
-
-BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
-BLENDS_BY_ALPHA = ("alpha", "premultiplied")
-"""What mixes by the fourth lane of the value that is written."""
 
 
 def results_of(setting: Setting) -> tuple[Result, ...]:
@@ -179,8 +176,11 @@ def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Ite
     is_empty = not written and not drawn.baseless and is_whole and not captures(drawn)
     if is_empty and not ctx.report.unread_names:  # What could not be read may have been a target.
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
-    found = (_target(ctx, drawn, passing, layers, *row) for row in written)
-    return (target for target in found if target is not None)
+    cleared = clears_of(ctx, drawn).targets
+    for row in written:
+        found = _target(ctx, drawn, passing, layers, *row)
+        if found is not None and found.state is not None:
+            yield changed(found, state=changed(found.state, clear=cleared.get(found.name)))
 
 
 def _target(
@@ -192,30 +192,13 @@ def _target(
     owner: Symbol,
     level: int,
 ) -> Result | None:
-    blend = _blend(ctx, drawn, target)
+    blend, mask = blending_of(ctx, drawn, target)
     value = texel_value(ctx, target.format, target.value, pass_scope(owner, passing, level))
     if isinstance(value, Failure):
         return None
-    name, state = target.name.text, RenderTarget(target.format.text, blend, layers)
+    name, state = target.name.text, RenderTarget(target.format.text, blend, layers, mask)
     ctx.notes.names.setdefault(value.id, name)
     return Result(TARGET, FRAGMENT, value, name, target.doc, state)
-
-
-def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
-    """The target's own blending, or the nearest that its pass's header names."""
-    headers = (symbol.declaration for symbol in drawn.chain)
-    named = [target.blend, *(h.blend for h in headers if isinstance(h, ast.Record))]
-    chosen = next((name for name in named if name is not None), None)
-    if chosen is None:
-        return BLENDS[0]
-    if chosen.text not in BLENDS:
-        unknown(ctx, "blending", chosen.text, chosen.span, BLENDS)
-    elif chosen.text in BLENDS_BY_ALPHA and FORMATS.get(target.format.text, VEC4) != VEC4:
-        ctx.report.add(
-            rules.NO_ALPHA, chosen.span, blend=chosen.text, format=target.format.text,
-            hint=f"say how `{target.name.text}` is blended: `… blend add`, or `… blend none`",
-        )  # fmt: skip
-    return chosen.text
 
 
 def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...ir import build
 from ...ir.node import Node
-from ...ir.types import FLOAT, VEC2, VEC4, Type
+from ...ir.types import FLOAT, VEC2, VEC3, VEC4, Type, width
 from ...syntax import ast
 from ..checking.unknown_names import unknown
-from ..declarations.fitting import typed
+from ..declarations.fitting import fit, typed
 from ..state.context import Context
+from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope
 
 FORMATS: Mapping[str, Type] = {
@@ -30,3 +32,23 @@ def texel_value(
         return FAILURE
     type_ = FORMATS[format_.text]
     return typed(ctx, written, scope, type_, f"{type_} for {format_.text}")
+
+
+def cleared_value(
+    ctx: Context, format_: str, written: ast.Expression, scope: Scope
+) -> Node | Failure:
+    """What a target of a format is cleared to, in four lanes; a colour without alpha covers all.
+    What does not fit is reported."""
+    type_ = FORMATS.get(format_, VEC4)
+    node = node_of(ctx, written, scope)
+    if isinstance(node, Failure) or (node.type, type_) != (VEC3, VEC4):
+        node = fit(ctx, node, type_, f"{type_} for {format_}", written.span)
+    if isinstance(node, Failure) or node.type == VEC4:
+        return node
+    rest = (0.0, 0.0, 0.0, 1.0)[width(node.type) :]
+    return build.vector(ctx.tree, (node, *(build.floating(ctx.tree, lane) for lane in rest)))
+
+
+def cleared_depth(ctx: Context, written: ast.Expression, scope: Scope) -> Node | Failure:
+    """What depths are cleared to; reported if it is no number."""
+    return typed(ctx, written, scope, FLOAT, "float for depths")

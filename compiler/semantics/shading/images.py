@@ -44,7 +44,7 @@ def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | Non
     if isinstance(value, Failure):
         return None
     ctx.notes.names.setdefault(value.id, member.name.text)
-    state = RenderTarget(format_.text, "none")
+    state = RenderTarget(format_.text)
     return Result(IMAGE, COMPUTE, value, member.name.text, member.doc, state)
 
 

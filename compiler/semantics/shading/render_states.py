@@ -33,6 +33,7 @@ from ..inheritance.records import Record
 from ..names.duplicates import check_once
 from ..state.context import Context
 from ..state.scope import Scope
+from .clears import clears_of
 
 Stated = type[ast.Raster] | type[ast.Depth] | type[ast.Stencil]
 Said = Mapping[str, Any]
@@ -119,9 +120,14 @@ def render_state_of(ctx: Context, drawn: Record) -> RenderState:
     there, are reported; for them, and where it says nothing, the defaults hold."""
     return RenderState(
         **_said(ctx, drawn, ast.Raster),
-        depth=DepthState(**_said(ctx, drawn, ast.Depth)),
+        depth=DepthState(**_said(ctx, drawn, ast.Depth), **_cleared(ctx, drawn)),
         stencil=_stencil_of(_said(ctx, drawn, ast.Stencil)),
     )
+
+
+def _cleared(ctx: Context, drawn: Record) -> Said:
+    depth = clears_of(ctx, drawn).depth
+    return {} if depth is None else {"clear": depth}
 
 
 def _stencil_of(said: Said) -> StencilState:

@@ -91,6 +91,10 @@ def _expand(span: Span, doc: str, primitive: Name, *strips: members.Strips) -> m
     return members.Expand(span, doc, primitive, strips)
 
 
+def _clear(span: Span, *values: members.Slot) -> members.Clear:
+    return members.Clear(span, values)
+
+
 def _raster(span: Span, *settings: tuple[Name, Expression]) -> members.Raster:
     return members.Raster(span, settings)
 
@@ -189,8 +193,8 @@ KINDS: tuple[MemberKind, ...] = (
         records=("pass",),
         inheritance="replaced",
         contribution="result",
-        form="a target is `target name : format = expression blend mode`, where the blending "
-        "is optional",
+        form="a target is `target name : format = expression blend mode { setting = word }`, where "
+        "the blending, its mode and its settings are optional",
         doc="what a pass writes to one render target",
         has_default=True,
     ),
@@ -204,6 +208,17 @@ KINDS: tuple[MemberKind, ...] = (
         contribution="result",
         form="a pass discards pixels by `discard when condition`",
         doc="where a pass writes nothing",
+    ),
+    MemberKind(
+        word="clear",
+        node=members.Clear,
+        productions={"clear": _clear},
+        opening=("{",),
+        records=("pass",),
+        inheritance="gathered",
+        contribution="result",
+        form="a pass says what is there before it draws by `clear { color = #112233, depth = 1 }`",
+        doc="what is in the targets of a pass before it draws",
     ),
     MemberKind(
         word="layers",

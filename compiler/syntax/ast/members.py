@@ -88,6 +88,15 @@ class Slot:
 
 
 @frozen(eq=False)
+class Blending:
+    """``blend alpha { mask = rgb }``: a state that has a name, and what is set besides."""
+
+    span: Span
+    mode: Name | None
+    settings: tuple[tuple[Name, Name], ...] = ()
+
+
+@frozen(eq=False)
 class Target:
     """``target color : rgba8 = e blend alpha``: what a pass writes to one render target."""
 
@@ -96,7 +105,15 @@ class Target:
     name: Name
     format: Name
     value: Expression
-    blend: Name | None
+    blend: Blending | None
+
+
+@frozen(eq=False)
+class Clear:
+    """``clear { color = #112233, depth = 0 }``: what is there before a pass draws."""
+
+    span: Span
+    values: tuple[Slot, ...]
 
 
 @frozen(eq=False)
@@ -279,7 +296,8 @@ class Output:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Layers | Raster | Depth | Stencil
+    Param | Map | Buffer | Attribute | Slot | Target | Discard | Clear | Layers | Raster | Depth
+    | Stencil
     | Capture | Expand | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""

@@ -5,7 +5,7 @@ longer than drawing. ``runner.py`` sends jobs; names have already been resolved 
 values to bytes.
 
 The first row of a picture is the top one, whatever the API's framebuffer does. Each draw starts
-with a cleared picture and a depth of 1.
+with a cleared picture and cleared depths.
 """
 
 from __future__ import annotations
@@ -61,7 +61,15 @@ Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
 """How the reference, or the depth of a fragment, on the left, is compared with a depth."""
-Blend = Literal["none", "alpha", "premultiplied", "add", "multiply"]
+Factor = Literal[
+    "zero", "one", "src", "one_minus_src", "src_alpha", "one_minus_src_alpha", "dst",
+    "one_minus_dst", "dst_alpha", "one_minus_dst_alpha", "src_alpha_saturated", "constant",
+    "one_minus_constant",
+]  # fmt: skip
+"""By what a side is multiplied when colours are blended: the source is what is drawn, the
+destination what is there."""
+Operation = Literal["add", "subtract", "reverse_subtract", "min", "max"]
+"""How the two products are joined; ``min`` and ``max`` have factors of ``one``."""
 Cull = Literal["none", "back", "front"]
 """Which triangles are not drawn."""
 Winding = Literal["ccw", "cw"]
@@ -184,11 +192,38 @@ class TextureSlot:
 
 
 @dataclass(frozen=True, slots=True)
+class BlendEquation:
+    """What is kept of two colours, or of two alphas."""
+
+    source: Factor = "one"
+    destination: Factor = "zero"
+    operation: Operation = "add"
+
+
+@dataclass(frozen=True, slots=True)
+class Blend:
+    """How a target is blended."""
+
+    color: BlendEquation
+    alpha: BlendEquation
+
+
+ALL_LANES = "rgba"
+
+
+@dataclass(frozen=True, slots=True)
 class RenderTarget:
     """One render target."""
 
     format: TargetFormat
-    blend: Blend = "none"
+    blend: Blend | None = None
+    """``None`` where what is drawn takes the place of what is there."""
+    mask: str = ALL_LANES
+    """Which lanes are written: some of these letters, or ``none``."""
+
+    def writes(self, lane: str) -> bool:
+        """Whether a lane is written."""
+        return self.mask != "none" and lane in self.mask
 
 
 @dataclass(frozen=True, slots=True)
@@ -345,6 +380,9 @@ class Draw:
     instance_count: int = 1
     buffers: tuple[bytes, ...] = ()
     """The contents of all storage buffers, in the pipeline's order."""
+    clear_depth: float = 1.0
+    blend_constant: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    """What the factor ``constant`` means, in all targets."""
     layers: tuple[tuple[bytes, ...], ...] = ()
     """For each layer of the picture, what stands in place of ``blocks``, if every layer is a draw
     of its own. Drivers get these draws one by one."""

@@ -96,6 +96,8 @@ class FrameStep:
     depth: Attachment | None = None
     draws: tuple[FrameDraw, ...] = ()
     """In one render pass; of a kernel, only one."""
+    blend_constant: tuple[float, float, float, float] = BLACK
+    """What the factor ``constant`` means in all of them."""
     images: tuple[int, ...] = ()
     """The textures that a kernel writes, in the order of its pipeline."""
     groups: Sides = (0, 0, 0)

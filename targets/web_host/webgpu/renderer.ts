@@ -1,6 +1,6 @@
 // Draws frames with WebGPU.
 
-import { isDepth, lanesOf, toFloats } from "../bytes.js";
+import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved, type Geometry } from "../geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
 import type { FramePackage, PackagedShader, Picture, Pixels, TextureRow } from "../types.js";
@@ -110,21 +110,15 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
         view: layerOf(texture.gpu, layer, target.level),
         clearValue: [0, 0, 0, 0],
         loadOp: target.load,
-        storeOp: target.store ? "store" : "discard",
+        storeOp: storeOp(target),
       })),
-      ...(depth && {
-        depthStencilAttachment: {
-          view: layerOf(depth.texture.gpu, depth.layer, depth.target.level),
-          depthClearValue: 1,
-          depthLoadOp: depth.target.load,
-          depthStoreOp: depth.target.store ? "store" : "discard",
-        },
-      }),
+      ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
     });
     const formats = targets.map(({ texture }) => texture.gpu.format);
     for (const call of calls) {
       const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
       pass.setPipeline(pipeline.render!);
+      pass.setStencilReference(this.shaders[call.shader].reflection.render_state.stencil?.reference ?? 0);
       this.bind(pass, pipeline, call, []);
       this.drawGeometry(pass, call.geometry);
     }
@@ -162,13 +156,13 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
         case "block":
           return this.arena.put(blocks.get(slot.name)!);
         case "buffer":
-          return { buffer: bound.buffers.get(slot.name)! };
+          return { buffer: given(bound.buffers, slot.name, bound) };
         case "image":
           return layerOf(images[slot.number].gpu, 0, 0);
         case "sampler":
           return this.sampler(bound.shader, slot.name);
         case "texture":
-          return viewOf(bound.textures.get(slot.name)!, textures.find(({ name }) => name === slot.name)!);
+          return viewOf(given(bound.textures, slot.name, bound), textures.find(({ name }) => name === slot.name)!);
       }
     };
     this.slots[bound.shader].forEach((slots, group) => {
@@ -245,6 +239,29 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
       buffer.destroy();
     }
   }
+}
+
+function depthAttachment({ texture, layer, target }: Attachment<Texture>): GPURenderPassDepthStencilAttachment {
+  const { stencil } = target;
+  return {
+    view: layerOf(texture.gpu, layer, target.level),
+    depthClearValue: 1,
+    depthLoadOp: target.load,
+    depthStoreOp: storeOp(target),
+    ...(hasStencil(texture.gpu.format) && {
+      stencilClearValue: stencil?.clear ?? 0,
+      stencilLoadOp: stencil?.load ?? "clear",
+      stencilStoreOp: storeOp(stencil ?? { store: false }),
+    }),
+  };
+}
+
+const storeOp = ({ store }: { store: boolean }) => (store ? "store" : "discard");
+
+function given<Item>(items: Map<string, Item>, name: string, { values }: Bound<unknown, unknown>): Item {
+  const found = items.get(name);
+  if (found === undefined) throw new Error(`nobody gives ${values.name} its \`${name}\``);
+  return found;
 }
 
 /** The view by which a shader reads a whole texture. */

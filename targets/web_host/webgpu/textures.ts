@@ -1,6 +1,6 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
 
-import { bytesOf, isDepth, lanesOf } from "../bytes.js";
+import { bytesOf, hasStencil, isDepth, lanesOf } from "../bytes.js";
 import type { TextureSize } from "../renderer.js";
 import type { Dimension, Picture, SamplerState } from "../types.js";
 import { BufferUsage, TextureUsage, type Device } from "./device.js";
@@ -85,10 +85,16 @@ function writeTexels(
 
 // --- depths --------------------------------------------------------------------------------------
 
-function depthPass(view: GPUTextureView): GPURenderPassDescriptor {
+function depthPass(texture: GPUTexture, layer: number, level: number): GPURenderPassDescriptor {
   return {
     colorAttachments: [],
-    depthStencilAttachment: { view, depthClearValue: 1, depthLoadOp: "clear", depthStoreOp: "store" },
+    depthStencilAttachment: {
+      view: layerOf(texture, layer, level),
+      depthClearValue: 1,
+      depthLoadOp: "clear",
+      depthStoreOp: "store",
+      ...(hasStencil(texture.format) && { stencilLoadOp: "clear", stencilStoreOp: "store" }),
+    },
   };
 }
 
@@ -96,7 +102,7 @@ function clearDepths(gpu: GPUDevice, texture: GPUTexture): void {
   const encoder = gpu.createCommandEncoder();
   for (let level = 0; level < texture.mipLevelCount; level++) {
     for (let layer = 0; layer < texture.depthOrArrayLayers; layer++) {
-      encoder.beginRenderPass(depthPass(layerOf(texture, layer, level))).end();
+      encoder.beginRenderPass(depthPass(texture, layer, level)).end();
     }
   }
   gpu.queue.submit([encoder.finish()]);
@@ -130,7 +136,7 @@ function drawDepths(
   });
   const encoder = gpu.createCommandEncoder();
   for (let layer = 0; layer < layers; layer++) {
-    const pass = encoder.beginRenderPass(depthPass(layerOf(texture, layer, level)));
+    const pass = encoder.beginRenderPass(depthPass(texture, layer, level));
     pass.setPipeline(pipeline);
     pass.setBindGroup(0, group);
     pass.draw(3, 1, 0, layer * width * height);

@@ -24,7 +24,10 @@ from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import (
     Expected,
     RasterRules,
+    assembly,
+    bias,
     clip,
+    compositing,
     coverage,
     cube,
     drawing,
@@ -32,6 +35,7 @@ from burnish.compiler.reference.picture import (
     filtering,
     levels,
     resolve,
+    stencil,
     texels,
 )
 from burnish.compiler.reference.picture.intervals import increasing, quotient
@@ -193,6 +197,14 @@ def _linear(place: Any, *about: Any, **named: Any) -> Any:
     return perspective(place, *about, **named)
 
 
+def _turned_over(positions: Any, triangles: Any, rules: Any, off: Any, _front: Any) -> Any:
+    return faces.triangles_of(positions, triangles, rules, off, "clockwise")
+
+
+def _of_fronts(test: stencil.StencilTest) -> Any:
+    return ((test.state.front, test.front | True),)
+
+
 def _last(place: Any, values: Any) -> Any:
     """Take flat values from the last vertex."""
     corner = place._faces.corners[place._face, 2]
@@ -263,11 +275,18 @@ _PICTURE = [
     Planted("the farthest wins", "operations: Limits", GLSL,
             replaced(drawing, "nearest", _farthest)),
     Planted("back faces in front", "pipeline: Crossing", WGSL,
-            replaced(faces.Faces, "front", property(lambda self: self.area > 0))),
+            replaced(assembly, "triangles_of", _turned_over)),
+    Planted("values that stay", "pipeline: Counted", GLSL,
+            replaced(stencil, "operated", lambda _operation, there, _reference: there)),
+    Planted("nothing but fronts", "pipeline: Counted", GLSL,
+            replaced(stencil.StencilTest, "sides", _of_fronts)),
+    Planted("nearer instead of farther", "pipeline: Biased", WGSL,
+            replaced(bias, "_clamped", lambda moved, _most: -moved)),
     Planted("alpha covers nothing", "pipeline: Veil", GLSL,
-            edited(resolve, "BLENDING", "alpha", resolve.BLENDING["premultiplied"])),
-    Planted("premultiplied twice", "pipeline: Veil", HLSL,
-            edited(resolve, "BLENDING", "premultiplied", resolve.BLENDING["alpha"])),
+            edited(compositing, "FACTORS", "src_alpha", compositing.FACTORS["dst_alpha"])),
+    Planted("alpha hides as much as it covers", "pipeline: Veil", HLSL,
+            edited(compositing, "FACTORS", "one_minus_src_alpha",
+                   compositing.FACTORS["src_alpha"])),
     Planted("mirrors that repeat", "textures: Wraps", GLSL,
             replaced(texels, "_wrapped", _repeated)),
     Planted("a level too small", "textures: Levels", HLSL,

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from burnish.targets.runner.drivers.checks import level_size
-from burnish.targets.runner.drivers.draw import Draw, Image, Job
+from burnish.targets.runner.drivers.draw import DepthBias, Draw, Image, Job
 from burnish.targets.runner.instances import blocks, derived, instance, shapes
 from burnish.targets.runner.instances.shapes import Numbers, Shape
 from burnish.targets.runner.textures.texture import Texture
 
+from ...runner.blends import named
 from .planting import QUICKEST, Planted, job, replaced
 
 write, write_numbers = blocks.write, blocks._write_numbers
@@ -130,7 +131,7 @@ def _samplers(**state: Any) -> Callable[[Job], Job]:
 
 def _blended(asked: Job) -> Job:
     """Use the blend mode ``add`` for everything."""
-    targets = tuple(replace(target, blend="add") for target in asked.pipeline.targets)
+    targets = tuple(replace(target, blend=named("add")) for target in asked.pipeline.targets)
     return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
 
 
@@ -141,6 +142,23 @@ def _states(**state: Any) -> Callable[[Job], Job]:
         return replace(asked, pipeline=replace(asked.pipeline, **state))
 
     return change
+
+
+def _stencils(**state: Any) -> Callable[[Job], Job]:
+    """With some of a pipeline's stencil test set to something else."""
+
+    def change(asked: Job) -> Job:
+        stencil = asked.pipeline.stencil
+        assert stencil is not None
+        return _states(stencil=replace(stencil, **state))(asked)
+
+    return change
+
+
+def _sides_exchanged(asked: Job) -> Job:
+    stencil = asked.pipeline.stencil
+    assert stencil is not None
+    return _stencils(front=stencil.back, back=stencil.front)(asked)
 
 
 def _textures_exchanged(draw: Draw) -> Draw:
@@ -198,5 +216,13 @@ PLANTED = [
     Planted("the other side drawn", "pipeline: Backs", WGSL, job(_states(cull="back"))),
     Planted("depths written", "pipeline: Layers", HLSL, job(_states(depth_write=True))),
     Planted("the nearest drawn", "pipeline: Latest", GLSL, job(_states(depth_compare="less"))),
+    Planted("another reference", "pipeline: Counted", GLSL, job(_stencils(reference=1))),
+    Planted("fewer bits written", "pipeline: Counted", HLSL, job(_stencils(write_mask=6))),
+    Planted("sides counted the other way round", "pipeline: Sided", WGSL, job(_sides_exchanged)),
+    Planted("no stencil test", "pipeline: Sided", GLSL, job(_states(stencil=None))),
+    Planted("nothing moved", "pipeline: Biased", GLSL, job(_states(depth_bias=DepthBias()))),
+    Planted("clamped no more", "pipeline: Biased", HLSL,
+            job(_states(depth_bias=DepthBias(400000, -1.5, 0.0)))),
+    Planted("fronts as usual", "pipeline: Clockwise", WGSL, job(_states(front_face="ccw"))),
     Planted("added instead of blended", "pipeline: Veil", GLSL, job(_blended)),
 ]  # fmt: skip

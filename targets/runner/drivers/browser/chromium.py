@@ -41,6 +41,9 @@ FLAGS = (
     "--no-first-run",
 )
 
+CANVAS_FLAGS = ("--enable-features=Vulkan", "--use-vulkan=swiftshader")
+"""What it takes besides, without a GPU, for a canvas to show what WebGPU draws to it."""
+
 
 class Chromium:
     """A browser whose page has loaded a module."""

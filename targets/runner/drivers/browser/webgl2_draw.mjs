@@ -9,9 +9,9 @@ export function drawPicture(gl, extensions, program, job, draw) {
   const size = [draw.width, draw.height];
   const screen = makeScreen(gl, job, size);
   try {
-    clear(gl, job, draw.clear);
+    clear(gl, job, draw);
     setState(gl, extensions, job);
-    setBlending(gl, extensions, job.targets);
+    setBlending(gl, extensions, job.targets, draw.blend_constant);
     drawMesh(gl, program, job, draw);
     return job.targets.map(({ format }, at) => readTarget(gl, at, format, size));
   } finally {

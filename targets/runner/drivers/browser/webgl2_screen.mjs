@@ -15,12 +15,29 @@ const STORAGE = {
   "rgba32float": "RGBA32F",
 };
 
-// The factors of source and destination for the colour, then for alpha.
-const BLEND_FACTORS = {
-  alpha: ["SRC_ALPHA", "ONE_MINUS_SRC_ALPHA", "ONE", "ONE_MINUS_SRC_ALPHA"],
-  premultiplied: ["ONE", "ONE_MINUS_SRC_ALPHA", "ONE", "ONE_MINUS_SRC_ALPHA"],
-  add: ["ONE", "ONE", "ONE", "ONE"],
-  multiply: ["DST_COLOR", "ZERO", "DST_COLOR", "ZERO"],
+// Of alpha, a factor of a colour is its alpha.
+const FACTORS = {
+  zero: "ZERO",
+  one: "ONE",
+  src: "SRC_COLOR",
+  one_minus_src: "ONE_MINUS_SRC_COLOR",
+  src_alpha: "SRC_ALPHA",
+  one_minus_src_alpha: "ONE_MINUS_SRC_ALPHA",
+  dst: "DST_COLOR",
+  one_minus_dst: "ONE_MINUS_DST_COLOR",
+  dst_alpha: "DST_ALPHA",
+  one_minus_dst_alpha: "ONE_MINUS_DST_ALPHA",
+  src_alpha_saturated: "SRC_ALPHA_SATURATE",
+  constant: "CONSTANT_COLOR",
+  one_minus_constant: "ONE_MINUS_CONSTANT_COLOR",
+};
+
+const OPERATIONS = {
+  add: "FUNC_ADD",
+  subtract: "FUNC_SUBTRACT",
+  reverse_subtract: "FUNC_REVERSE_SUBTRACT",
+  min: "MIN",
+  max: "MAX",
 };
 
 /** A framebuffer, which is bound, and its renderbuffers. */
@@ -57,22 +74,30 @@ export function deleteScreen(gl, { framebuffer, buffers }) {
   gl.deleteFramebuffer(framebuffer);
 }
 
-export function clear(gl, { stencil }, colors) {
-  colors.forEach((color, at) => gl.clearBufferfv(gl.COLOR, at, color));
+/** Clear everything; what is cleared obeys the masks. */
+export function clear(gl, { stencil }, draw) {
+  gl.colorMask(true, true, true, true);
+  draw.clear.forEach((color, at) => gl.clearBufferfv(gl.COLOR, at, color));
   gl.depthMask(true);
-  gl.clearBufferfv(gl.DEPTH, 0, [1]);
+  gl.clearBufferfv(gl.DEPTH, 0, [draw.clear_depth]);
   if (!stencil) return;
   gl.stencilMask(0xff);
   gl.clearBufferiv(gl.STENCIL, 0, [0]);
 }
 
-/** Set the blend mode of each target. */
-export function setBlending(gl, { OES_draw_buffers_indexed: indexed }, targets) {
-  targets.forEach(({ blend }, at) => {
-    if (blend === "none") return indexed.disableiOES(gl.BLEND, at);
+/** Set how each target is blended, which lanes are written, and what `constant` means. */
+export function setBlending(gl, { OES_draw_buffers_indexed: indexed }, targets, constant) {
+  gl.blendColor(...constant);
+  targets.forEach(({ blend, mask }, at) => {
+    const isWritten = [..."rgba"].map((lane) => mask !== "none" && mask.includes(lane));
+    indexed.colorMaskiOES(at, ...isWritten);
+    if (!blend) return indexed.disableiOES(gl.BLEND, at);
+    const { color, alpha } = blend;
+    const operations = [color, alpha].map(({ operation }) => gl[OPERATIONS[operation]]);
+    const factors = [color, alpha].flatMap(({ source, destination }) => [source, destination]);
     indexed.enableiOES(gl.BLEND, at);
-    const factors = BLEND_FACTORS[blend].map((name) => gl[name]);
-    indexed.blendFuncSeparateiOES(at, ...factors);
+    indexed.blendEquationSeparateiOES(at, ...operations);
+    indexed.blendFuncSeparateiOES(at, ...factors.map((factor) => gl[FACTORS[factor]]));
   });
 }
 

@@ -20,8 +20,9 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
     const screen = job.targets.map(({ format }) => keep(makeTarget(device, format, size)));
     const depth = keep(makeTarget(device, depthFormat(job), size));
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass(passDescriptor(job, screen, depth, draw.clear));
+    const pass = encoder.beginRenderPass(passDescriptor(job, screen, depth, draw));
     pass.setPipeline(pipeline);
+    pass.setBlendConstant(draw.blend_constant);
     if (job.stencil) pass.setStencilReference(job.stencil.reference);
     const storage = makeStorage(device, job, draw, keep);
     bindGroups(device, job, layouts, draw, storage, keep).forEach((group, at) =>
@@ -49,17 +50,17 @@ function makeTarget(device, format, size) {
   });
 }
 
-function passDescriptor(job, screen, depth, clear) {
+function passDescriptor(job, screen, depth, draw) {
   return {
     colorAttachments: screen.map((target, at) => ({
       view: target.createView(),
-      clearValue: clear[at],
+      clearValue: draw.clear[at],
       loadOp: "clear",
       storeOp: "store",
     })),
     depthStencilAttachment: {
       view: depth.createView(),
-      depthClearValue: 1,
+      depthClearValue: draw.clear_depth,
       depthLoadOp: "clear",
       depthStoreOp: "discard",
       ...(job.stencil && {

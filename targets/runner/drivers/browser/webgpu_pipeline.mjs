@@ -7,18 +7,7 @@ export const COMPUTE_STAGE = 4; // GPUShaderStage.COMPUTE
 const BOTH_STAGES = 3; // GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT
 const FLOAT32_TARGETS = ["r32float", "rg32float", "rgba32float"];
 
-const sum = (srcFactor, dstFactor) => ({ operation: "add", srcFactor, dstFactor });
-const alike = (factors) => ({ color: factors, alpha: factors });
-const BLENDS = {
-  none: undefined,
-  alpha: {
-    color: sum("src-alpha", "one-minus-src-alpha"),
-    alpha: sum("one", "one-minus-src-alpha"),
-  },
-  premultiplied: alike(sum("one", "one-minus-src-alpha")),
-  add: alike(sum("one", "one")),
-  multiply: alike(sum("dst", "zero")),
-};
+const LANES = { r: 1, g: 2, b: 4, a: 8 }; // GPUColorWrite
 
 /** The pipeline, and the layouts of its bind groups. */
 export async function makePipeline(device, job) {
@@ -89,7 +78,7 @@ export async function makeModule(device, stage, code) {
 }
 
 // The words of a job are WebGPU's, with other dashes.
-const dashed = (word) => word.replace("_", "-");
+const dashed = (word) => word.replaceAll("_", "-");
 
 function depthStencilState(device, job) {
   const format = depthFormat(job);
@@ -125,12 +114,24 @@ function depthStencilState(device, job) {
 /** The format of the depths that a job draws to, and of the stencil values beside them. */
 export const depthFormat = (job) => (job.stencil ? "depth32float-stencil8" : "depth32float");
 
-function targetState(device, { format, blend }) {
+function targetState(device, { format, blend, mask }) {
   const float32 = FLOAT32_TARGETS.includes(format);
-  if (blend !== "none" && float32 && !device.features.has("float32-blendable")) {
+  if (blend && float32 && !device.features.has("float32-blendable")) {
     throw new Refusal(`the WebGPU adapter cannot blend ${format}: it lacks float32-blendable`);
   }
-  return { format, blend: BLENDS[blend] };
+  const lanes = mask === "none" ? [] : [...mask];
+  const writeMask = lanes.reduce((bits, lane) => bits | LANES[lane], 0);
+  if (!blend) return { format, writeMask };
+  return { format, writeMask, blend: { color: equation(blend.color), alpha: equation(blend.alpha) } };
+}
+
+/** An equation in WebGPU's words. */
+function equation({ source, destination, operation }) {
+  return {
+    operation: dashed(operation),
+    srcFactor: dashed(source),
+    dstFactor: dashed(destination),
+  };
 }
 
 /** The slots' bindings by group, with an empty group for each unused number. */

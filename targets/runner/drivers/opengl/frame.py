@@ -12,6 +12,7 @@ import moderngl
 from ..draw import Dispatch, Draw, DriverError, Pipeline
 from ..frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
 from .bindings import bound, bound_at
+from .blending import set_blending, write_all_lanes
 from .context import (
     GL_COLOR,
     GL_COLOR_ATTACHMENT0,
@@ -20,7 +21,7 @@ from .context import (
 )
 from .frame_textures import make_frame_texture
 from .program import link, link_kernel
-from .screen import clear_depths, set_blending
+from .screen import clear_depths
 from .state import set_state
 from .vertices import MODES, vertices
 
@@ -91,6 +92,7 @@ class _Frame:
             self._program(drawn)  # moderngl may bind a framebuffer when it links
         with self._framebuffer(step):
             self._functions.glViewport(0, 0, width, height)
+            write_all_lanes(self._functions, len(step.targets))
             for number, target in enumerate(step.targets):
                 self._clear(target, number)
             if step.depth is not None and not step.depth.loads:
@@ -127,7 +129,7 @@ class _Frame:
         if not draw.indices:
             return
         set_state(self._context, self._functions, pipeline, has_depth=step.depth is not None)
-        set_blending(self._functions, pipeline.targets)
+        set_blending(self._functions, pipeline.targets, step.blend_constant)
         program = self._program(drawn)
         with (
             vertices(self._context, program, pipeline, draw) as array,

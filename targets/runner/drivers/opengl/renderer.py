@@ -19,6 +19,7 @@ from ..draw import (
     Written,
 )
 from ..frame_job import FrameJob, FrameTexels
+from .blending import set_blending
 from .capture import capture_job
 from .compute import compute_job
 from .context import Functions, create_context
@@ -99,9 +100,9 @@ def _picture(
         else Screen(context, functions, pipeline, size)
     )
     try:
-        screen.clear(draw.clear)
+        screen.clear(draw.clear, draw.clear_depth)
         set_state(context, functions, pipeline)
-        screen.set_blending()
+        set_blending(functions, pipeline.targets, draw.blend_constant)
         if draw.indices:  # a buffer of no bytes cannot be made
             with bound_vertices(context, functions, program, pipeline, draw) as array:
                 array.render(MODES[pipeline.primitive], instances=draw.instance_count)

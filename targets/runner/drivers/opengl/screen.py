@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 import moderngl
 
-from ..draw import Blend, DepthFormat, Pipeline, RenderTarget, TargetFormat
+from ..draw import DepthFormat, Pipeline, RenderTarget, TargetFormat
 from ..readback import to_float
+from .blending import write_all_lanes
 from .context import (
-    GL_BLEND,
     GL_COLOR,
     GL_DEPTH,
     GL_DEPTH32F_STENCIL8,
@@ -37,22 +37,13 @@ STORAGE: dict[TargetFormat, tuple[int, str, int]] = {
 }
 """The number of lanes, moderngl's type of a lane, and OpenGL's internal format."""
 
+
 DEPTHS: dict[DepthFormat, tuple[int, int]] = {
     "depth32float": (GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT),
     "depth32float-stencil8": (GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT),
 }
 """OpenGL's internal format, and what it is attached as."""
 STENCIL_BITS = 0xFF
-
-ZERO, ONE, DST_COLOR = 0, 1, 0x0306
-SRC_ALPHA, ONE_MINUS_SRC_ALPHA = 0x0302, 0x0303
-BLEND_FACTORS: dict[Blend, tuple[int, int, int, int]] = {
-    "alpha": (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA),
-    "premultiplied": (ONE, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA),
-    "add": (ONE, ONE, ONE, ONE),
-    "multiply": (DST_COLOR, ZERO, DST_COLOR, ZERO),
-}
-"""The factors of source and destination for the colour, then for alpha."""
 
 
 class Screen:
@@ -85,16 +76,13 @@ class Screen:
             GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, self._depth
         )
 
-    def clear(self, colors: Sequence[tuple[float, float, float, float]]) -> None:
-        """Clear every target to its colour, depths to 1, and stencil values to 0."""
+    def clear(self, colors: Sequence[tuple[float, float, float, float]], depth: float) -> None:
+        """Clear every target to its colour, the depths, and stencil values to 0."""
+        write_all_lanes(self._functions, len(colors))
         for number, color in enumerate(colors):
             lanes = (ctypes.c_float * 4)(*color)
             self._functions.glClearBufferfv(GL_COLOR, number, lanes)
-        clear_depths(self._functions, 1.0, self._depths[1])
-
-    def set_blending(self) -> None:
-        """Set the blend mode of each target."""
-        set_blending(self._functions, self._targets)
+        clear_depths(self._functions, depth, self._depths[1])
 
     def read(self, pipeline: Pipeline) -> tuple[bytes, ...]:
         """Each target in the form of a ``Picture``."""
@@ -123,16 +111,6 @@ def clear_depths(functions: Functions, depth: float, attachment: int) -> None:
     functions.glClearBufferfv(GL_DEPTH, 0, (ctypes.c_float * 1)(depth))
     if attachment == GL_DEPTH_STENCIL_ATTACHMENT:
         functions.glClearBufferiv(GL_STENCIL, 0, (ctypes.c_int * 1)(0))
-
-
-def set_blending(functions: Functions, targets: Sequence[RenderTarget]) -> None:
-    """Set the blend mode of each target of the framebuffer that is bound."""
-    for number, target in enumerate(targets):
-        if target.blend == "none":
-            functions.glDisablei(GL_BLEND, number)
-            continue
-        functions.glEnablei(GL_BLEND, number)
-        functions.glBlendFuncSeparatei(number, *BLEND_FACTORS[target.blend])
 
 
 def widened_format(encoded: TargetFormat) -> TargetFormat:

@@ -152,6 +152,7 @@ class _Frame:
         )
         vk.vkCmdBeginRenderPass(commands, begin, vk.VK_SUBPASS_CONTENTS_INLINE)
         vk.vkCmdSetScissor(commands, 0, 1, [area])
+        vk.vkCmdSetBlendConstants(commands, step.blend_constant)
         for drawn, bound in zip(step.draws, sets, strict=True):
             description = self._job.pipelines[drawn.pipeline]
             view = viewport(description, width, height)

@@ -10,7 +10,6 @@ import vulkan as vk
 
 from ..checks import lane_count
 from ..draw import (
-    Blend,
     Code,
     Cull,
     Fill,
@@ -23,6 +22,7 @@ from ..draw import (
     VertexInput,
     Winding,
 )
+from .blending import blend_state
 from .device import Gpu
 from .formats import VERTICES
 from .texture_images import COMPARES
@@ -32,27 +32,6 @@ CULL: dict[Cull, int] = {
     "back": vk.VK_CULL_MODE_BACK_BIT,
     "front": vk.VK_CULL_MODE_FRONT_BIT,
 }
-
-ZERO, ONE = vk.VK_BLEND_FACTOR_ZERO, vk.VK_BLEND_FACTOR_ONE
-ALPHA, REST = vk.VK_BLEND_FACTOR_SRC_ALPHA, vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA
-UNDERNEATH = vk.VK_BLEND_FACTOR_DST_COLOR, vk.VK_BLEND_FACTOR_DST_ALPHA
-
-BLENDS: dict[Blend, tuple[int, int, int, int]] = {
-    "none": (ONE, ZERO, ONE, ZERO),
-    "alpha": (ALPHA, REST, ONE, REST),
-    "premultiplied": (ONE, REST, ONE, REST),
-    "add": (ONE, ONE, ONE, ONE),
-    "multiply": (UNDERNEATH[0], ZERO, UNDERNEATH[1], ZERO),
-}
-"""The factors of source and destination for the colour, then for alpha; the products are added."""
-
-ALL_LANES = (
-    vk.VK_COLOR_COMPONENT_R_BIT
-    | vk.VK_COLOR_COMPONENT_G_BIT
-    | vk.VK_COLOR_COMPONENT_B_BIT
-    | vk.VK_COLOR_COMPONENT_A_BIT
-)
-
 
 STAGES: dict[str, int] = {
     "vertex": vk.VK_SHADER_STAGE_VERTEX_BIT,
@@ -117,7 +96,7 @@ def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:
 def make_pipeline(
     owned: ExitStack, gpu: Gpu, pipeline: Pipeline, layout: Any, render_pass: Any
 ) -> Any:
-    """The pipeline; viewport and scissors are set for each draw.
+    """The pipeline; viewport, scissors and the blend constant are set for each draw.
 
     Structures in lists have names here: the binding copies them, and what they point to only lives
     as long as they do.
@@ -127,8 +106,12 @@ def make_pipeline(
             make_stage(modules, gpu, STAGES[name], code) for name, code in pipeline.stages.items()
         ]
         gpu.messages.check()
-        blends = [_blend(target.blend) for target in pipeline.targets]
-        dynamic = (vk.VK_DYNAMIC_STATE_VIEWPORT, vk.VK_DYNAMIC_STATE_SCISSOR)
+        blends = [blend_state(target) for target in pipeline.targets]
+        dynamic = (
+            vk.VK_DYNAMIC_STATE_VIEWPORT,
+            vk.VK_DYNAMIC_STATE_SCISSOR,
+            vk.VK_DYNAMIC_STATE_BLEND_CONSTANTS,
+        )
         info = vk.VkGraphicsPipelineCreateInfo(
             pStages=stages,
             pVertexInputState=_vertex_inputs(pipeline.inputs),
@@ -224,18 +207,4 @@ def _stencil_side(stencil: Stencil, side: StencilSide) -> Any:
         compareMask=stencil.read_mask,
         writeMask=stencil.write_mask,
         reference=stencil.reference,
-    )
-
-
-def _blend(blend: Blend) -> Any:
-    colour_source, colour_below, alpha_source, alpha_below = BLENDS[blend]
-    return vk.VkPipelineColorBlendAttachmentState(
-        blendEnable=blend != "none",
-        srcColorBlendFactor=colour_source,
-        dstColorBlendFactor=colour_below,
-        colorBlendOp=vk.VK_BLEND_OP_ADD,
-        srcAlphaBlendFactor=alpha_source,
-        dstAlphaBlendFactor=alpha_below,
-        alphaBlendOp=vk.VK_BLEND_OP_ADD,
-        colorWriteMask=ALL_LANES,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from typing import Any
 
@@ -83,12 +83,13 @@ class Painter:
             renderPass=self._render_pass,
             framebuffer=canvas.framebuffer,
             renderArea=area,
-            pClearValues=_clear_values(draw.clear),
+            pClearValues=_clear_values(draw),
         )
         vk.vkCmdBeginRenderPass(commands, begin, vk.VK_SUBPASS_CONTENTS_INLINE)
         view = viewport(self._description, draw.width, draw.height)
         vk.vkCmdSetViewport(commands, 0, 1, [view])
         vk.vkCmdSetScissor(commands, 0, 1, [area])
+        vk.vkCmdSetBlendConstants(commands, draw.blend_constant)
         self._draw_mesh(commands, draw, around)
         vk.vkCmdEndRenderPass(commands)
 
@@ -131,8 +132,10 @@ class Painter:
         return self._buffers[key]
 
 
-def _clear_values(colours: Sequence[Sequence[float]]) -> list[Any]:
-    """The targets' clear colours, a depth of 1, and a stencil value of 0."""
-    cleared = [vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in colours]
-    far = vk.VkClearValue(depthStencil=vk.VkClearDepthStencilValue(depth=1.0))
+def _clear_values(draw: Draw) -> list[Any]:
+    """The clear colours of the targets, the depth that is cleared to, and a stencil value of 0."""
+    cleared = [
+        vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in draw.clear
+    ]
+    far = vk.VkClearValue(depthStencil=vk.VkClearDepthStencilValue(depth=draw.clear_depth))
     return [*cleared, far]

@@ -114,9 +114,10 @@ def _target_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
         blends = features & vk.VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT
         if not features & vk.VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT:
             yield f"the device cannot draw to {target.format}"
-        elif target.blend != "none" and not blends:
+        elif target.blend is not None and not blends:
             yield f"the device cannot blend in {target.format}"
-    if len({target.blend for target in pipeline.targets}) > 1 and not gpu.independent_blend:
+    states = {(target.blend, target.mask) for target in pipeline.targets}
+    if len(states) > 1 and not gpu.independent_blend:
         yield "the device can only blend all targets alike"
 
 

@@ -44,13 +44,14 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
         ],
         depth_stencil_attachment={
             "view": _target(gpu, pipeline.depth_format, draw).create_view(),
-            "depth_clear_value": 1.0,
+            "depth_clear_value": draw.clear_depth,
             "depth_load_op": "clear",
             "depth_store_op": "discard",
             **(CLEARED_STENCIL if pipeline.stencil else {}),
         },
     )
     drawn.set_pipeline(made.handle)
+    drawn.set_blend_constant(draw.blend_constant)
     if pipeline.stencil is not None:
         drawn.set_stencil_reference(pipeline.stencil.reference)
     storage = make_storage(gpu, pipeline.buffers, draw.buffers)

@@ -10,7 +10,7 @@ import wgpu
 
 from ..checks import lane_count
 from ..draw import (
-    Blend,
+    BlendEquation,
     BlockSlot,
     BufferSlot,
     DriverError,
@@ -27,20 +27,12 @@ DEPTH = "depth32float"
 FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
 VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
 
-Factors = Mapping[str, str]
-
-
-def _sum(source: str, destination: str) -> Factors:
-    return {"operation": "add", "src_factor": source, "dst_factor": destination}
-
-
-BLENDS: Mapping[Blend, tuple[Factors, Factors]] = {
-    "alpha": (_sum("src-alpha", "one-minus-src-alpha"), _sum("one", "one-minus-src-alpha")),
-    "premultiplied": (_sum("one", "one-minus-src-alpha"),) * 2,
-    "add": (_sum("one", "one"),) * 2,
-    "multiply": (_sum("dst", "zero"),) * 2,
+LANES: Mapping[str, int] = {
+    "r": wgpu.ColorWrite.RED,
+    "g": wgpu.ColorWrite.GREEN,
+    "b": wgpu.ColorWrite.BLUE,
+    "a": wgpu.ColorWrite.ALPHA,
 }
-"""The factors of colour and alpha; ``none`` has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,12 +163,23 @@ def _buffer_layout(buffer: Buffer) -> Mapping[str, Any]:
 
 
 def _target(gpu: Gpu, target: RenderTarget) -> Mapping[str, Any]:
-    if target.blend == "none":
-        return {"format": target.format}
+    blend = target.blend
+    mask = sum(bit for lane, bit in LANES.items() if target.writes(lane))
+    state = {"format": target.format, "write_mask": mask}
+    if blend is None:
+        return state
     if target.format in FLOAT32_TARGETS and "float32-blendable" not in gpu.features:
         raise DriverError(f"{gpu.description.name} cannot blend {target.format}")
-    color, alpha = BLENDS[target.blend]
-    return {"format": target.format, "blend": {"color": color, "alpha": alpha}}
+    return {**state, "blend": {"color": _equation(blend.color), "alpha": _equation(blend.alpha)}}
+
+
+def _equation(equation: BlendEquation) -> Mapping[str, str]:
+    """An equation in WebGPU's words."""
+    return {
+        "operation": equation.operation.replace("_", "-"),
+        "src_factor": equation.source.replace("_", "-"),
+        "dst_factor": equation.destination.replace("_", "-"),
+    }
 
 
 def bound(pipeline: Pipeline) -> Groups:

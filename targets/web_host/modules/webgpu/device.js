@@ -8,8 +8,10 @@ export const TextureUsage = {
 };
 export const ShaderStage = { DRAWN: 0x3, COMPUTE: 0x4 };
 export const MAP_READ = 0x1;
-/** Features that targets and textures of 32 bits need. */
-const FEATURES = ["float32-blendable", "float32-filterable"];
+/** Features that targets and textures of 32 bits need, and stencil values beside such depths. */
+const FEATURES = [
+    "float32-blendable", "float32-filterable", "depth32float-stencil8",
+];
 /** Limits that frames may need to be above the default. */
 const LIMITS = ["maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize"];
 export class Device {

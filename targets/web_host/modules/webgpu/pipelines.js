@@ -1,5 +1,5 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
-import { formatOf } from "../bytes.js";
+import { formatOf, hasStencil } from "../bytes.js";
 import { ShaderStage } from "./device.js";
 export const PROFILE = "wgsl:webgpu";
 const keyOf = (shader, { targets, depth }) => [shader, ...targets, depth].join(" ");
@@ -48,6 +48,8 @@ export class Pipelines {
             return { layouts, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
         }
         const { backends, draw, render_state: state } = reflection;
+        if (state.fill === "lines")
+            throw new Error(`WebGPU cannot draw the edges of triangles, as ${reflection.material} asks`);
         const render = await gpu.createRenderPipelineAsync({
             layout,
             vertex: { ...(await this.stage(reflection, vertex)), buffers: vertexBuffers(reflection) },
@@ -57,13 +59,7 @@ export class Pipelines {
                 cullMode: state.cull,
                 frontFace: backends[PROFILE].front_face,
             },
-            ...(formats.depth && {
-                depthStencil: {
-                    format: formats.depth,
-                    depthWriteEnabled: state.depth.write,
-                    depthCompare: state.depth.compare.replace("_", "-"),
-                },
-            }),
+            ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, draw?.topology) }),
         });
         return { layouts, render };
     }
@@ -79,25 +75,44 @@ export class Pipelines {
     }
     targets({ targets, material }, formats) {
         return formats.map((format, at) => {
-            const { blend } = targets[at];
-            if (blend !== "none" && /32float/.test(format) && !this.device.gpu.features.has("float32-blendable")) {
+            const { blend, mask } = targets[at];
+            if (blend && /32float/.test(format) && !this.device.gpu.features.has("float32-blendable")) {
                 throw new Error(`this device cannot blend ${format}, which ${material} does: it lacks float32-blendable`);
             }
-            return { format, blend: BLENDS[blend] };
+            const writeMask = [..."rgba"].reduce((bits, lane, at) => bits | (written(mask, lane) ? 1 << at : 0), 0);
+            if (!blend)
+                return { format, writeMask };
+            return { format, writeMask, blend: { color: component(blend.color), alpha: component(blend.alpha) } };
         });
     }
 }
-const sum = (srcFactor, dstFactor) => ({
-    operation: "add", srcFactor, dstFactor,
+function depthStencil({ depth, stencil }, format, topology = "triangle") {
+    return {
+        format,
+        depthWriteEnabled: depth.write,
+        depthCompare: word(depth.compare),
+        ...(depth.bias && topology === "triangle" && {
+            depthBias: depth.bias.constant,
+            depthBiasSlopeScale: depth.bias.slope,
+            depthBiasClamp: depth.bias.clamp,
+        }),
+        ...(stencil && hasStencil(format) && {
+            stencilFront: stencilSide(stencil.front),
+            stencilBack: stencilSide(stencil.back),
+            stencilReadMask: stencil.read_mask,
+            stencilWriteMask: stencil.write_mask,
+        }),
+    };
+}
+const stencilSide = ({ compare, fail, depth_fail, pass }) => ({
+    compare: word(compare), failOp: word(fail), depthFailOp: word(depth_fail), passOp: word(pass),
 });
-const alike = (factors) => ({ color: factors, alpha: factors });
-const BLENDS = {
-    none: undefined,
-    alpha: { color: sum("src-alpha", "one-minus-src-alpha"), alpha: sum("one", "one-minus-src-alpha") },
-    premultiplied: alike(sum("one", "one-minus-src-alpha")),
-    add: alike(sum("one", "one")),
-    multiply: alike(sum("dst", "zero")),
-};
+/** A word of a reflection as WebGPU writes it. */
+const word = (text) => text.replaceAll("_", "-");
+const written = (mask, lane) => mask !== "none" && mask.includes(lane);
+const component = ({ source, destination, operation }) => ({
+    operation: word(operation), srcFactor: word(source), dstFactor: word(destination),
+});
 /** One buffer for the inputs of vertices and one for those of instances, as `interleaved` makes
  * them. */
 function vertexBuffers({ vertex_inputs: inputs }) {

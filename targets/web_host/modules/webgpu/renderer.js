@@ -1,5 +1,5 @@
 // Draws frames with WebGPU.
-import { isDepth, lanesOf, toFloats } from "../bytes.js";
+import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved } from "../geometry.js";
 import { Presenter } from "./canvas.js";
 import { Arena, BufferUsage, MAP_READ } from "./device.js";
@@ -82,21 +82,15 @@ export class WebGpuRenderer {
                 view: layerOf(texture.gpu, layer, target.level),
                 clearValue: [0, 0, 0, 0],
                 loadOp: target.load,
-                storeOp: target.store ? "store" : "discard",
+                storeOp: storeOp(target),
             })),
-            ...(depth && {
-                depthStencilAttachment: {
-                    view: layerOf(depth.texture.gpu, depth.layer, depth.target.level),
-                    depthClearValue: 1,
-                    depthLoadOp: depth.target.load,
-                    depthStoreOp: depth.target.store ? "store" : "discard",
-                },
-            }),
+            ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
         });
         const formats = targets.map(({ texture }) => texture.gpu.format);
         for (const call of calls) {
             const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
             pass.setPipeline(pipeline.render);
+            pass.setStencilReference(this.shaders[call.shader].reflection.render_state.stencil?.reference ?? 0);
             this.bind(pass, pipeline, call, []);
             this.drawGeometry(pass, call.geometry);
         }
@@ -129,13 +123,13 @@ export class WebGpuRenderer {
                 case "block":
                     return this.arena.put(blocks.get(slot.name));
                 case "buffer":
-                    return { buffer: bound.buffers.get(slot.name) };
+                    return { buffer: given(bound.buffers, slot.name, bound) };
                 case "image":
                     return layerOf(images[slot.number].gpu, 0, 0);
                 case "sampler":
                     return this.sampler(bound.shader, slot.name);
                 case "texture":
-                    return viewOf(bound.textures.get(slot.name), textures.find(({ name }) => name === slot.name));
+                    return viewOf(given(bound.textures, slot.name, bound), textures.find(({ name }) => name === slot.name));
             }
         };
         this.slots[bound.shader].forEach((slots, group) => {
@@ -209,6 +203,27 @@ export class WebGpuRenderer {
             buffer.destroy();
         }
     }
+}
+function depthAttachment({ texture, layer, target }) {
+    const { stencil } = target;
+    return {
+        view: layerOf(texture.gpu, layer, target.level),
+        depthClearValue: 1,
+        depthLoadOp: target.load,
+        depthStoreOp: storeOp(target),
+        ...(hasStencil(texture.gpu.format) && {
+            stencilClearValue: stencil?.clear ?? 0,
+            stencilLoadOp: stencil?.load ?? "clear",
+            stencilStoreOp: storeOp(stencil ?? { store: false }),
+        }),
+    };
+}
+const storeOp = ({ store }) => (store ? "store" : "discard");
+function given(items, name, { values }) {
+    const found = items.get(name);
+    if (found === undefined)
+        throw new Error(`nobody gives ${values.name} its \`${name}\``);
+    return found;
 }
 /** The view by which a shader reads a whole texture. */
 function viewOf({ gpu }, { layout: { viewDimension } }) {

@@ -1,5 +1,5 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
-import { bytesOf, isDepth, lanesOf } from "../bytes.js";
+import { bytesOf, hasStencil, isDepth, lanesOf } from "../bytes.js";
 import { BufferUsage, TextureUsage } from "./device.js";
 export const VIEWS = {
     "2d": "2d", "2d_array": "2d-array", "3d": "3d", cube: "cube",
@@ -67,17 +67,23 @@ function writeTexels({ gpu }, texture, bytes, mipLevel, size) {
     gpu.queue.writeTexture({ texture, mipLevel }, bytes, layout, size);
 }
 // --- depths --------------------------------------------------------------------------------------
-function depthPass(view) {
+function depthPass(texture, layer, level) {
     return {
         colorAttachments: [],
-        depthStencilAttachment: { view, depthClearValue: 1, depthLoadOp: "clear", depthStoreOp: "store" },
+        depthStencilAttachment: {
+            view: layerOf(texture, layer, level),
+            depthClearValue: 1,
+            depthLoadOp: "clear",
+            depthStoreOp: "store",
+            ...(hasStencil(texture.format) && { stencilLoadOp: "clear", stencilStoreOp: "store" }),
+        },
     };
 }
 function clearDepths(gpu, texture) {
     const encoder = gpu.createCommandEncoder();
     for (let level = 0; level < texture.mipLevelCount; level++) {
         for (let layer = 0; layer < texture.depthOrArrayLayers; layer++) {
-            encoder.beginRenderPass(depthPass(layerOf(texture, layer, level))).end();
+            encoder.beginRenderPass(depthPass(texture, layer, level)).end();
         }
     }
     gpu.queue.submit([encoder.finish()]);
@@ -107,7 +113,7 @@ function drawDepths(device, texture, bytes, level, [width, height, layers]) {
     });
     const encoder = gpu.createCommandEncoder();
     for (let layer = 0; layer < layers; layer++) {
-        const pass = encoder.beginRenderPass(depthPass(layerOf(texture, layer, level)));
+        const pass = encoder.beginRenderPass(depthPass(texture, layer, level));
         pass.setPipeline(pipeline);
         pass.setBindGroup(0, group);
         pass.draw(3, 1, 0, layer * width * height);

@@ -1,0 +1,94 @@
+"""The page of docs/hosts.md, as a reader copies it."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+from contextlib import chdir
+from functools import partial
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Page, Route, sync_playwright
+
+from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, FLAGS, START_LIMIT
+from burnish.targets.toolchain.tools import tool_named
+
+from ..docs.kit import ROOT, blocks
+from ..suite.processes import until
+
+DOCUMENT = ROOT / "docs" / "hosts.md"
+ADDRESS = "https://burnish.invalid/"
+LIMIT = 30_000.0
+"""How many milliseconds a page may take for something."""
+TYPES = {".js": "text/javascript", ".json": "application/json", ".html": "text/html"}
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the page's Python writes, and the page."""
+    folder = tmp_path_factory.mktemp("site")
+    (folder / "frames").symlink_to(ROOT / "examples" / "frames")
+    with chdir(folder):
+        for block in blocks(DOCUMENT, "python"):
+            exec(compile(block.text, str(block), "exec"), {})
+    (page,) = blocks(DOCUMENT, "html")
+    (folder / "site" / "index.html").write_text(page.text, encoding="utf-8")
+    return folder / "site"
+
+
+def serve(site: Path, route: Route) -> None:
+    path = site / (urlsplit(route.request.url).path.removeprefix("/") or "index.html")
+    if path.is_file():
+        route.fulfill(body=path.read_bytes(), content_type=TYPES[path.suffix])
+    else:
+        route.fulfill(status=404)
+
+
+@pytest.fixture
+def page(site: Path) -> Iterator[Page]:
+    paths = tool_named("chromium").find()
+    assert paths is not None
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=paths[0],
+            headless=True,
+            args=(*FLAGS, *CANVAS_FLAGS),
+            timeout=START_LIMIT,
+        )
+        opened = browser.new_page()
+        opened.set_default_timeout(LIMIT)
+        opened.route("**/*", partial(serve, site))
+        yield opened
+        browser.close()
+
+
+def colors(page: Page) -> int:
+    """How many colours the canvas shows."""
+    picture = Image.open(io.BytesIO(page.locator("canvas").screenshot()))
+    return len(np.unique(np.asarray(picture.convert("RGB")).reshape(-1, 3), axis=0))
+
+
+def test_the_page_draws_and_its_slider_works(page: Page) -> None:
+    page.goto(ADDRESS)
+    until(lambda: colors(page) > 100, "a picture on the canvas")
+    soft = page.locator("canvas").screenshot()
+    page.locator("input").fill("0")
+    until(lambda: page.locator("canvas").screenshot() != soft, "another picture")
+    assert page.locator("[role=alert]").inner_text() == ""
+
+
+def test_an_error_is_told_on_the_page(page: Page, site: Path) -> None:
+    whole = (site / "Shadows.json").read_text(encoding="utf-8")
+    page.route(
+        "**/Shadows.json",
+        lambda route: route.fulfill(body=whole.replace('"package": 1', '"package": 9')),
+    )
+    page.goto(ADDRESS)
+    alert = page.locator("[role=alert]:not(:empty)")
+    assert alert.inner_text() == (
+        "this host knows packages of version 1, and this one is of version 9"
+    )
