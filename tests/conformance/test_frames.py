@@ -10,12 +10,15 @@ import pytest
 
 import burnish
 from burnish.api import CompiledFrame
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.summary import details
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
 from burnish.targets.web_host.drawing import draw_frames
 
+from ..targets.standings import routes
 from .kit import PROFILES, REFERENCE, Floats, Studio
 
 FRAME_ROUTES = {n: r for n, r in ROUTES.items() if EVERY_DRIVER[r.driver].draws_frames}
@@ -65,8 +68,8 @@ def _host(frame: CompiledFrame) -> FrameHost:
 
 
 EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
-WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if not name.endswith(":gl330"))]
-"""OpenGL 3.3 runs no kernels over buffers."""
+_WITHOUT_BUFFERS = routes("absent", "kernels over buffers")
+WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if name not in _WITHOUT_BUFFERS)]
 
 
 @EVERYWHERE
@@ -197,6 +200,35 @@ def test_a_frame_finds_what_the_last_one_left(studio: Studio, where: str) -> Non
     frames = outputs(text, where, studio, 3)
     assert [frame["value"][0][1, 2, 0] for frame in frames] == [3, 4, 5]
     assert [frame["other"][0][1, 2, 0] for frame in frames] == [1, 2, 3]
+
+
+@EVERYWHERE
+def test_what_is_drawn_in_the_first_frame_only_is_there_in_later_ones(
+    studio: Studio, where: str
+) -> None:
+    text = f"""{NUMBERS}
+    pass Table : FullScreen {{
+        param scale : float
+        target value : rgba16f = scale * uv.x * vec4(1)
+    }}
+    pass Next : FullScreen {{
+        map table  : texture2d with {{ filter = nearest, mip = none }}
+        map before : texture2d with {{ filter = nearest, mip = none }}
+        place = ivec2(frag_coord.xy)
+        target value : rgba16f = table.load(place) + before.load(place)
+    }}
+    frame F {{
+        table = Table(screen, ivec2(8, 4)) with {{ scale = 8 }}
+        again = Next(screen, ivec2(8, 4)) with {{ table = table.value, before = table.value }}
+        count = Next(screen) with {{ table = again.value, before = previous(count.value) }}
+        output value = count.value
+    }}"""
+    (frame,) = burnish.compile(text, PROFILES, partial=True).frames
+    assert [step["only_first"] for step in frame.plan["steps"]] == [True, True, False]
+    frames = outputs(text, where, studio, 3)
+    wanted = 2 * (RAMP[0, :, 0] + 0.5)
+    for number, found in enumerate(frames):
+        assert found["value"][0][1, :, 0] == pytest.approx((number + 1) * wanted)
 
 
 @pytest.mark.parametrize("where", WITH_BUFFERS)
@@ -372,3 +404,29 @@ def test_lights_bring_what_their_steps_leave(studio: Studio, where: str) -> None
     (found,) = outputs(text, where, studio)
     assert found["value"][0][0, 0, 0] == 2 * 30 + 7
     assert found["added"][0][0, 0, 0] == 2 * 30 + 7
+
+
+LEVEL_EDGE = """
+pass Lower {
+    clip_position : point<clip> = vec4(
+        if vertex_index == 1 then 3 else -1,
+        if vertex_index == 2 then -3 else 0.25,
+        0, 1
+    )
+    target value : rgba8 = vec4(1)
+}
+frame F {
+    below = Lower(vertices(3))
+    output value = below.value
+}
+"""
+"""A triangle whose upper edge goes through the middle of the pixels of the second row."""
+
+
+@pytest.mark.parametrize("route", FRAME_ROUTES)
+def test_faces_own_the_pixels_on_a_level_edge_as_the_reference_says(
+    studio: Studio, route: str
+) -> None:
+    (frame,) = burnish.compile(LEVEL_EDGE, PROFILES, partial=True).frames
+    (row,) = conform([("F", frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE)
+    assert row.status == "agrees", "\n".join(details(row)) or row.problem

@@ -93,8 +93,8 @@ FLOORS: dict[str, str] = {
         "description emit legalise availability selection runner compiled"
     ),
     "commands": (
-        "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
-        "availability selection runner web_host conformance toolchain compiled api"
+        "frozen cache inputs diagnostics syntax ir passes frontend formula closing description "
+        "emit registry availability selection runner web_host conformance toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",
