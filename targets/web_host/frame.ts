@@ -123,8 +123,10 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   }
 
   /** Set what hosts tell every frame, unless this one says it itself, or somebody has set it. */
-  private tell(name: string, value: Value): void {
-    if (this.values.has(name) && !this.given.has(name)) this.values.set(name, value);
+  private tell(role: string, value: Value): void {
+    for (const [name, own] of Object.entries(this.from.roles)) {
+      if (own === role && !this.given.has(name)) this.values.set(name, value);
+    }
   }
 
   /** Give values what they are of a scene. */

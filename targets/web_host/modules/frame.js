@@ -105,9 +105,11 @@ export class PlanFrame {
         this.renderer.dispose();
     }
     /** Set what hosts tell every frame, unless this one says it itself, or somebody has set it. */
-    tell(name, value) {
-        if (this.values.has(name) && !this.given.has(name))
-            this.values.set(name, value);
+    tell(role, value) {
+        for (const [name, own] of Object.entries(this.from.roles)) {
+            if (own === role && !this.given.has(name))
+                this.values.set(name, value);
+        }
     }
     /** Give values what they are of a scene. */
     apply(values, roles, scene, aspect) {
