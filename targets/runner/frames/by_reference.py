@@ -31,7 +31,8 @@ from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
 from ..scene_state import CLEAR
-from .host import FrameDraw, FrameHost, Row, halved
+from .host import FrameDraw, FrameHost, Row
+from .sizes import halved
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]

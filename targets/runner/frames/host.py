@@ -16,10 +16,13 @@ from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
+from ..scene import value_roles
 from ..scene_state import SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
+from .checks.rows import attachments
 from .scenery import Model, Scenery
+from .sizes import checked_size, drawn_size
 
 VERSION = 1
 """The version of plans that this code executes."""
@@ -121,6 +124,8 @@ class FrameHost:
         scenery.scene.apply(self.values, width / height)
         self.given: frozenset[str] = frozenset()
         """The names of what has been set; a scene leaves that alone."""
+        self.size = size
+        """Of what is shown: width and height."""
         self._tell("size", size)
         self.instances = [Instance(shader.reflection) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
@@ -153,9 +158,9 @@ class FrameHost:
 
     def _tell(self, name: str, value: object) -> None:
         """Set what hosts tell every frame, unless this one says it itself or it has been set."""
-        known = {row["name"] for row in self.plan["parameters"]}
-        if name in known and name not in self.given:
-            self.values.set(name, value)
+        for own, role in value_roles(self.plan).items():
+            if role == name and own not in self.given:
+                self.values.set(own, value)
 
     # --- numbers ---------------------------------------------------------------------------------
 
@@ -165,15 +170,12 @@ class FrameHost:
 
     def size_of(self, texture: int) -> tuple[int, int]:
         """The width and the height of a texture's first level."""
-        row = self.plan["textures"][texture]["size"]
-        if row["value"] is None:
-            width, height = self._extent(row["extent_of"])
+        row = self.plan["textures"][texture]
+        if row["size"]["value"] is None:
+            width, height = self._extent(row["size"]["extent_of"])
         else:
-            width, height = (int(lane) for lane in self.number(row["value"]))
-        if min(width, height) < 1:
-            names = ", ".join(self.plan["textures"][texture]["results"])
-            raise PlanError(f"{names}: the size would be {width} x {height}")
-        return halved(width, row["level"]), halved(height, row["level"])
+            width, height = (int(lane) for lane in self.number(row["size"]["value"]))
+        return checked_size(row, width, height)
 
     def _extent(self, step: str) -> tuple[int, int]:
         """The size of what a kernel writes. Raises ``PlanError`` before the kernel is run."""
@@ -188,9 +190,8 @@ class FrameHost:
 
     def draws(self, step: Row, *, is_first: bool) -> Iterator[FrameDraw]:
         """All draws of a step that draws, one behind the other."""
-        target = [*step["targets"], *([step["depth"]] if step["depth"] else [])][0]
-        width, height = self.size_of(target["texture"])
-        size = halved(width, target["level"]), halved(height, target["level"])
+        sizes = {row["texture"]: self.size_of(row["texture"]) for row in attachments(step)}
+        size = drawn_size(self.plan, step, sizes)
         for drawn in step["draws"]:
             for light in self._lights(drawn["light"]):
                 yield from self._drawn(drawn, light, size, is_first)
@@ -309,11 +310,6 @@ class FrameHost:
             instance.set(name, textures[host])
         else:
             instance.set_bytes(name, self.values.buffers()[host].data)
-
-
-def halved(side: int, times: int) -> int:
-    """A side of a texture in one of its mip levels."""
-    return max(side >> times, 1)
 
 
 def _as_reflection(plan: Row) -> dict[str, Any]:
