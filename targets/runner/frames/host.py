@@ -13,10 +13,11 @@ from typing import Any, Protocol, TypeGuard
 import numpy as np
 
 from ....compiler.ir.primitives import CORNERS
+from ....compiler.reference.picture.scene import Area
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
-from ..scene_state import SceneState, drawn_state
+from ..scene_state import CLEAR, Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
 from .scenery import Model, Scenery
@@ -26,6 +27,9 @@ VERSION = 1
 
 NUMBERS = 1 << 24
 """How many frames are told apart: then `number` is 0 again."""
+
+DEPTHS = "depth"
+"""What the formats of depths begin with."""
 
 MOST_VERTICES = 1 << 24
 """That a step draws without models: as many as float32 can tell apart."""
@@ -100,6 +104,26 @@ def bare_mesh(count: int, primitive: str = "triangle") -> Mesh:
 
 KERNEL = bare_mesh(3)
 """What is drawn where a kernel is drawn: all pixels of a texture."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Onto:
+    """What a step draws to."""
+
+    size: tuple[int, int]
+    """The width and height of its targets."""
+    seen: tuple[int, int]
+    """Those of what a camera sees: of the viewport."""
+
+
+@dataclass(frozen=True, slots=True)
+class StepState:
+    """What a step sets for all that it draws."""
+
+    viewport: Area | None
+    scissor: Area | None
+    """``None``: the whole of the targets."""
+    blend_constant: Color
 
 
 class FrameHost:
@@ -184,16 +208,50 @@ class FrameHost:
             )
         return self._kernels[step].image_size()
 
+    def state_of(self, step: Row) -> StepState:
+        """What a step sets for all that it draws. Raises ``PlanError`` for a viewport that is not
+        in its targets."""
+        viewport, scissor, constant = (
+            None if step[name] is None else self.number(step[name])
+            for name in ("viewport", "scissor", "blend_constant")
+        )
+        if viewport is not None:
+            left, top, width, height = viewport
+            whole, high = self.drawn_size(step)
+            inside = left >= 0 <= top and left + width <= whole and top + height <= high
+            if not inside or min(width, height) < 1:
+                raise PlanError(
+                    f"{step['name']}: the viewport of {width} x {height} texels at {left}, {top} "
+                    f"is not within its targets of {whole} x {high} texels"
+                )
+        return StepState(
+            viewport and _area(viewport), scissor and _area(scissor),
+            CLEAR if constant is None else tuple(constant),
+        )  # fmt: skip
+
+    def clear_of(self, target: Row) -> Color:
+        """What a target is cleared to; of depths, the first number, which is within 0 and 1."""
+        is_depth = self.plan["textures"][target["texture"]]["format"].startswith(DEPTHS)
+        if target["clear"] is None:
+            return (1.0, 0.0, 0.0, 0.0) if is_depth else CLEAR
+        number = self.number(target["clear"])
+        return (min(max(number, 0.0), 1.0), 0.0, 0.0, 0.0) if is_depth else tuple(number)
+
+    def drawn_size(self, step: Row) -> tuple[int, int]:
+        """The size of what a step draws to."""
+        target = [*step["targets"], *([step["depth"]] if step["depth"] else [])][0]
+        width, height = self.size_of(target["texture"])
+        return halved(width, target["level"]), halved(height, target["level"])
+
     # --- draws -----------------------------------------------------------------------------------
 
     def draws(self, step: Row, *, is_first: bool) -> Iterator[FrameDraw]:
         """All draws of a step that draws, one behind the other."""
-        target = [*step["targets"], *([step["depth"]] if step["depth"] else [])][0]
-        width, height = self.size_of(target["texture"])
-        size = halved(width, target["level"]), halved(height, target["level"])
+        size, viewport = self.drawn_size(step), self.state_of(step).viewport
+        onto = _Onto(size, size if viewport is None else viewport[2:])
         for drawn in step["draws"]:
             for light in self._lights(drawn["light"]):
-                yield from self._drawn(drawn, light, size, is_first)
+                yield from self._drawn(drawn, light, onto, is_first)
 
     def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
         """The run of a kernel."""
@@ -218,7 +276,7 @@ class FrameHost:
         self,
         drawn: Row,
         light: tuple[str, int | None] | None,
-        size: tuple[int, int],
+        onto: _Onto,
         is_first: bool,
     ) -> Iterator[FrameDraw]:
         uses = {use["material"]: use for use in drawn["uses"]}
@@ -227,7 +285,7 @@ class FrameHost:
             primitive = self.instances[uses[None]["shader"]].reflection["draw"]["primitive"]
             if count >= CORNERS[primitive]:
                 mesh = bare_mesh(count, primitive)
-                yield self._one(uses[None], None, mesh, light, size, is_first)
+                yield self._one(uses[None], None, mesh, light, onto, is_first)
             return
         for model in self.scenery.tagged(drawn["models"]):
             if model.material not in uses:
@@ -236,7 +294,7 @@ class FrameHost:
                     f"a model of `{drawn['models']}` has the material {model.material}, and the "
                     f"frame draws {known}"
                 )
-            yield self._one(uses[model.material], model, model.mesh, light, size, is_first)
+            yield self._one(uses[model.material], model, model.mesh, light, onto, is_first)
 
     def _vertex_count(self, value: int) -> int:
         """How many vertices a step draws without models. Raises ``PlanError`` for numbers that
@@ -252,7 +310,7 @@ class FrameHost:
         model: Model | None,
         mesh: Mesh,
         light: tuple[str, int | None] | None,
-        size: tuple[int, int],
+        onto: _Onto,
         is_first: bool,
     ) -> FrameDraw:
         instance = self.instances[use["shader"]].copied()
@@ -261,10 +319,10 @@ class FrameHost:
             scene = replace(
                 scene, object_to_world=model.placement, look=model.look, bones=model.bones
             )
-        scene.apply(instance, size[0] / size[1], self.given)
+        scene.apply(instance, onto.seen[0] / onto.seen[1], self.given)
         self._shine(instance, light)
         reads = self._give(instance, use, is_first)
-        return FrameDraw(use["shader"], drawn_state(instance, mesh, size), reads)
+        return FrameDraw(use["shader"], drawn_state(instance, mesh, onto.size), reads)
 
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; of a single one, that of its entry."""
@@ -309,6 +367,11 @@ class FrameHost:
             instance.set(name, textures[host])
         else:
             instance.set_bytes(name, self.values.buffers()[host].data)
+
+
+def _area(lanes: Sequence[int]) -> Area:
+    left, top, width, height = (int(lane) for lane in lanes)
+    return left, top, width, height
 
 
 def halved(side: int, times: int) -> int:
