@@ -14,6 +14,7 @@ from .terminal import FAILED
 PACKAGES = {
     "numpy": ("drawing needs NumPy", "render"),
     "PIL": ("drawing needs Pillow", "render"),
+    "jsonschema": ("reading plans needs jsonschema", "run"),
     "msgspec": ("scenes need msgspec", "scenes"),
     "OpenImageIO": (".exr and .hdr files need OpenImageIO", "scenes"),
 }

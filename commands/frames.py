@@ -19,25 +19,27 @@ from .progress import Progress
 from .subjects import Request
 
 if TYPE_CHECKING:
-    from ..api import CompiledFrame
-    from ..targets.runner.frames.host import FrameHost
+    from ..targets.runner.frames.host import FrameHost, PlannedFrame
     from ..targets.runner.frames.scenery import Scenery
     from ..targets.runner.render import Floats
     from ..targets.runner.routes import Route
 
 
 def has_frames(request: Request) -> bool:
-    """Whether a command line is about the frames of a file."""
+    """Whether a command line is about the frames of a file, or a plan."""
     from .. import api
+    from ..targets.runner.frames.plan_files import is_plan
 
-    return api.has_frames(request.file, material=request.material, search_path=request.search_path)
+    return is_plan(request.file) or api.has_frames(
+        request.file, material=request.material, search_path=request.search_path
+    )
 
 
 def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     """Draw the frame of the file, or the one that ``--material`` names; the route ``None`` is the
     reference."""
     routes = _those_that_draw(chosen, request)
-    frame = _compiled(request, routes)
+    frame = _planned(request, routes)
     outputs = _outputs(frame, request.target)
     made = partial(_host, frame, request, _scenery(frame, request))
     _tell_unused_lamps(made())
@@ -50,11 +52,21 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     click.echo(f"{frame.name}: {written[0]}{further}")
 
 
-def _compiled(request: Request, routes: Sequence[Route | None]) -> CompiledFrame:
-    """The only frame of the file, with texts for the routes."""
+def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
+    """The frame of a plan, or the only one of the file, with texts for the routes."""
     from .. import api
+    from ..targets.runner.frames.plan_files import is_plan, read_frame
 
     profiles = sorted({route.profile for route in routes if route is not None})
+    if is_plan(request.file):
+        if None in routes:
+            raise click.UsageError(
+                f"the reference draws what a source means, and {request.file.name} is a plan: name "
+                "routes, as in `--on lavapipe`"
+            )
+        if request.material or request.rig or request.pass_:
+            raise click.UsageError("a plan is of one frame and one rig: there is nothing to choose")
+        return read_frame(request.file, profiles)
     result = api.compile(
         request.file, profiles, material=request.material, rig=request.rig,
         search_path=request.search_path, hoist=request.hoist,
@@ -116,7 +128,7 @@ def _by_reference(
         yield {name: drawing.output(name).levels[0][0] for name in outputs}
 
 
-def _scenery(frame: CompiledFrame, request: Request) -> Scenery:
+def _scenery(frame: PlannedFrame, request: Request) -> Scenery:
     """What there is to draw: a model of each material, or the objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
 
@@ -138,7 +150,7 @@ def _tell_unused_lamps(host: FrameHost) -> None:
         remark("note", f"the light {name!r} of the scene is left out: the rig has no place for it")
 
 
-def _host(frame: CompiledFrame, request: Request, scenery: Scenery) -> FrameHost:
+def _host(frame: PlannedFrame, request: Request, scenery: Scenery) -> FrameHost:
     """The frame with a scene and all values set."""
     from ..targets.runner.frames.host import FrameHost
 
@@ -148,7 +160,7 @@ def _host(frame: CompiledFrame, request: Request, scenery: Scenery) -> FrameHost
     return host
 
 
-def _outputs(frame: CompiledFrame, wanted: str | None) -> list[str]:
+def _outputs(frame: PlannedFrame, wanted: str | None) -> list[str]:
     """The outputs to show: the named one, or all that are pictures."""
     names = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
     if wanted is None:

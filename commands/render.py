@@ -167,6 +167,9 @@ def render(**chosen: Any) -> None:
     numbers and pictures set the parameters and textures of `std.gltf`; its lights are those of the
     rig, and its first camera sees it all.
 
+    FILE may also be a plan that `burnish compile` has written, NAME.plan.json: routes draw it from
+    the files beside it alone, without the source.
+
     \b
     Example:
         burnish render plastic.burnish -o plastic.png

@@ -68,7 +68,8 @@ class Target:
 
 @frozen(eq=False)
 class Copy:
-    """What is there before a step draws over it, where others still need what was there."""
+    """What is there before a step draws over it, where others still need what was there, or where
+    what is drawn is kept."""
 
     image: Image
     into: Image
@@ -181,9 +182,11 @@ class _Planning:
         read = set(read_by(step))
         for attachment in attachments_of(step):
             image, over = attachment.image, attachment.over
-            if over is None or image in self._texture_of:
+            if over is None or self._lifetimes.first[image] < number:
                 continue
-            if self._shares and over not in read and self._lifetimes.is_over(over, number):
+            if image in self._texture_of:
+                yield Copy(over, image)  # What is kept has a texture of its own.
+            elif self._shares and over not in read and self._lifetimes.is_over(over, number):
                 self._share(image, self._texture_of[over])
             else:
                 self._allot(image)

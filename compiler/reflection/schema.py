@@ -14,6 +14,8 @@ from jsonschema import Draft202012Validator
 from jsonschema.exceptions import best_match
 from referencing import Registry, Resource
 
+MOST = 160
+"""How many letters a message has at most."""
 REFLECTION, PLAN = "reflection.schema.json", "plan.schema.json"
 
 
@@ -35,11 +37,15 @@ def validate_plan(plan: dict[str, Any]) -> None:
 
 
 def errors(document: Any, name: str = REFLECTION) -> list[str]:
-    """Where a document does not follow its schema: each place with what is wrong there, the
-    deepest one of alternatives."""
-    found = sorted(map(best_match, ([each] for each in _validator(name).iter_errors(document))),
-                   key=lambda error: [str(part) for part in error.absolute_path])  # fmt: skip
-    return [f"{error.json_path}: {error.message}" for error in found]
+    """Where a document does not follow its schema: each place, as a JSON path, with what is wrong
+    there. Where there are alternatives, it is told of the one that is meant most likely."""
+    found = [best_match([each]) for each in _validator(name).iter_errors(document)]
+    return sorted(f"{error.json_path}: {_short(error.message)}" for error in found if error)
+
+
+def _short(message: str) -> str:
+    """A message without all of what it is about, which may be the whole document."""
+    return message if len(message) <= MOST else f"{message[: MOST // 2]} … {message[-MOST // 2 :]}"
 
 
 @cache

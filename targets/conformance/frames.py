@@ -57,6 +57,14 @@ class _Meant:
         self.plan = subject.plan_of_reference
 
 
+def _turned_over(bounds: Bounds) -> Bounds:
+    """The same of a device whose rows count from below. Texts of frames draw the first row of a
+    picture to its first row, which is the top one; so what is above for the device is below in the
+    picture."""
+    rules = replace(bounds.rules, bottom_up=False, owns_bottom=not bounds.rules.owns_bottom)
+    return replace(bounds, rules=rules)
+
+
 class FramePlan:
     """The pictures of one frame. Several threads use it."""
 
@@ -77,6 +85,8 @@ class FramePlan:
         ``PlanError``."""
         got = draw_frames(self._host(self.subject), route, runner, toolchain, self._count)
         questions = bounds_of(_Sized(*self._size), route, device)
+        if route.bottom_up:
+            questions = tuple(map(_turned_over, questions))
         for number, pictures in enumerate(got):
             for name in self._names:
                 case = name if self._count == 1 else f"{name}, frame {number + 1}"

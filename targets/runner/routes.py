@@ -56,7 +56,7 @@ class DriverRow:
 
 _FRAME_MODULES = ("vulkan", "opengl")
 """The workers that take frame jobs."""
-_PACKAGE_DRIVERS = ("webgpu",)
+_PACKAGE_DRIVERS = ("webgpu", "webgl2")
 """The drivers that take packages of frames."""
 
 

@@ -402,6 +402,8 @@ export interface Backend {
   textures: Record<string, Place>;
   samplers: Record<string, Place>;
   vertex_inputs: Record<string, { identifier: string }>;
+  /** Uniforms of WebGL that are the height of what is drawn to. */
+  host_uniforms: string[];
 }
 
 // --- frames --------------------------------------------------------------------------------------

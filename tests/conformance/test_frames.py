@@ -10,12 +10,15 @@ import pytest
 
 import burnish
 from burnish.api import CompiledFrame
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.summary import details
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
 from burnish.targets.web_host.drawing import draw_frames
 
+from ..targets.standings import routes
 from .kit import PROFILES, REFERENCE, Floats, Studio
 
 FRAME_ROUTES = {n: r for n, r in ROUTES.items() if EVERY_DRIVER[r.driver].draws_frames}
@@ -65,8 +68,8 @@ def _host(frame: CompiledFrame) -> FrameHost:
 
 
 EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
-WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if not name.endswith(":gl330"))]
-"""OpenGL 3.3 runs no kernels over buffers."""
+_WITHOUT_BUFFERS = routes("absent", "kernels over buffers")
+WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if name not in _WITHOUT_BUFFERS)]
 
 
 @EVERYWHERE
@@ -128,6 +131,56 @@ def test_layers_levels_and_faces_are_drawn_one_by_one(studio: Studio, where: str
     (found,) = outputs(text, where, studio)
     assert found["value"][0][0, 0].tolist() == [3, 2, 15, 1]
     assert found["all"][:, 0, 0, 0].tolist() == [1, 2, 3]
+
+
+@EVERYWHERE
+def test_what_is_kept_may_be_drawn_over_something(studio: Studio, where: str) -> None:
+    text = f"""{HEAD}
+    pass Fives : FullScreen {{ target value : rgba16f = vec4(5) }}
+    pass Added : FullScreen blend add {{
+        map source : texture2d with {{ filter = nearest, mip = none }}
+        target value : rgba16f = source.load(ivec2(frag_coord.xy))
+    }}
+    frame F {{
+        ground = Fives(screen)
+        added  = Added(screen, ground) with {{ source = previous(added.value) }}
+        output value = added.value
+    }}"""
+    found = outputs(text, where, studio, 3)
+    assert [each["value"][0, 0, 0, 0] for each in found] == [5, 10, 15]
+
+
+WRITTEN = f"""{HEAD}
+pass Written : FullScreen {{
+    param one : int
+    target value : rgba16f = vec4(float(one), 0, 0, 1)
+}}
+"""
+
+
+@EVERYWHERE
+def test_frames_are_told_how_many_were_drawn_before(studio: Studio, where: str) -> None:
+    text = f"""{WRITTEN}
+    frame F {{
+        written = Written(screen) with {{ one = 10 * number }}
+        output value = written.value
+    }}"""
+    found = outputs(text, where, studio, 3)
+    assert [each["value"][0, 0, 0, 0] for each in found] == [0, 10, 20]
+
+
+@EVERYWHERE
+def test_a_frame_may_say_its_size_and_number_itself(studio: Studio, where: str) -> None:
+    text = f"""{WRITTEN}
+    frame F {{
+        size    = ivec2(3, 2)
+        number  = 7
+        written = Written(screen) with {{ one = number }}
+        output value = written.value
+    }}"""
+    found = outputs(text, where, studio, 2)
+    assert [each["value"].shape for each in found] == [(1, 2, 3, 4)] * 2
+    assert [each["value"][0, 0, 0, 0] for each in found] == [7, 7]
 
 
 @EVERYWHERE
@@ -322,3 +375,29 @@ def test_lights_bring_what_their_steps_leave(studio: Studio, where: str) -> None
     (found,) = outputs(text, where, studio)
     assert found["value"][0][0, 0, 0] == 2 * 30 + 7
     assert found["added"][0][0, 0, 0] == 2 * 30 + 7
+
+
+LEVEL_EDGE = """
+pass Lower {
+    clip_position : point<clip> = vec4(
+        if vertex_index == 1 then 3 else -1,
+        if vertex_index == 2 then -3 else 0.25,
+        0, 1
+    )
+    target value : rgba8 = vec4(1)
+}
+frame F {
+    below = Lower(vertices(3))
+    output value = below.value
+}
+"""
+"""A triangle whose upper edge goes through the middle of the pixels of the second row."""
+
+
+@pytest.mark.parametrize("route", FRAME_ROUTES)
+def test_faces_own_the_pixels_on_a_level_edge_as_the_reference_says(
+    studio: Studio, route: str
+) -> None:
+    (frame,) = burnish.compile(LEVEL_EDGE, PROFILES, partial=True).frames
+    (row,) = conform([("F", frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE)
+    assert row.status == "agrees", "\n".join(details(row)) or row.problem

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import copy
+import json
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -11,8 +13,11 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.runner.frames.by_route import draw_frames
 from burnish.targets.runner.frames.checking import PlanError
-from burnish.targets.runner.frames.host import FrameSubject
+from burnish.targets.runner.frames.host import FrameHost, FrameSubject
+from burnish.targets.runner.frames.plan_files import read_frame
+from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import ROUTES
 
 from .kit import Studio
@@ -123,3 +128,21 @@ def test_another_meaning_is_found(studio: Studio, change: Callable[[Plan], None]
 def test_another_size_is_told(studio: Studio) -> None:
     with pytest.raises(PlanError, match="filled has 8 x 8 texels, and should have 16 x 16 texels"):
         _results(studio, _half_the_size)
+
+
+def test_files_are_drawn_as_what_they_were_written_of(studio: Studio, tmp_path: Path) -> None:
+    (frame,) = burnish.compile(FRAME, (ROUTE.profile,)).frames
+    (tmp_path / "F.plan.json").write_text(json.dumps(frame.plan), "utf-8")
+    for shader in frame.shaders:
+        (tmp_path / f"{shader.name}.json").write_text(json.dumps(shader.reflection), "utf-8")
+        for file in shader.files:
+            (tmp_path / file.name).write_text(file.text, "utf-8")
+    stored = read_frame(tmp_path / "F.plan.json", (ROUTE.profile,))
+    scenery = in_a_row([], {}, "sphere")
+    one, other = (
+        draw_frames(FrameHost(each, scenery, SIZE), ROUTE, studio.runner, studio.toolchain)
+        for each in (frame, stored)
+    )
+    assert {name: array.tolist() for name, array in one[0].items()} == {
+        name: array.tolist() for name, array in other[0].items()
+    }

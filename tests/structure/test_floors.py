@@ -78,7 +78,8 @@ FLOORS: dict[str, str] = {
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
     "targets.runner": (
-        "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
+        "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection closing "
+        "toolchain"
     ),
     "targets.web_host": "runner toolchain",
     "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",

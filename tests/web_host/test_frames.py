@@ -89,7 +89,7 @@ def constant(value: int) -> list[dict[str, Any]]:
     return [{"op": "constant", "type": "int", "value": value, "args": []}]
 
 
-TARGET = [{"name": "color", "format": "rgba32f", "blend": "none"}]
+TARGET = [{"name": "color", "format": "rgba32f", "blend": None, "mask": "rgba"}]
 NUMBERS = {"name": "numbers", "representation": "float[]", "stride": 4, "layout": {
     "stored": "float", "kind": "float", "lanes": 1,
 }, "members": []}  # fmt: skip
@@ -215,7 +215,7 @@ def changed(whole: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
             "this host knows reflections of version 1, and this one is of version 2",
         ),
         ("plan/textures/0/format", "rgb9e5", "this host does not know the format rgb9e5"),
-        ("shaders/0/texts", {}, "Hand has no text for wgsl:webgpu"),
+        ("shaders/0/texts", {}, "the package of ByHand has no texts for a browser"),
         ("values", {}, "ByHand needs a value for `glow`"),
         ("values/glow", 11, "`glow` is declared in 0..10: 11 is not"),
         ("size", [0, 2], "a texture of ByHand would have 0 x 2 texels"),

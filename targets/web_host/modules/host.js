@@ -1,10 +1,31 @@
 // Opens packages of frames in a web page: see docs/hosts.md.
 import { checkVersions, PlanFrame } from "./frame.js";
+import { PROFILE as ES_3_00 } from "./webgl2/programs.js";
+import { WebGl2Renderer } from "./webgl2/renderer.js";
 import { Device } from "./webgpu/device.js";
+import { PROFILE as WGSL } from "./webgpu/pipelines.js";
 import { WebGpuRenderer } from "./webgpu/renderer.js";
-/** A frame that draws with WebGPU; without a canvas it cannot be shown, but read. */
-export async function openFrame(canvas, from) {
+/** The API that draws a package here: WebGPU where the browser has it and the package has its
+ * texts, and else WebGL 2. An error says why neither of them does. */
+export async function apiFor(from) {
     checkVersions(from);
+    const has = (profile) => from.shaders.every(({ texts }) => texts[profile]);
+    if (has(WGSL) && (await navigator.gpu?.requestAdapter()))
+        return "webgpu";
+    if (has(ES_3_00))
+        return "webgl2";
+    const { frame } = from.plan;
+    throw new Error(has(WGSL)
+        ? `this browser offers no WebGPU adapter, and ${frame} has no texts for WebGL 2`
+        : `the package of ${frame} has no texts for a browser`);
+}
+/** A frame that draws to a canvas; without one it cannot be shown, but read. A canvas keeps the API
+ * with which it was opened first. */
+export async function openFrame(canvas, from, api) {
+    checkVersions(from);
+    if ((api ?? (await apiFor(from))) === "webgl2") {
+        return new PlanFrame(from, WebGl2Renderer.open(from, canvas));
+    }
     const device = await Device.open();
     try {
         return new PlanFrame(from, await WebGpuRenderer.open(device, from, canvas));

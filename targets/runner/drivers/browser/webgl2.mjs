@@ -5,6 +5,8 @@ import { captureVertices } from "./webgl2_capture.mjs";
 import { drawPicture } from "./webgl2_draw.mjs";
 import { linkProgram } from "./webgl2_program.mjs";
 
+export { frames } from "./frames.mjs";
+
 // Needed to draw to, blend and filter floats, and to blend each target separately.
 const EXTENSIONS = [
   "EXT_color_buffer_float",

@@ -1,0 +1,317 @@
+// Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
+import { hasStencil, isDepth, toFloats } from "../bytes.js";
+import { interleaved } from "../geometry.js";
+import { Presenter } from "./canvas.js";
+import { Context } from "./context.js";
+import { PROFILE, linked } from "./programs.js";
+import { setState } from "./state.js";
+import { attach, bindOf, depthPoint, halved, makePicture, makeSampler, makeTexture, } from "./textures.js";
+export class WebGl2Renderer {
+    context;
+    shaders;
+    hasCanvas;
+    profile = PROFILE;
+    gl;
+    programs;
+    presenter;
+    /** What steps draw to, and what is read or copied. */
+    screen;
+    source;
+    samplers = new Map();
+    uploaded = new Map();
+    blocks = [];
+    textures = new Set();
+    constructor(context, shaders, hasCanvas) {
+        this.context = context;
+        this.shaders = shaders;
+        this.hasCanvas = hasCanvas;
+        this.gl = context.gl;
+        this.programs = linked(context, shaders);
+        this.presenter = new Presenter(context);
+        this.screen = this.gl.createFramebuffer();
+        this.source = this.gl.createFramebuffer();
+    }
+    static open({ shaders }, canvas) {
+        return new WebGl2Renderer(Context.open(canvas), shaders, canvas !== null);
+    }
+    // --- resources ---
+    makeTexture(size) {
+        return this.own(makeTexture(this.context, size));
+    }
+    makePicture(picture) {
+        return this.own(makePicture(this.context, picture));
+    }
+    freeTexture(texture) {
+        this.textures.delete(texture);
+        this.gl.deleteTexture(texture.gl);
+    }
+    own(texture) {
+        this.textures.add(texture);
+        return texture;
+    }
+    // Storage buffers are only counted here: no text of this profile reads them.
+    makeBuffer = (bytes) => bytes;
+    freeBuffer() { }
+    bytesIn = (buffer) => buffer.length;
+    fill() { }
+    sizeOf = ({ sides }) => sides;
+    dispose() {
+        const { gl } = this;
+        this.textures.forEach((each) => gl.deleteTexture(each.gl));
+        this.programs.forEach((each) => gl.deleteProgram(each.gl));
+        this.samplers.forEach((each) => gl.deleteSampler(each));
+        for (const { vertices, buffers } of [...this.uploaded.values()].flatMap((each) => [...each.values()])) {
+            gl.deleteVertexArray(vertices);
+            buffers.forEach((each) => gl.deleteBuffer(each));
+        }
+        this.blocks.forEach((each) => gl.deleteBuffer(each));
+        for (const each of [this.screen, this.source])
+            gl.deleteFramebuffer(each);
+        this.presenter.dispose();
+    }
+    // --- steps ---
+    begin() {
+        this.context.check();
+    }
+    end() {
+        this.gl.flush();
+    }
+    draw(targets, depth, calls) {
+        const { gl } = this;
+        const first = (targets[0] ?? depth);
+        const width = halved(first.texture.width, first.target.level);
+        const height = halved(first.texture.height, first.target.level);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.screen);
+        const points = this.attachAll(targets, depth);
+        if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
+            const formats = [...targets, ...(depth ? [depth] : [])].map(({ texture }) => texture.format);
+            throw new Error(`WebGL cannot draw ${width} x ${height} pixels to ${formats.join(", ")}`);
+        }
+        gl.viewport(0, 0, width, height);
+        this.clear(targets, depth);
+        for (const call of calls)
+            this.drawCall(call, depth, height);
+        const dropped = [...targets, ...(depth ? [depth] : [])].flatMap(({ target }, at) => (target.store ? [] : points[at]));
+        if (dropped.length)
+            gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
+        points.forEach((point) => gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0));
+    }
+    /** Attach everything that is drawn to; the depths last. */
+    attachAll(targets, depth) {
+        const { gl } = this;
+        const points = targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at);
+        targets.forEach(({ texture, layer, target }, at) => {
+            attach(gl, gl.FRAMEBUFFER, points[at], texture, layer, target.level);
+        });
+        gl.drawBuffers(points.length ? points : [gl.NONE]);
+        if (!depth)
+            return points;
+        const point = depthPoint(gl, depth.texture.format);
+        attach(gl, gl.FRAMEBUFFER, point, depth.texture, depth.layer, depth.target.level);
+        return [...points, point];
+    }
+    clear(targets, depth) {
+        const { gl } = this;
+        gl.colorMask(true, true, true, true);
+        gl.disable(gl.SCISSOR_TEST);
+        targets.forEach(({ target }, at) => {
+            if (target.load === "clear")
+                gl.clearBufferfv(gl.COLOR, at, [0, 0, 0, 0]);
+        });
+        if (!depth)
+            return;
+        gl.depthMask(true);
+        gl.stencilMask(0xff);
+        if (depth.target.load === "clear")
+            gl.clearBufferfv(gl.DEPTH, 0, [1]);
+        const { stencil } = depth.target;
+        if (hasStencil(depth.texture.format) && stencil?.load !== "load") {
+            gl.clearBufferiv(gl.STENCIL, 0, [stencil?.clear ?? 0]);
+        }
+    }
+    drawCall(call, depth, height) {
+        const { gl } = this;
+        const program = this.programs[call.shader];
+        const { vertices, count } = this.upload(program, call);
+        if (!count || !call.geometry.instances)
+            return;
+        const { reflection } = this.shaders[call.shader];
+        gl.useProgram(program.gl);
+        program.heights.forEach((location) => gl.uniform1f(location, height));
+        setState(this.context, reflection, depth?.texture.format ?? null);
+        this.bind(program, call);
+        gl.bindVertexArray(vertices);
+        const mode = gl[MODES[reflection.draw?.topology ?? "triangle"]];
+        gl.drawElementsInstanced(mode, count, gl.UNSIGNED_INT, 0, call.geometry.instances);
+        gl.bindVertexArray(null);
+    }
+    run({ values }) {
+        throw new Error(`WebGL 2 cannot run ${values.name}: it has no kernels over buffers`);
+    }
+    copy(from, to) {
+        for (let level = 0; level < from.levels; level++) {
+            for (let layer = 0; layer < from.layers; layer++)
+                this.copyLayer(from, layer, level, to, layer);
+        }
+    }
+    copyLayer(from, layer, level, to, into) {
+        const { gl } = this;
+        const [width, height] = [halved(from.width, level), halved(from.height, level)];
+        const depth = isDepth(from.format);
+        const point = depth ? depthPoint(gl, from.format) : gl.COLOR_ATTACHMENT0;
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.source);
+        attach(gl, gl.READ_FRAMEBUFFER, point, from, layer, level);
+        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.screen);
+        attach(gl, gl.DRAW_FRAMEBUFFER, point, to, into, level);
+        gl.drawBuffers([depth ? gl.NONE : point]);
+        gl.disable(gl.SCISSOR_TEST);
+        const stencil = hasStencil(from.format) ? gl.STENCIL_BUFFER_BIT : 0;
+        const parts = depth ? gl.DEPTH_BUFFER_BIT | stencil : gl.COLOR_BUFFER_BIT;
+        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, parts, gl.NEAREST);
+        for (const framebuffer of [gl.READ_FRAMEBUFFER, gl.DRAW_FRAMEBUFFER]) {
+            gl.framebufferTexture2D(framebuffer, point, gl.TEXTURE_2D, null, 0);
+        }
+    }
+    // --- what a draw reads ---
+    bind(program, { values, textures }) {
+        const { gl } = this;
+        const bytes = values.blocks();
+        program.blocks.forEach((name, at) => {
+            this.blocks[at] ??= gl.createBuffer();
+            gl.bindBufferBase(gl.UNIFORM_BUFFER, at, this.blocks[at]);
+            gl.bufferData(gl.UNIFORM_BUFFER, bytes.get(name), gl.DYNAMIC_DRAW);
+        });
+        program.textures.forEach(({ name, state }, unit) => {
+            const texture = textures.get(name);
+            if (!texture)
+                throw new Error(`nobody gives ${values.name} its \`${name}\``);
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(bindOf(gl, texture.dimension), texture.gl);
+            gl.bindSampler(unit, this.sampler(texture, state));
+        });
+    }
+    sampler({ format }, state) {
+        if (state && state.filter === "linear" && /32float$/.test(format) && !isDepth(format)) {
+            this.context.need("OES_texture_float_linear", `filter textures of ${format}`);
+        }
+        const key = JSON.stringify(state);
+        const found = this.samplers.get(key) ?? makeSampler(this.gl, state);
+        this.samplers.set(key, found);
+        return found;
+    }
+    upload(program, { geometry, shader }) {
+        const known = this.uploaded.get(program) ?? new Map();
+        this.uploaded.set(program, known);
+        const found = known.get(geometry) ?? this.uploadAnew(program, geometry, shader);
+        known.set(geometry, found);
+        return found;
+    }
+    uploadAnew(program, geometry, shader) {
+        const { gl } = this;
+        const vertices = gl.createVertexArray();
+        gl.bindVertexArray(vertices);
+        const buffers = ["vertex", "instance"].flatMap((step) => {
+            const made = interleaved(geometry.attributes, step);
+            if (!made)
+                return [];
+            const buffer = filled(gl, gl.ARRAY_BUFFER, made.data);
+            for (const { attribute: { input, type, lanes }, offset } of made.members) {
+                const location = program.inputs.get(input.name);
+                if (location === undefined)
+                    continue; // not read, so left out by the linker
+                gl.enableVertexAttribArray(location);
+                gl.vertexAttribDivisor(location, step === "instance" ? 1 : 0);
+                if (type === "float")
+                    gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, made.stride, offset);
+                else
+                    gl.vertexAttribIPointer(location, lanes, type === "int" ? gl.INT : gl.UNSIGNED_INT, made.stride, offset);
+            }
+            return [buffer];
+        });
+        const { draw } = this.shaders[shader].reflection;
+        const indices = geometry.indices ?? Uint32Array.from({ length: geometry.count }, (_, at) => at);
+        const turned = firstVertexLast(indices, CORNERS[draw?.topology ?? "triangle"]);
+        const elements = filled(gl, gl.ELEMENT_ARRAY_BUFFER, turned);
+        gl.bindVertexArray(null);
+        return { vertices, buffers: [...buffers, elements], count: turned.length };
+    }
+    // --- results ---
+    show(texture) {
+        if (!this.hasCanvas)
+            throw new Error("this frame was opened without a canvas");
+        this.flat(texture, 0, (found) => this.presenter.show(found));
+    }
+    async read(texture) {
+        const { width, height, layers } = texture;
+        const size = width * height * 4;
+        const texels = new Float32Array(size * layers);
+        for (let layer = 0; layer < layers; layer++)
+            texels.set(this.layer(texture, layer), size * layer);
+        this.context.check();
+        return { width, height, layers, texels };
+    }
+    /** The numbers of a layer of a texture's first level. */
+    layer(texture, layer) {
+        const { gl } = this;
+        if (isDepth(texture.format))
+            return this.depths(texture, layer);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
+        attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, texture, layer, 0);
+        return readBound(gl, texture);
+    }
+    /** WebGL reads no depths back, so they are drawn as colours. */
+    depths(texture, layer) {
+        const { gl } = this;
+        const { width, height } = texture;
+        const size = { width, height, layers: 1, levels: 1, dimension: "2d", isImage: false };
+        const colors = makeTexture(this.context, { ...size, format: "rgba32float" });
+        this.flat(texture, layer, (found) => {
+            gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
+            attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, colors, 0, 0);
+            gl.drawBuffers([gl.COLOR_ATTACHMENT0]);
+            this.presenter.unpack(found);
+        });
+        const texels = readBound(gl, colors);
+        gl.deleteTexture(colors.gl);
+        return texels;
+    }
+    /** Do something with a layer as a flat texture of its own. */
+    flat(texture, layer, work) {
+        if (texture.dimension === "2d")
+            return work(texture);
+        const { format, width, height } = texture;
+        const size = { format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false };
+        const copy = makeTexture(this.context, size);
+        this.copyLayer(texture, layer, 0, copy, 0);
+        work(copy);
+        this.gl.deleteTexture(copy.gl);
+    }
+}
+const MODES = { point: "POINTS", line: "LINES", triangle: "TRIANGLES" };
+const CORNERS = { point: 1, line: 2, triangle: 3 };
+function filled(gl, kind, data) {
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(kind, buffer);
+    gl.bufferData(kind, data, gl.STATIC_DRAW);
+    return buffer;
+}
+/** The same primitives, with the first vertex of each moved to the end: a flat varying has its
+ * value at the first one, but in WebGL at the last. */
+function firstVertexLast(indices, corners) {
+    const turned = new Uint32Array(Math.floor(indices.length / corners) * corners);
+    for (let at = 0; at < turned.length; at += corners) {
+        turned.set(indices.subarray(at + 1, at + corners), at);
+        turned[at + corners - 1] = indices[at];
+    }
+    return turned;
+}
+/** The texels of the framebuffer that is bound. WebGL only promises to read four lanes. */
+function readBound(gl, { format, width, height }) {
+    const isFloat = format.endsWith("float");
+    const lanes = new (isFloat ? Float32Array : Uint8Array)(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE, lanes);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, null, 0);
+    if (lanes instanceof Float32Array)
+        return lanes;
+    return toFloats(format.endsWith("srgb") ? "rgba8unorm-srgb" : "rgba8unorm", lanes);
+}

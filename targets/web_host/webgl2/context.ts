@@ -1,0 +1,54 @@
+// Opens a context of WebGL 2, and asks it what went wrong.
+
+export type Gl = WebGL2RenderingContext;
+
+/** What frames are drawn with beyond WebGL 2 itself: without the first one there are no targets of
+ * floats; what else is missing is told when it is needed. */
+const EXTENSIONS = [
+  "EXT_color_buffer_float", "EXT_float_blend", "OES_texture_float_linear", "OES_draw_buffers_indexed",
+  "EXT_polygon_offset_clamp",
+] as const;
+
+export class Context {
+  private readonly found: Map<string, unknown>;
+
+  private constructor(readonly gl: Gl) {
+    this.found = new Map(EXTENSIONS.map((name) => [name, gl.getExtension(name)]));
+  }
+
+  /** A context that draws to a canvas, or one without a canvas, of which frames are read only. */
+  static open(canvas: HTMLCanvasElement | OffscreenCanvas | null): Context {
+    const drawn = canvas ?? new OffscreenCanvas(1, 1);
+    const wanted = { alpha: false, antialias: false, depth: false, stencil: false };
+    const gl = drawn.getContext("webgl2", wanted) as Gl | null;
+    if (!gl) throw new Error("this browser, or this canvas, offers no WebGL 2");
+    return new Context(gl);
+  }
+
+  has(extension: (typeof EXTENSIONS)[number]): boolean {
+    return Boolean(this.found.get(extension));
+  }
+
+  /** An extension that `what` cannot do without. */
+  need<Extension>(name: (typeof EXTENSIONS)[number], what: string): Extension {
+    if (!this.has(name)) throw new Error(`this device cannot ${what}: it lacks ${name}`);
+    return this.found.get(name) as Extension;
+  }
+
+  /** An error with all that the context has complained about since the last time. */
+  check(): void {
+    const { gl } = this;
+    if (gl.isContextLost()) throw new Error("the WebGL context was lost");
+    const found = new Set<number>();
+    for (let code = gl.getError(); code !== gl.NO_ERROR && !found.has(code); code = gl.getError()) {
+      found.add(code);
+    }
+    const names = [...found].map((code) => ERRORS[code] ?? `error ${code}`);
+    if (names.length) throw new Error(`WebGL reports ${names.join(", ")}`);
+  }
+}
+
+const ERRORS: Record<number, string> = {
+  0x0500: "INVALID_ENUM", 0x0501: "INVALID_VALUE", 0x0502: "INVALID_OPERATION", 0x0505: "OUT_OF_MEMORY",
+  0x0506: "INVALID_FRAMEBUFFER_OPERATION", 0x9242: "CONTEXT_LOST_WEBGL",
+};

@@ -1,0 +1,74 @@
+// Programs of WebGL 2, each linked once when a frame is opened.
+
+import type { PackagedShader, SamplerState } from "../types.js";
+import type { Context, Gl } from "./context.js";
+
+export const PROFILE = "glsl:es300";
+
+/** A program with the numbers at which it finds what it reads. */
+export interface Program {
+  gl: WebGLProgram;
+  /** The name of the block at each binding. */
+  blocks: string[];
+  /** The texture of each unit, with its sampler; null where its texels are only loaded. */
+  textures: { name: string; state: SamplerState | null }[];
+  /** The location of each vertex input that the program reads, by name. */
+  inputs: Map<string, number>;
+  /** Uniforms that are the height of what is drawn to. */
+  heights: WebGLUniformLocation[];
+}
+
+/** The programs of all shaders. The browser compiles them at the same time. */
+export function linked({ gl }: Context, shaders: PackagedShader[]): Program[] {
+  const started = shaders.map((shader) => start(gl, shader));
+  return shaders.map((shader, at) => finished(gl, shader, started[at]));
+}
+
+function start(gl: Gl, { reflection, texts }: PackagedShader): WebGLProgram {
+  const { vertex, fragment } = texts[PROFILE] ?? {};
+  if (!vertex || !fragment) {
+    throw new Error(`WebGL 2 cannot draw ${reflection.material}: there is no text for ${PROFILE}`);
+  }
+  const program = gl.createProgram();
+  for (const [kind, { text }] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const) {
+    const shader = gl.createShader(kind)!;
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  return program;
+}
+
+function finished(gl: Gl, { reflection }: PackagedShader, program: WebGLProgram): Program {
+  const shaders = gl.getAttachedShaders(program)!;
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+    const told = [...shaders.map((each) => gl.getShaderInfoLog(each)), gl.getProgramInfoLog(program)];
+    throw new Error(`the browser refuses a text of ${reflection.material}:\n${told.filter(Boolean).join("\n")}`);
+  }
+  shaders.forEach((each) => gl.deleteShader(each));
+  const { blocks, textures, vertex_inputs: inputs, host_uniforms: heights } = reflection.backends[PROFILE];
+  gl.useProgram(program);
+  const bound = reflection.blocks.map(({ name }) => name).filter((name) => blocks[name]);
+  bound.forEach((name, at) => {
+    const index = gl.getUniformBlockIndex(program, blocks[name].identifier);
+    if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, at); // else nothing reads it
+  });
+  const read = reflection.textures.filter(({ name }) => textures[name]);
+  read.forEach(({ name }, unit) => {
+    gl.uniform1i(gl.getUniformLocation(program, textures[name].identifier), unit);
+  });
+  const located = Object.entries(inputs).map(([name, { identifier }]) =>
+    [name, gl.getAttribLocation(program, identifier)] as const,
+  );
+  return {
+    gl: program,
+    blocks: bound,
+    textures: read.map(({ name, layout }) => {
+      const row = reflection.samplers.find((each) => each.texture === name);
+      return { name, state: layout.sampler === null ? null : row!.state };
+    }),
+    inputs: new Map(located.filter(([, location]) => location >= 0)),
+    heights: heights.flatMap((name) => gl.getUniformLocation(program, name) ?? []),
+  };
+}

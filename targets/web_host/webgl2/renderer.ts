@@ -1,0 +1,345 @@
+// Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
+
+import { hasStencil, isDepth, toFloats } from "../bytes.js";
+import { interleaved, type Geometry } from "../geometry.js";
+import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
+import type { FramePackage, PackagedShader, Picture, Pixels, SamplerState } from "../types.js";
+import { Presenter } from "./canvas.js";
+import { Context, type Gl } from "./context.js";
+import { PROFILE, linked, type Program } from "./programs.js";
+import { setState } from "./state.js";
+import {
+  attach, bindOf, depthPoint, halved, makePicture, makeSampler, makeTexture, type Texture,
+} from "./textures.js";
+
+type Call = DrawCall<Texture, Uint8Array>;
+
+/** What is drawn of a geometry by one program. */
+interface Uploaded {
+  vertices: WebGLVertexArrayObject;
+  buffers: WebGLBuffer[];
+  count: number;
+}
+
+export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
+  readonly profile = PROFILE;
+  private readonly gl: Gl;
+  private readonly programs: Program[];
+  private readonly presenter: Presenter;
+  /** What steps draw to, and what is read or copied. */
+  private readonly screen: WebGLFramebuffer;
+  private readonly source: WebGLFramebuffer;
+  private readonly samplers = new Map<string, WebGLSampler>();
+  private readonly uploaded = new Map<Program, Map<Geometry, Uploaded>>();
+  private readonly blocks: WebGLBuffer[] = [];
+  private readonly textures = new Set<Texture>();
+
+  private constructor(
+    private readonly context: Context,
+    readonly shaders: PackagedShader[],
+    private readonly hasCanvas: boolean,
+  ) {
+    this.gl = context.gl;
+    this.programs = linked(context, shaders);
+    this.presenter = new Presenter(context);
+    this.screen = this.gl.createFramebuffer();
+    this.source = this.gl.createFramebuffer();
+  }
+
+  static open({ shaders }: FramePackage, canvas: HTMLCanvasElement | OffscreenCanvas | null): WebGl2Renderer {
+    return new WebGl2Renderer(Context.open(canvas), shaders, canvas !== null);
+  }
+
+  // --- resources ---
+
+  makeTexture(size: TextureSize): Texture {
+    return this.own(makeTexture(this.context, size));
+  }
+
+  makePicture(picture: Picture): Texture {
+    return this.own(makePicture(this.context, picture));
+  }
+
+  freeTexture(texture: Texture): void {
+    this.textures.delete(texture);
+    this.gl.deleteTexture(texture.gl);
+  }
+
+  private own(texture: Texture): Texture {
+    this.textures.add(texture);
+    return texture;
+  }
+
+  // Storage buffers are only counted here: no text of this profile reads them.
+  makeBuffer = (bytes: Uint8Array<ArrayBuffer>) => bytes;
+  freeBuffer(): void {}
+  bytesIn = (buffer: Uint8Array) => buffer.length;
+  fill(): void {}
+  sizeOf = ({ sides }: Texture) => sides;
+
+  dispose(): void {
+    const { gl } = this;
+    this.textures.forEach((each) => gl.deleteTexture(each.gl));
+    this.programs.forEach((each) => gl.deleteProgram(each.gl));
+    this.samplers.forEach((each) => gl.deleteSampler(each));
+    for (const { vertices, buffers } of [...this.uploaded.values()].flatMap((each) => [...each.values()])) {
+      gl.deleteVertexArray(vertices);
+      buffers.forEach((each) => gl.deleteBuffer(each));
+    }
+    this.blocks.forEach((each) => gl.deleteBuffer(each));
+    for (const each of [this.screen, this.source]) gl.deleteFramebuffer(each);
+    this.presenter.dispose();
+  }
+
+  // --- steps ---
+
+  begin(): void {
+    this.context.check();
+  }
+
+  end(): void {
+    this.gl.flush();
+  }
+
+  draw(targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[]): void {
+    const { gl } = this;
+    const first = (targets[0] ?? depth!);
+    const width = halved(first.texture.width, first.target.level);
+    const height = halved(first.texture.height, first.target.level);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.screen);
+    const points = this.attachAll(targets, depth);
+    if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
+      const formats = [...targets, ...(depth ? [depth] : [])].map(({ texture }) => texture.format);
+      throw new Error(`WebGL cannot draw ${width} x ${height} pixels to ${formats.join(", ")}`);
+    }
+    gl.viewport(0, 0, width, height);
+    this.clear(targets, depth);
+    for (const call of calls) this.drawCall(call, depth, height);
+    const dropped = [...targets, ...(depth ? [depth] : [])].flatMap(({ target }, at) => (target.store ? [] : points[at]));
+    if (dropped.length) gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
+    points.forEach((point) => gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0));
+  }
+
+  /** Attach everything that is drawn to; the depths last. */
+  private attachAll(targets: Attachment<Texture>[], depth: Attachment<Texture> | null): number[] {
+    const { gl } = this;
+    const points = targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at);
+    targets.forEach(({ texture, layer, target }, at) => {
+      attach(gl, gl.FRAMEBUFFER, points[at], texture, layer, target.level);
+    });
+    gl.drawBuffers(points.length ? points : [gl.NONE]);
+    if (!depth) return points;
+    const point = depthPoint(gl, depth.texture.format);
+    attach(gl, gl.FRAMEBUFFER, point, depth.texture, depth.layer, depth.target.level);
+    return [...points, point];
+  }
+
+  private clear(targets: Attachment<Texture>[], depth: Attachment<Texture> | null): void {
+    const { gl } = this;
+    gl.colorMask(true, true, true, true);
+    gl.disable(gl.SCISSOR_TEST);
+    targets.forEach(({ target }, at) => {
+      if (target.load === "clear") gl.clearBufferfv(gl.COLOR, at, [0, 0, 0, 0]);
+    });
+    if (!depth) return;
+    gl.depthMask(true);
+    gl.stencilMask(0xff);
+    if (depth.target.load === "clear") gl.clearBufferfv(gl.DEPTH, 0, [1]);
+    const { stencil } = depth.target;
+    if (hasStencil(depth.texture.format) && stencil?.load !== "load") {
+      gl.clearBufferiv(gl.STENCIL, 0, [stencil?.clear ?? 0]);
+    }
+  }
+
+  private drawCall(call: Call, depth: Attachment<Texture> | null, height: number): void {
+    const { gl } = this;
+    const program = this.programs[call.shader];
+    const { vertices, count } = this.upload(program, call);
+    if (!count || !call.geometry.instances) return;
+    const { reflection } = this.shaders[call.shader];
+    gl.useProgram(program.gl);
+    program.heights.forEach((location) => gl.uniform1f(location, height));
+    setState(this.context, reflection, depth?.texture.format ?? null);
+    this.bind(program, call);
+    gl.bindVertexArray(vertices);
+    const mode = gl[MODES[reflection.draw?.topology ?? "triangle"]];
+    gl.drawElementsInstanced(mode, count, gl.UNSIGNED_INT, 0, call.geometry.instances);
+    gl.bindVertexArray(null);
+  }
+
+  run({ values }: Bound<Texture, Uint8Array>): void {
+    throw new Error(`WebGL 2 cannot run ${values.name}: it has no kernels over buffers`);
+  }
+
+  copy(from: Texture, to: Texture): void {
+    for (let level = 0; level < from.levels; level++) {
+      for (let layer = 0; layer < from.layers; layer++) this.copyLayer(from, layer, level, to, layer);
+    }
+  }
+
+  private copyLayer(from: Texture, layer: number, level: number, to: Texture, into: number): void {
+    const { gl } = this;
+    const [width, height] = [halved(from.width, level), halved(from.height, level)];
+    const depth = isDepth(from.format);
+    const point = depth ? depthPoint(gl, from.format) : gl.COLOR_ATTACHMENT0;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.source);
+    attach(gl, gl.READ_FRAMEBUFFER, point, from, layer, level);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.screen);
+    attach(gl, gl.DRAW_FRAMEBUFFER, point, to, into, level);
+    gl.drawBuffers([depth ? gl.NONE : point]);
+    gl.disable(gl.SCISSOR_TEST);
+    const stencil = hasStencil(from.format) ? gl.STENCIL_BUFFER_BIT : 0;
+    const parts = depth ? gl.DEPTH_BUFFER_BIT | stencil : gl.COLOR_BUFFER_BIT;
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, parts, gl.NEAREST);
+    for (const framebuffer of [gl.READ_FRAMEBUFFER, gl.DRAW_FRAMEBUFFER]) {
+      gl.framebufferTexture2D(framebuffer, point, gl.TEXTURE_2D, null, 0);
+    }
+  }
+
+  // --- what a draw reads ---
+
+  private bind(program: Program, { values, textures }: Call): void {
+    const { gl } = this;
+    const bytes = values.blocks();
+    program.blocks.forEach((name, at) => {
+      this.blocks[at] ??= gl.createBuffer();
+      gl.bindBufferBase(gl.UNIFORM_BUFFER, at, this.blocks[at]);
+      gl.bufferData(gl.UNIFORM_BUFFER, bytes.get(name)!, gl.DYNAMIC_DRAW);
+    });
+    program.textures.forEach(({ name, state }, unit) => {
+      const texture = textures.get(name);
+      if (!texture) throw new Error(`nobody gives ${values.name} its \`${name}\``);
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(bindOf(gl, texture.dimension), texture.gl);
+      gl.bindSampler(unit, this.sampler(texture, state));
+    });
+  }
+
+  private sampler({ format }: Texture, state: SamplerState | null): WebGLSampler {
+    if (state && state.filter === "linear" && /32float$/.test(format) && !isDepth(format)) {
+      this.context.need("OES_texture_float_linear", `filter textures of ${format}`);
+    }
+    const key = JSON.stringify(state);
+    const found = this.samplers.get(key) ?? makeSampler(this.gl, state);
+    this.samplers.set(key, found);
+    return found;
+  }
+
+  private upload(program: Program, { geometry, shader }: Call): Uploaded {
+    const known = this.uploaded.get(program) ?? new Map<Geometry, Uploaded>();
+    this.uploaded.set(program, known);
+    const found = known.get(geometry) ?? this.uploadAnew(program, geometry, shader);
+    known.set(geometry, found);
+    return found;
+  }
+
+  private uploadAnew(program: Program, geometry: Geometry, shader: number): Uploaded {
+    const { gl } = this;
+    const vertices = gl.createVertexArray();
+    gl.bindVertexArray(vertices);
+    const buffers = (["vertex", "instance"] as const).flatMap((step) => {
+      const made = interleaved(geometry.attributes, step);
+      if (!made) return [];
+      const buffer = filled(gl, gl.ARRAY_BUFFER, made.data);
+      for (const { attribute: { input, type, lanes }, offset } of made.members) {
+        const location = program.inputs.get(input.name);
+        if (location === undefined) continue; // not read, so left out by the linker
+        gl.enableVertexAttribArray(location);
+        gl.vertexAttribDivisor(location, step === "instance" ? 1 : 0);
+        if (type === "float") gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, made.stride, offset);
+        else gl.vertexAttribIPointer(location, lanes, type === "int" ? gl.INT : gl.UNSIGNED_INT, made.stride, offset);
+      }
+      return [buffer];
+    });
+    const { draw } = this.shaders[shader].reflection;
+    const indices = geometry.indices ?? Uint32Array.from({ length: geometry.count }, (_, at) => at);
+    const turned = firstVertexLast(indices, CORNERS[draw?.topology ?? "triangle"]);
+    const elements = filled(gl, gl.ELEMENT_ARRAY_BUFFER, turned);
+    gl.bindVertexArray(null);
+    return { vertices, buffers: [...buffers, elements], count: turned.length };
+  }
+
+  // --- results ---
+
+  show(texture: Texture): void {
+    if (!this.hasCanvas) throw new Error("this frame was opened without a canvas");
+    this.flat(texture, 0, (found) => this.presenter.show(found));
+  }
+
+  async read(texture: Texture): Promise<Pixels> {
+    const { width, height, layers } = texture;
+    const size = width * height * 4;
+    const texels = new Float32Array(size * layers);
+    for (let layer = 0; layer < layers; layer++) texels.set(this.layer(texture, layer), size * layer);
+    this.context.check();
+    return { width, height, layers, texels };
+  }
+
+  /** The numbers of a layer of a texture's first level. */
+  private layer(texture: Texture, layer: number): Float32Array {
+    const { gl } = this;
+    if (isDepth(texture.format)) return this.depths(texture, layer);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
+    attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, texture, layer, 0);
+    return readBound(gl, texture);
+  }
+
+  /** WebGL reads no depths back, so they are drawn as colours. */
+  private depths(texture: Texture, layer: number): Float32Array {
+    const { gl } = this;
+    const { width, height } = texture;
+    const size = { width, height, layers: 1, levels: 1, dimension: "2d", isImage: false } as const;
+    const colors = makeTexture(this.context, { ...size, format: "rgba32float" });
+    this.flat(texture, layer, (found) => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
+      attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, colors, 0, 0);
+      gl.drawBuffers([gl.COLOR_ATTACHMENT0]);
+      this.presenter.unpack(found);
+    });
+    const texels = readBound(gl, colors);
+    gl.deleteTexture(colors.gl);
+    return texels;
+  }
+
+  /** Do something with a layer as a flat texture of its own. */
+  private flat(texture: Texture, layer: number, work: (texture: Texture) => void): void {
+    if (texture.dimension === "2d") return work(texture);
+    const { format, width, height } = texture;
+    const size = { format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false } as const;
+    const copy = makeTexture(this.context, size);
+    this.copyLayer(texture, layer, 0, copy, 0);
+    work(copy);
+    this.gl.deleteTexture(copy.gl);
+  }
+}
+
+const MODES = { point: "POINTS", line: "LINES", triangle: "TRIANGLES" } as const;
+const CORNERS = { point: 1, line: 2, triangle: 3 } as const;
+
+function filled(gl: Gl, kind: number, data: Uint32Array<ArrayBuffer>): WebGLBuffer {
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(kind, buffer);
+  gl.bufferData(kind, data, gl.STATIC_DRAW);
+  return buffer;
+}
+
+/** The same primitives, with the first vertex of each moved to the end: a flat varying has its
+ * value at the first one, but in WebGL at the last. */
+function firstVertexLast(indices: Uint32Array, corners: number): Uint32Array<ArrayBuffer> {
+  const turned = new Uint32Array(Math.floor(indices.length / corners) * corners);
+  for (let at = 0; at < turned.length; at += corners) {
+    turned.set(indices.subarray(at + 1, at + corners), at);
+    turned[at + corners - 1] = indices[at];
+  }
+  return turned;
+}
+
+/** The texels of the framebuffer that is bound. WebGL only promises to read four lanes. */
+function readBound(gl: Gl, { format, width, height }: Texture): Float32Array {
+  const isFloat = format.endsWith("float");
+  const lanes = new (isFloat ? Float32Array : Uint8Array)(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE, lanes);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, null, 0);
+  if (lanes instanceof Float32Array) return lanes;
+  return toFloats(format.endsWith("srgb") ? "rgba8unorm-srgb" : "rgba8unorm", lanes);
+}

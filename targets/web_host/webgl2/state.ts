@@ -1,0 +1,130 @@
+// The state of WebGL 2's pipeline that a pass asks for: see `render_state` and `targets` in
+// docs/reflection.md.
+
+import { hasStencil } from "../bytes.js";
+import type { Blend, BlendEquation, Reflection, RenderState } from "../types.js";
+import type { Context, Gl } from "./context.js";
+import { PROFILE } from "./programs.js";
+import { compareOf } from "./textures.js";
+
+/** Set everything for draws of a shader. `depths` is the format of the depths, if there are any. */
+export function setState(context: Context, reflection: Reflection, depths: GPUTextureFormat | null): void {
+  const { gl } = context;
+  const { render_state: state, backends, material, draw } = reflection;
+  if (state.fill === "lines") throw new Error(`WebGL 2 cannot draw the edges of triangles, as ${material} asks`);
+  turn(gl, gl.CULL_FACE, state.cull !== "none");
+  gl.cullFace(state.cull === "front" ? gl.FRONT : gl.BACK);
+  gl.frontFace(backends[PROFILE].front_face === "cw" ? gl.CW : gl.CCW);
+  turn(gl, gl.DEPTH_TEST, depths !== null);
+  gl.depthFunc(compareOf(gl, state.depth.compare));
+  gl.depthMask(state.depth.write);
+  setBias(context, state, (draw?.topology ?? "triangle") === "triangle");
+  setStencil(gl, depths !== null && hasStencil(depths) ? state.stencil : null);
+  setTargets(context, reflection);
+}
+
+function turn(gl: Gl, what: number, on: boolean): void {
+  if (on) gl.enable(what);
+  else gl.disable(what);
+}
+
+function setBias(context: Context, { depth: { bias } }: RenderState, isFilled: boolean): void {
+  const { gl } = context;
+  turn(gl, gl.POLYGON_OFFSET_FILL, bias !== null && isFilled);
+  if (!bias || !isFilled) return;
+  if (bias.clamp === 0) return gl.polygonOffset(bias.slope, bias.constant);
+  const name = "EXT_polygon_offset_clamp";
+  const clamped = context.need<{ polygonOffsetClampEXT(slope: number, constant: number, clamp: number): void }>(
+    name, "limit the bias of depths",
+  );
+  clamped.polygonOffsetClampEXT(bias.slope, bias.constant, bias.clamp);
+}
+
+function setStencil(gl: Gl, stencil: RenderState["stencil"]): void {
+  turn(gl, gl.STENCIL_TEST, stencil !== null);
+  if (!stencil) return;
+  gl.stencilMask(stencil.write_mask);
+  for (const [face, side] of [[gl.FRONT, stencil.front], [gl.BACK, stencil.back]] as const) {
+    gl.stencilFuncSeparate(face, compareOf(gl, side.compare), stencil.reference, stencil.read_mask);
+    const [fail, behind, pass] = [side.fail, side.depth_fail, side.pass].map((word) => gl[STENCIL_OPERATIONS[word]]);
+    gl.stencilOpSeparate(face, fail, behind, pass);
+  }
+}
+
+const STENCIL_OPERATIONS = {
+  keep: "KEEP", zero: "ZERO", replace: "REPLACE", invert: "INVERT",
+  increment_clamp: "INCR", decrement_clamp: "DECR", increment_wrap: "INCR_WRAP", decrement_wrap: "DECR_WRAP",
+} as Record<string, "KEEP" | "ZERO" | "REPLACE" | "INVERT" | "INCR" | "DECR" | "INCR_WRAP" | "DECR_WRAP">;
+
+// --- targets -------------------------------------------------------------------------------------
+
+/** Blending and masks: for all targets at once where they are alike, which every device can. */
+function setTargets(context: Context, { targets, material }: Reflection): void {
+  const { gl } = context;
+  for (const { blend, format } of targets) {
+    if (blend && /32f$/.test(format)) context.need("EXT_float_blend", `blend ${format}, which ${material} does`);
+  }
+  const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
+  if (!first) return;
+  if (others.every((each) => JSON.stringify(each) === JSON.stringify(first))) {
+    turn(gl, gl.BLEND, first.blend !== null);
+    if (first.blend) setBlend(gl, first.blend);
+    return gl.colorMask(...lanesOf(first.mask));
+  }
+  const single = context.need<Indexed>("OES_draw_buffers_indexed", `blend each target of ${material} in its own way`);
+  targets.forEach(({ blend, mask }, at) => {
+    if (!blend) single.disableiOES(gl.BLEND, at);
+    else {
+      single.enableiOES(gl.BLEND, at);
+      single.blendEquationSeparateiOES(at, operation(gl, blend.color), operation(gl, blend.alpha));
+      single.blendFuncSeparateiOES(at, ...factors(gl, blend));
+    }
+    single.colorMaskiOES(at, ...lanesOf(mask));
+  });
+}
+
+/** `OES_draw_buffers_indexed`, which TypeScript's own types lack. */
+interface Indexed {
+  enableiOES(what: number, at: number): void;
+  disableiOES(what: number, at: number): void;
+  blendEquationSeparateiOES(at: number, color: number, alpha: number): void;
+  blendFuncSeparateiOES(at: number, ...factors: [number, number, number, number]): void;
+  colorMaskiOES(at: number, red: boolean, green: boolean, blue: boolean, alpha: boolean): void;
+}
+
+function setBlend(gl: Gl, blend: Blend): void {
+  gl.blendEquationSeparate(operation(gl, blend.color), operation(gl, blend.alpha));
+  gl.blendFuncSeparate(...factors(gl, blend));
+}
+
+const lanesOf = (mask: string) =>
+  [..."rgba"].map((lane) => mask !== "none" && mask.includes(lane)) as [boolean, boolean, boolean, boolean];
+
+const OPERATIONS: Record<string, "FUNC_ADD" | "FUNC_SUBTRACT" | "FUNC_REVERSE_SUBTRACT" | "MIN" | "MAX"> = {
+  add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT", min: "MIN", max: "MAX",
+};
+
+const operation = (gl: Gl, { operation: word }: BlendEquation) => gl[OPERATIONS[word]];
+
+/** The factor of colours and that of alpha. */
+const FACTORS: Record<string, [keyof Gl, keyof Gl]> = {
+  zero: ["ZERO", "ZERO"],
+  one: ["ONE", "ONE"],
+  src: ["SRC_COLOR", "SRC_ALPHA"],
+  one_minus_src: ["ONE_MINUS_SRC_COLOR", "ONE_MINUS_SRC_ALPHA"],
+  src_alpha: ["SRC_ALPHA", "SRC_ALPHA"],
+  one_minus_src_alpha: ["ONE_MINUS_SRC_ALPHA", "ONE_MINUS_SRC_ALPHA"],
+  dst: ["DST_COLOR", "DST_ALPHA"],
+  one_minus_dst: ["ONE_MINUS_DST_COLOR", "ONE_MINUS_DST_ALPHA"],
+  dst_alpha: ["DST_ALPHA", "DST_ALPHA"],
+  one_minus_dst_alpha: ["ONE_MINUS_DST_ALPHA", "ONE_MINUS_DST_ALPHA"],
+  src_alpha_saturated: ["SRC_ALPHA_SATURATE", "SRC_ALPHA_SATURATE"],
+  constant: ["CONSTANT_COLOR", "CONSTANT_ALPHA"],
+  one_minus_constant: ["ONE_MINUS_CONSTANT_COLOR", "ONE_MINUS_CONSTANT_ALPHA"],
+};
+
+/** Of colours, source and destination; then of alpha. */
+function factors(gl: Gl, { color, alpha }: Blend): [number, number, number, number] {
+  const of = (word: string, lanes: 0 | 1) => gl[FACTORS[word][lanes]] as number;
+  return [of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1)];
+}

@@ -1,0 +1,182 @@
+// Textures of WebGL 2: those that frames draw to, and pictures of the host.
+
+import { bytesOf, isDepth, hasStencil } from "../bytes.js";
+import type { TextureSize } from "../renderer.js";
+import type { Dimension, Picture, SamplerState } from "../types.js";
+import type { Context, Gl } from "./context.js";
+
+export interface Texture {
+  gl: WebGLTexture;
+  format: GPUTextureFormat;
+  dimension: Dimension;
+  width: number;
+  height: number;
+  /** Layers, or the slices of a first level. */
+  layers: number;
+  levels: number;
+  /** The texels of its first level in each direction, as shaders see them. */
+  sides: number[];
+}
+
+const BINDS: Record<Dimension, "TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP"> = {
+  "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
+};
+const WRAPS = { repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT" } as const;
+
+/** How WebGL stores each format, and in which lanes and numbers texels are brought there. */
+const STORAGE: Partial<Record<GPUTextureFormat, [string, string, string]>> = {
+  "r8unorm": ["R8", "RED", "UNSIGNED_BYTE"],
+  "rg8unorm": ["RG8", "RG", "UNSIGNED_BYTE"],
+  "rgba8unorm": ["RGBA8", "RGBA", "UNSIGNED_BYTE"],
+  "rgba8unorm-srgb": ["SRGB8_ALPHA8", "RGBA", "UNSIGNED_BYTE"],
+  "r16float": ["R16F", "RED", "HALF_FLOAT"],
+  "rg16float": ["RG16F", "RG", "HALF_FLOAT"],
+  "rgba16float": ["RGBA16F", "RGBA", "HALF_FLOAT"],
+  "r32float": ["R32F", "RED", "FLOAT"],
+  "rg32float": ["RG32F", "RG", "FLOAT"],
+  "rgba32float": ["RGBA32F", "RGBA", "FLOAT"],
+  "depth32float": ["DEPTH_COMPONENT32F", "DEPTH_COMPONENT", "FLOAT"],
+  "depth32float-stencil8": ["DEPTH32F_STENCIL8", "DEPTH_STENCIL", "FLOAT_32_UNSIGNED_INT_24_8_REV"],
+  "r8uint": ["R8UI", "RED_INTEGER", "UNSIGNED_BYTE"],
+  "rgba8uint": ["RGBA8UI", "RGBA_INTEGER", "UNSIGNED_BYTE"],
+  "r32uint": ["R32UI", "RED_INTEGER", "UNSIGNED_INT"],
+  "rgba32uint": ["RGBA32UI", "RGBA_INTEGER", "UNSIGNED_INT"],
+  "r32sint": ["R32I", "RED_INTEGER", "INT"],
+  "rgba32sint": ["RGBA32I", "RGBA_INTEGER", "INT"],
+};
+
+const constant = (gl: Gl, name: string) => gl[name as keyof Gl] as number;
+
+export const bindOf = (gl: Gl, dimension: Dimension) => gl[BINDS[dimension]];
+
+export const halved = (side: number, level: number) => Math.max(side >> level, 1);
+
+function allocate(context: Context, made: Omit<Texture, "gl">): Texture {
+  const { gl } = context;
+  const { format, dimension, width, height, layers, levels } = made;
+  const storage = STORAGE[format];
+  if (!storage) throw new Error(`WebGL 2 has no textures of ${format}`);
+  const texture = gl.createTexture();
+  const bind = bindOf(gl, dimension);
+  gl.bindTexture(bind, texture);
+  if (dimension === "2d" || dimension === "cube") {
+    gl.texStorage2D(bind, levels, constant(gl, storage[0]), width, height);
+  } else {
+    gl.texStorage3D(bind, levels, constant(gl, storage[0]), width, height, layers);
+  }
+  return { ...made, gl: texture };
+}
+
+/** A texture that is transparent black, as WebGL makes all of them, or as far away as can be. */
+export function makeTexture(context: Context, size: TextureSize): Texture {
+  const { format, dimension, width, height, layers, levels } = size;
+  if (format.endsWith("float") && !isDepth(format)) {
+    context.need("EXT_color_buffer_float", `draw to textures of ${format}`);
+  }
+  const made = allocate(context, { format, dimension, width, height, layers, levels, sides: [width, height] });
+  if (isDepth(format)) clearDepths(context.gl, made);
+  return made;
+}
+
+function clearDepths(gl: Gl, texture: Texture): void {
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.depthMask(true);
+  gl.stencilMask(0xff);
+  gl.disable(gl.SCISSOR_TEST);
+  for (let level = 0; level < texture.levels; level++) {
+    for (let layer = 0; layer < texture.layers; layer++) {
+      attach(gl, gl.FRAMEBUFFER, depthPoint(gl, texture.format), texture, layer, level);
+      if (hasStencil(texture.format)) gl.clearBufferfi(gl.DEPTH_STENCIL, 0, 1, 0);
+      else gl.clearBufferfv(gl.DEPTH, 0, [1]);
+    }
+  }
+  gl.deleteFramebuffer(framebuffer);
+}
+
+/** Where depths are attached to a framebuffer. */
+export const depthPoint = (gl: Gl, format: GPUTextureFormat) =>
+  hasStencil(format) ? gl.DEPTH_STENCIL_ATTACHMENT : gl.DEPTH_ATTACHMENT;
+
+/** Attach one layer and level of a texture to the framebuffer that is bound. */
+export function attach(
+  gl: Gl, framebuffer: number, point: number, { gl: texture, dimension }: Texture, layer: number, level: number,
+): void {
+  if (dimension === "2d_array" || dimension === "3d") {
+    gl.framebufferTextureLayer(framebuffer, point, texture, level, layer);
+  } else {
+    const face = dimension === "cube" ? gl.TEXTURE_CUBE_MAP_POSITIVE_X + layer : gl.TEXTURE_2D;
+    gl.framebufferTexture2D(framebuffer, point, face, texture, level);
+  }
+}
+
+/** A picture of the host. Its rows are uploaded in their order, as WebGL, too, counts them from v = 0. */
+export function makePicture(context: Context, picture: Picture): Texture {
+  const { gl } = context;
+  const { format, dimension, width, height, depth, levels } = picture;
+  if (format === "rgba32float") context.need("OES_texture_float_linear", "filter pictures of floats");
+  const sides = [width, height, depth].slice(0, dimension === "3d" || dimension === "2d_array" ? 3 : 2);
+  const made = allocate(context, {
+    format, dimension, width, height, layers: depth, levels: levels.length, sides,
+  });
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  levels.forEach((level, number) => upload(gl, made, number, bytesOf(level)));
+  return made;
+}
+
+function upload(gl: Gl, { format, dimension, width, height, layers }: Texture, level: number, bytes: Uint8Array<ArrayBuffer>): void {
+  const [, lanes, type] = STORAGE[format]!;
+  const area = [halved(width, level), halved(height, level)] as const;
+  const what = [constant(gl, lanes), constant(gl, type)] as const;
+  const texels = numbersOf(type, bytes);
+  if (dimension === "2d") {
+    gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, ...area, ...what, texels);
+  } else if (dimension === "cube") {
+    const face = texels.length / layers;
+    for (let at = 0; at < layers; at++) {
+      const part = texels.subarray(at * face, (at + 1) * face);
+      gl.texSubImage2D(gl.TEXTURE_CUBE_MAP_POSITIVE_X + at, level, 0, 0, ...area, ...what, part);
+    }
+  } else {
+    const depth = dimension === "3d" ? halved(layers, level) : layers;
+    gl.texSubImage3D(bindOf(gl, dimension), level, 0, 0, 0, ...area, depth, ...what, texels);
+  }
+}
+
+function numbersOf(type: string, { buffer }: Uint8Array<ArrayBuffer>) {
+  switch (type) {
+    case "FLOAT":
+      return new Float32Array(buffer);
+    case "UNSIGNED_INT":
+      return new Uint32Array(buffer);
+    case "INT":
+      return new Int32Array(buffer);
+    default:
+      return new Uint8Array(buffer);
+  }
+}
+
+/** The sampler of a texture in a shader; without a state, its texels are only loaded. */
+export function makeSampler(gl: Gl, state: SamplerState | null): WebGLSampler {
+  const sampler = gl.createSampler();
+  const set = (name: number, value: number) => gl.samplerParameteri(sampler, name, value);
+  const { filter, mip, wrap, compare } = state ?? { filter: "nearest", mip: "nearest", wrap: "clamp" };
+  const [near, between] = [filter, mip === "linear" ? "linear" : "nearest"].map((word) => word.toUpperCase());
+  set(gl.TEXTURE_MAG_FILTER, constant(gl, near));
+  set(gl.TEXTURE_MIN_FILTER, constant(gl, `${near}_MIPMAP_${between}`));
+  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) set(name, gl[WRAPS[wrap]]);
+  // A sampler stays on the first level by this; other levels can still be loaded.
+  if (mip === "none") gl.samplerParameterf(sampler, gl.TEXTURE_MAX_LOD, 0);
+  if (compare) {
+    set(gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
+    set(gl.TEXTURE_COMPARE_FUNC, compareOf(gl, compare));
+  }
+  return sampler;
+}
+
+const COMPARES: Record<string, "NEVER" | "LESS" | "EQUAL" | "LEQUAL" | "GREATER" | "NOTEQUAL" | "GEQUAL" | "ALWAYS"> = {
+  never: "NEVER", less: "LESS", equal: "EQUAL", less_equal: "LEQUAL",
+  greater: "GREATER", not_equal: "NOTEQUAL", greater_equal: "GEQUAL", always: "ALWAYS",
+};
+
+export const compareOf = (gl: Gl, word: string) => gl[COMPARES[word]];

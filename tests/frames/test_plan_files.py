@@ -1,0 +1,178 @@
+"""Plans that are read from files, and what is said of those that are broken or hostile."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from burnish.targets.runner.frames import plan_files
+from burnish.targets.runner.frames.checking import PlanError
+from burnish.targets.runner.frames.plan_files import read_frame
+
+from .kit import FOLDER, compiled
+
+FRAME = compiled(FOLDER / "deferred.burnish")
+PROFILES = ("wgsl:webgpu",)
+CLAY = "Deferred.Surfaces.Clay"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with all that ``burnish compile`` writes of the frame, for one target."""
+    (tmp_path / "Deferred.plan.json").write_text(json.dumps(FRAME.plan), "utf-8")
+    for shader in FRAME.shaders:
+        (tmp_path / f"{shader.name}.json").write_text(json.dumps(shader.reflection), "utf-8")
+        for file in shader.files:
+            (tmp_path / file.name).write_text(file.text, "utf-8")
+    return tmp_path
+
+
+def said(folder: Path) -> str:
+    """What is said of the plan in a folder."""
+    with pytest.raises(PlanError) as raised:
+        read_frame(folder / "Deferred.plan.json", PROFILES)
+    return str(raised.value)
+
+
+def edit(path: Path, change: Callable[[Any], object]) -> None:
+    """Change a document."""
+    document = json.loads(path.read_text("utf-8"))
+    change(document)
+    path.write_text(json.dumps(document), "utf-8")
+
+
+def test_a_frame_comes_back_as_it_was_compiled(folder: Path) -> None:
+    found = read_frame(folder / "Deferred.plan.json", PROFILES)
+    assert (found.name, found.plan) == (FRAME.name, FRAME.plan)
+    for stored, made in zip(found.shaders, FRAME.shaders, strict=True):
+        assert stored.reflection == made.reflection
+        assert [(f.name, f.text, f.entry_points) for f in stored.files] == [
+            (f.name, f.text, dict(f.entry_points)) for f in made.files
+        ]
+
+
+def test_texts_for_another_target_are_missed(folder: Path) -> None:
+    with pytest.raises(PlanError) as raised:
+        read_frame(folder / "Deferred.plan.json", ("glsl:vulkan",))
+    assert str(raised.value) == (
+        "Deferred.Surfaces.Clay has no text for glsl:vulkan: `Deferred.Surfaces.Clay.json` lists "
+        "wgsl:webgpu. Compile the source with --target glsl:vulkan"
+    )
+
+
+TEXTS = {
+    "": "`Deferred.plan.json` is no JSON that a plan may be made of: Expecting value, line 1, "
+    "column 1",
+    "[]": "`Deferred.plan.json` is no plan: it has no `plan`, which is its version",
+    '{"plan": 7}': "`Deferred.plan.json` is a plan of version 7, and this is Burnish for version "
+    "1: compile its source again",
+    '{"plan": true}': "`Deferred.plan.json` is a plan of version true, and this is Burnish for "
+    "version 1: compile its source again",
+    '{"plan": 1, "plan": 1}': "`Deferred.plan.json` is no JSON that a plan may be made of: "
+    '"plan" stands twice in one object',
+    '{"plan": NaN}': "`Deferred.plan.json` is no JSON that a plan may be made of: NaN is no number "
+    "of JSON",
+    '{"plan": 1e999}': "`Deferred.plan.json` is no JSON that a plan may be made of: 1e999 is too "
+    "large for a number",
+    '{"plan": ' + 100_000 * "[": "`Deferred.plan.json` is no JSON that a plan may be made of: it "
+    "is nested too deeply",
+}
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=lambda text: text[:20])
+def test_what_is_no_plan_is_told(folder: Path, text: str) -> None:
+    (folder / "Deferred.plan.json").write_text(text, "utf-8")
+    assert said(folder) == TEXTS[text]
+
+
+def test_huge_integers_and_other_bytes_are_told(folder: Path) -> None:
+    plan = folder / "Deferred.plan.json"
+    plan.write_text('{"plan": ' + "9" * 5000 + "}", "utf-8")
+    assert said(folder).startswith("`Deferred.plan.json` is no JSON that a plan may be made of: ")
+    plan.write_bytes(b'{"plan": "\xff"}')
+    assert said(folder) == "`Deferred.plan.json` is no text in UTF-8"
+
+
+def test_places_are_told_at_which_a_plan_does_not_follow_its_schema(folder: Path) -> None:
+    def change(plan: Any) -> None:
+        del plan["textures"][0]["format"]
+        plan["steps"][0]["depth"]["load"] = "maybe"
+        plan["kept"] = 3
+
+    edit(folder / "Deferred.plan.json", change)
+    assert said(folder).splitlines() == [
+        "`Deferred.plan.json` does not follow plan.schema.json:",
+        "  $.kept: 3 is not of type 'array'",
+        "  $.steps[0].depth.load: 'maybe' is not one of ['load', 'clear']",
+        "  $.textures[0]: 'format' is a required property",
+    ]
+
+
+def test_a_broken_reflection_is_told(folder: Path) -> None:
+    edit(folder / f"{CLAY}.json", lambda reflection: reflection.pop("targets"))
+    assert said(folder).splitlines() == [
+        "`Deferred.Surfaces.Clay.json` does not follow reflection.schema.json:",
+        "  $: 'targets' is a required property",
+    ]
+
+
+def test_an_exchanged_reflection_is_told(folder: Path) -> None:
+    text = (folder / "Deferred.Surfaces.Jade.json").read_text("utf-8")
+    (folder / f"{CLAY}.json").write_text(text, "utf-8")
+    assert said(folder) == (
+        "Deferred, Deferred.Surfaces.Clay: Deferred.Surfaces.Clay.json is the reflection of "
+        "another shader"
+    )
+
+
+def test_a_missing_text_is_told(folder: Path) -> None:
+    (folder / f"{CLAY}.frag.wgsl").unlink()
+    assert said(folder) == "cannot read `Deferred.Surfaces.Clay.frag.wgsl`: No such file or " \
+        "directory"  # fmt: skip
+    (folder / f"{CLAY}.frag.wgsl").mkdir()
+    assert said(folder) == "cannot read `Deferred.Surfaces.Clay.frag.wgsl`: it is not a file"
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["../secret.json", "/etc/passwd", "..\\secret.json", "C:secret.json", "a/b.json", "..", "",
+     "a\nb.json"],
+)  # fmt: skip
+def test_no_file_outside_of_the_folder_is_read(folder: Path, name: str) -> None:
+    def other_reflection(plan: Any) -> None:
+        plan["shaders"][0]["reflection"] = name
+
+    def other_text(reflection: Any) -> None:
+        reflection["backends"]["wgsl:webgpu"]["files"][0]["file"] = name
+
+    wanted = f"Deferred.Surfaces.Clay: {json.dumps(name)} is not the name of a file"
+    edit(folder / f"{CLAY}.json", other_text)
+    assert said(folder) == wanted
+    edit(folder / "Deferred.plan.json", other_reflection)
+    assert said(folder) == wanted
+
+
+def test_no_link_leads_out_of_the_folder(folder: Path) -> None:
+    inner = folder / "inner"
+    inner.mkdir()
+    for path in folder.glob("Deferred*"):
+        path.rename(inner / path.name)
+    (inner / f"{CLAY}.json").rename(folder / "other.json")
+    (inner / f"{CLAY}.json").symlink_to(folder / "other.json")
+    assert said(inner) == (
+        "Deferred.Surfaces.Clay: `Deferred.Surfaces.Clay.json` is a link that leads out of the "
+        "plan's folder"
+    )
+
+
+def test_files_are_not_read_without_limits(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plan_files, "MAX_FILE", 1000)
+    assert re.fullmatch("`Deferred.plan.json` is too large: .* all together 256 MB", said(folder))
+    monkeypatch.setattr(plan_files, "MAX_FILE", 2**20)
+    monkeypatch.setattr(plan_files, "MAX_BYTES", 60_000)
+    assert re.fullmatch("`Deferred.*.json` is too large: .*", said(folder))
