@@ -1200,6 +1200,12 @@ NO_BLEND_CONSTANT = _error(
     "`constant` and `one_minus_constant` are a colour that is set for the whole step: "
     "`Faded(screen) with { blend_constant = vec4(0.5) }`.",
 )
+NOT_BLENDED = _error(
+    "B0822",
+    "`{target}` of `{step}` is blended, and `{format}` cannot be blended everywhere",
+    "WebGPU and WebGL 2 blend 32-bit floats only where a device has an extension for it. "
+    "Draw to a format of 16-bit floats.",
+)
 NOT_BROUGHT = _error(
     "B0819",
     "`{name}` of a {record} cannot be what a step leaves",

@@ -6,13 +6,13 @@ makes ``Settings`` of what stands behind `with` for each pass that a frame appli
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from ....frozen import fresh, record
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build
-from ...ir.blending import OF_CONSTANT
+from ...ir.blending import OF_CONSTANT, REPLACES
 from ...ir.frame import DEPTH
 from ...ir.node import Node
 from ...ir.shader import RenderTarget, Shader
@@ -35,6 +35,8 @@ AREAS: Mapping[str, tuple[Type, str]] = {
     BLEND_CONSTANT: (VEC4, "vec4"),
 }
 """What can be set of a whole step, with its type."""
+FLOATS = "32f"
+"""What the names of formats end with that not every device blends."""
 CLEAR = "clear."
 """What the names of clear values begin with."""
 
@@ -110,10 +112,7 @@ class Settings:
 
     def check(self, shader: Shader, step: str, span: Span) -> bool:
         """Whether everything is right that is said of the step; what is not is reported."""
-        targets = list(_blended_by_constant(shader))
-        if targets and BLEND_CONSTANT not in self.written:
-            self.failed = True
-            self.ctx.report.add(rules.NO_BLEND_CONSTANT, span, step=step, target=targets[0])
+        self._check_blending(shader, step, span)
         known = [result.name for result in shader.results_of(TARGET)]
         for name, (written, _) in self.written.items():
             if name.startswith(CLEAR) and name not in self._cleared:
@@ -122,9 +121,18 @@ class Settings:
                 unknown(self.ctx, what, found, written.span, [*known, DEPTH])
         return not self.failed
 
-
-def _blended_by_constant(shader: Shader) -> Iterator[str]:
-    """The names of the targets that are blended by a constant."""
-    for result in shader.results_of(TARGET):
-        if result.state is not None and not OF_CONSTANT.isdisjoint(result.state.blend.factors):
-            yield result.name
+    def _check_blending(self, shader: Shader, step: str, span: Span) -> None:
+        """Report targets that cannot be blended, or are blended by what nobody has said."""
+        for result in shader.results_of(TARGET):
+            state, name = result.state, result.name
+            if state is None or state.blend == REPLACES:
+                continue
+            by_constant = not OF_CONSTANT.isdisjoint(state.blend.factors)
+            if by_constant and BLEND_CONSTANT not in self.written:
+                self.failed = True
+                self.ctx.report.add(rules.NO_BLEND_CONSTANT, span, step=step, target=name)
+            if state.format.endswith(FLOATS):
+                self.failed = True
+                self.ctx.report.add(
+                    rules.NOT_BLENDED, span, step=step, target=name, format=state.format
+                )
