@@ -10,7 +10,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test quick lint bench fuzz tools clean
+.PHONY: help demo gallery test quick lint bench fuzz tools clean
 
 help: ## List everything that make can do
 	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -26,6 +26,12 @@ demo: $(VENV)/installed ## Compile examples/plastic.burnish for all backends int
 	@echo 'build/plastic.png      what it looks like, drawn by the reference: on the CPU, without a driver'
 	@echo
 	@echo 'Next: . $(BIN)/activate; burnish --help'
+
+gallery: tools ## Make pages that show all examples: pictures, shaders, graphs, verdicts
+	@$(BIN)/python -m burnish.generate
+	@$(BIN)/burnish gallery examples -o build/gallery
+	@echo
+	@echo 'build/gallery/index.html   open it in a browser'
 
 test: tools lint ## Install what the tests need, then check style, types and behaviour
 	$(BIN)/python -m pytest -n auto --dist loadgroup

@@ -18,6 +18,8 @@ HERE = Path(__file__).parent.resolve()
 ROOTS = ("commands", "compiler", "targets", "stdlib")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
+DATA = ("h", "j2", "txt", "json", "lark", "mjs", "ts", "css", "js", "html", "svg")
+"""The endings of files that belong to a sub-package besides its code."""
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
 
@@ -65,9 +67,9 @@ setup(
         "burnish.stdlib": ["*.burnish", "*.toml"],
         "burnish.targets.web_host": ["webgpu/*.ts", "modules/*.js", "modules/webgpu/*.js"],
         **{
-            f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs", "*.ts"]
+            f"burnish.{name}": [f"*.{ending}" for ending in DATA]
             for name in sub_packages
-            if name.startswith(("compiler", "targets"))
+            if name.startswith(("commands", "compiler", "targets"))
         },
     },
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -11,6 +11,7 @@ from .console import remark, show
 if TYPE_CHECKING:
     from ..api import CompiledFrame, CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
+    from ..compiler.inputs import Inputs
     from ..targets.runner.routes import Route
 
 
@@ -36,15 +37,23 @@ Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]
 """Materials, kernels and frames, each with the label that the table shows."""
 
 
-def subjects_of(request: Request, routes: Sequence[Route], *, native_stages: bool) -> Subjects:
+def subjects_of(
+    request: Request,
+    routes: Sequence[Route],
+    *,
+    native_stages: bool,
+    further: Sequence[str] = (),
+    read: Callable[[Inputs], None] = lambda _inputs: None,
+) -> Subjects:
     """Every material with every rig and pass, each with the label that the table shows.
 
-    With ``native_stages``, only routes can draw what has such stages. Raises ``CompileError`` with
-    the errors of all files.
+    With ``native_stages``, only routes can draw what has such stages. ``further`` are profiles for
+    which there shall be texts besides those of the routes. ``read`` is told of each compile what it
+    has read. Raises ``CompileError`` with the errors of all files.
     """
     from ..compiler.diagnostics.diagnostic import CompileError
 
-    profiles = sorted({route.profile for route in routes})
+    profiles = sorted({route.profile for route in routes} | set(further))
     found: Subjects = []
     warnings: list[Diagnostic] = []
     errors: list[Diagnostic] = []
@@ -53,6 +62,7 @@ def subjects_of(request: Request, routes: Sequence[Route], *, native_stages: boo
             for variant in _variants(path, request):
                 for result in _compiled(path, variant, request, profiles, native_stages):
                     warnings += result.diagnostics
+                    read(result.inputs)
                     for subject in result.frames or result.materials:
                         label = _label(path, request.files, subject.name, variant)
                         found.append((label, subject))

@@ -44,7 +44,8 @@ def _in_a_row(layers: Floats) -> Floats:
     return np.concatenate(list(layers), axis=1)
 
 
-def _image(layers: Floats) -> Image:
+def image_of(layers: Floats) -> Image:
+    """What a screen shows of a texture's first level."""
     from ..targets.runner.pictures import to_image
 
     return to_image(_in_a_row(layers), lanes=layers.shape[-1])
@@ -66,7 +67,7 @@ def _moving(rows: Sequence[Sequence[Floats]], path: Path) -> bytes:
     """One file that shows a picture after the other."""
     from ..targets.runner.pictures import encoded
 
-    first, *others = [_beside([_image(each) for each in row]) for row in rows]
+    first, *others = [_beside([image_of(each) for each in row]) for row in rows]
     further = {"save_all": True, "append_images": others, "duration": DURATION, "loop": 0}
     return encoded(first, path, **further)
 
@@ -76,7 +77,7 @@ def _still(row: Sequence[Floats], path: Path) -> bytes:
     from ..targets.runner.pictures import encoded, encoded_numbers, keeps_numbers
 
     if not keeps_numbers(path):
-        return encoded(_beside([_image(each) for each in row]), path)
+        return encoded(_beside([image_of(each) for each in row]), path)
     (pixels,) = map(_in_a_row, row)
     return encoded_numbers(pixels, path, lanes=pixels.shape[-1])
 

@@ -5,9 +5,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from ..targets.runner.frames.scenery import Scenery
     from ..targets.runner.render import Floats
     from ..targets.runner.routes import Route
+    from ..targets.runner.runner import Runner
+    from ..targets.toolchain import Toolchain
 
 
 def has_frames(request: Request) -> bool:
@@ -38,14 +41,27 @@ def has_frames(request: Request) -> bool:
 def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     """Draw the frame of the file, or the one that ``--material`` names; the route ``None`` is the
     reference."""
+    from ..targets.runner.runner import Runner
+    from ..targets.toolchain import Toolchain
+    from .lacking import tell_lacking_tools
+
     routes = _those_that_draw(chosen, request)
     frame = _planned(request, routes)
-    outputs = _outputs(frame, request.target)
-    made = partial(_host, frame, request, _scenery(frame, request))
-    _tell_unused_lamps(made())
+    outputs = frame_outputs(frame, request.target)
+    made = host_maker(frame, request)
     check_single(len(routes) * len(outputs), request.output)
-    with Progress("drawing") as progress:
-        columns = _columns(made, request, routes, outputs, progress)
+    drivers = [route for route in routes if route is not None]
+    with (
+        Progress("drawing") as progress,
+        Runner(drivers, device=request.device) as runner,
+        Toolchain() as toolchain,
+    ):
+        tell_lacking_tools(drivers, runner, fatal=True)
+        columns: list[list[Floats]] = []
+        for done, route in enumerate(routes):
+            drawn = draw_by(route, made, request, runner, toolchain, progress)
+            columns += ([pictures[name] for pictures in drawn] for name in outputs)
+            progress.tell((done + 1) / len(routes))
         rows = list(zip(*columns, strict=True))
     written = write_pictures(rows, request.output)
     further = f" to {written[-1].name}" if len(written) > 1 else ""
@@ -78,30 +94,28 @@ def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
     return result.frames[0]
 
 
-def _columns(
+def host_maker(frame: PlannedFrame, request: Request) -> Callable[[], FrameHost]:
+    """What makes the host of each route: with the scene and all values that a request asks for."""
+    made = partial(_host, frame, request, scenery_of(frame.plan, request.mesh, request.scene))
+    _tell_unused_lamps(made())
+    return made
+
+
+def draw_by(
+    route: Route | None,
     made: Callable[[], FrameHost],
     request: Request,
-    routes: Sequence[Route | None],
-    outputs: Sequence[str],
+    runner: Runner,
+    toolchain: Toolchain,
     progress: Progress,
-) -> Iterator[list[Floats]]:
-    """For each route and output what it shows, frame after frame. ``made`` makes the host of a
-    route."""
-    from ..targets.runner.runner import Runner
-    from ..targets.toolchain import Toolchain
+) -> Sequence[Mapping[str, Floats]]:
+    """The outputs, by name, of all frames that a request asks for; the route ``None`` is the
+    reference."""
     from ..targets.web_host.drawing import draw_frames
-    from .lacking import tell_lacking_tools
 
-    drivers = [route for route in routes if route is not None]
-    with Runner(drivers, device=request.device) as runner, Toolchain() as toolchain:
-        tell_lacking_tools(drivers, runner, fatal=True)
-        for done, route in enumerate(routes):
-            if route is None:
-                drawn = list(_by_reference(made(), request, outputs, progress))
-            else:
-                drawn = draw_frames(made(), route, runner, toolchain, request.frames)
-            progress.tell((done + 1) / len(routes))
-            yield from ([pictures[name] for pictures in drawn] for name in outputs)
+    if route is None:
+        return list(_by_reference(made(), request, progress))
+    return draw_frames(made(), route, runner, toolchain, request.frames)
 
 
 def _those_that_draw(routes: Sequence[Route | None], request: Request) -> Sequence[Route | None]:
@@ -118,30 +132,31 @@ def _those_that_draw(routes: Sequence[Route | None], request: Request) -> Sequen
 
 
 def _by_reference(
-    host: FrameHost, request: Request, outputs: Sequence[str], progress: Progress
+    host: FrameHost, request: Request, progress: Progress
 ) -> Iterator[dict[str, Floats]]:
     from ..targets.runner.frames.by_reference import ReferenceFrames
 
+    outputs = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
     drawing = ReferenceFrames(host)
     for number in range(request.frames):
         drawing.draw(_within(progress, number, request.frames))
         yield {name: drawing.output(name).levels[0][0] for name in outputs}
 
 
-def _scenery(frame: PlannedFrame, request: Request) -> Scenery:
-    """What there is to draw: a model of each material, or the objects of a file."""
+def scenery_of(plan: Mapping[str, Any], mesh: str, scene: Path | None) -> Scenery:
+    """What there is to draw: a model of each material with a mesh, or the objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
 
-    tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+    tags = {row["name"]: row["materials"] for row in plan["models"]}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-    if request.scene is None:
-        return in_a_row(materials, tags, request.mesh)
+    if scene is None:
+        return in_a_row(materials, tags, mesh)
     from ..targets.runner.frames.staging import staged
     from ..targets.runner.scenes.gltf.reading import read_gltf
 
-    file = read_gltf(request.scene)
+    file = read_gltf(scene)
     for note in file.notes:
-        remark("note", f"{request.scene}: {note}")
+        remark("note", f"{scene}: {note}")
     return staged(file, materials, list(tags))
 
 
@@ -160,7 +175,7 @@ def _host(frame: PlannedFrame, request: Request, scenery: Scenery) -> FrameHost:
     return host
 
 
-def _outputs(frame: PlannedFrame, wanted: str | None) -> list[str]:
+def frame_outputs(frame: PlannedFrame, wanted: str | None) -> list[str]:
     """The outputs to show: the named one, or all that are pictures."""
     names = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
     if wanted is None:

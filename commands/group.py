@@ -14,7 +14,18 @@ import click
 from .. import __version__
 from .terminal import FAILED, INTERRUPTED, complain, show_everything
 
-COMMANDS = ("compile", "check", "graph", "render", "conform", "targets", "doctor", "explain")
+COMMANDS = (
+    "compile",
+    "check",
+    "graph",
+    "render",
+    "view",
+    "conform",
+    "gallery",
+    "targets",
+    "doctor",
+    "explain",
+)
 """The modules of the commands, each of which calls itself so. Only the one asked for is loaded; if
 there is none of that name, all are, because click suggests a command from those it knows."""
 FUNCTIONS = {"compile": "compile_"}

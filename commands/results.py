@@ -50,7 +50,7 @@ class Question:
         here = [os.getcwd(), _ROOT, *arguments]  # noqa: PTH109
         self.key = digest("\0".join(here).encode("utf-8", "surrogatepass"))
         """Where the answer is kept; the next one to the same command line takes its place."""
-        self.circumstances = [*here, sys.version, _installation(), str(wants_color(sys.stderr))]
+        self.circumstances = [*here, sys.version, installation(), str(wants_color(sys.stderr))]
 
 
 class Output:
@@ -182,7 +182,7 @@ def _holds(path: str, content: str | None) -> bool:
         return file.read() == content.encode()
 
 
-def _installation() -> str:
+def installation() -> str:
     """The digest of the names, sizes and times of all files of the compiler and its packages."""
     found = sorted(_stamps(_ROOT))
     from importlib.util import find_spec

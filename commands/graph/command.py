@@ -16,6 +16,7 @@ from ..terminal import FAILED
 if TYPE_CHECKING:
     from ...compiled import CompiledFrame, CompiledMaterial
     from ...compiler.diagnostics.source import Span
+    from .model import Picture
 
 STDOUT = "-"
 FORMATS = ("svg", "dot", "text")
@@ -229,9 +230,27 @@ def _written(subject: CompiledMaterial | CompiledFrame, request: Request, form: 
         from .dot import written as as_dot
 
         return as_dot(found)
-    _insist_on_size(subject.name, len(found.boxes))
+    return _drawn(found)
+
+
+def as_svg(subject: CompiledFrame | CompiledMaterial) -> str:
+    """The picture of a frame, a material or a kernel; ``burnish gallery`` shows it.
+
+    Raises ``CompileError`` if it is too large to be read.
+    """
+    from ...compiled import CompiledFrame
+
+    if isinstance(subject, CompiledFrame):
+        return _frame_written(subject, "svg")
+    from .build import picture
+
+    return _drawn(picture(subject.shader, subject.staged, everything=False))
+
+
+def _drawn(found: Picture) -> str:
     from .svg import drawn
 
+    _insist_on_size(found.title.partition(",")[0], len(found.boxes))
     return drawn(found)
 
 

@@ -30,7 +30,7 @@ _token = partial(tuple.__new__, Token)
 
 
 @cache
-def _pattern() -> re.Pattern[str]:
+def token_pattern() -> re.Pattern[str]:
     """One expression for any token: proper ones first, then marks, then whatever is malformed.
 
     Blanks belong to what stands before them, so that half as many matches are needed.
@@ -50,7 +50,7 @@ def lex(source: Source, report: Report) -> Lexed:
     """All tokens of ``source``. What cannot be read is reported, and corrected or left out."""
     tokens: list[Token] = []
     docs = _DocCollector(source.text, tokens)
-    for match in _pattern().finditer(source.text):
+    for match in token_pattern().finditer(source.text):
         kind = match.lastgroup or ""
         if kind in ("BLANK", "COMMENT"):
             continue

@@ -14,11 +14,12 @@ from threading import Event
 from ...frozen import EMPTY
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import Device, DriverError
+from ..runner.frames.by_route import lacking
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameSubject, is_frame, is_shader
 from ..runner.kernels import UndrawableError, is_drawn
 from ..runner.reference import STORE, Draw, expected
-from ..runner.routes import EVERY_DRIVER, Route
+from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.store import Store
 from ..runner.subject import Subject
@@ -150,10 +151,7 @@ def _lacking(plan: AnyPlan, route: Route) -> str | None:
     """Why there is nothing to draw for a route, or nothing to compare with."""
     profile = route.profile
     if isinstance(plan, FramePlan):
-        if not EVERY_DRIVER[route.driver].draws_frames:
-            return f"{route.driver} draws no frames"
-        every = (shader.lacking.get(profile) for shader in plan.subject.shaders)
-        return next(filter(None, every), None)
+        return lacking(plan.subject, route)
     meant = plan.meant if isinstance(plan, Plan) else plan.subject
     return plan.subject.lacking.get(profile) or meant.lacking.get(profile)
 

@@ -238,6 +238,35 @@ def test_a_frame_finds_what_the_last_one_left(studio: Studio, where: str) -> Non
     assert [frame["other"][0][1, 2, 0] for frame in frames] == [1, 2, 3]
 
 
+@EVERYWHERE
+def test_what_is_drawn_in_the_first_frame_only_is_there_in_later_ones(
+    studio: Studio, where: str
+) -> None:
+    text = f"""{NUMBERS}
+    pass Table : FullScreen {{
+        param scale : float
+        target value : rgba16f = scale * uv.x * vec4(1)
+    }}
+    pass Next : FullScreen {{
+        map table  : texture2d with {{ filter = nearest, mip = none }}
+        map before : texture2d with {{ filter = nearest, mip = none }}
+        place = ivec2(frag_coord.xy)
+        target value : rgba16f = table.load(place) + before.load(place)
+    }}
+    frame F {{
+        table = Table(screen, ivec2(8, 4)) with {{ scale = 8 }}
+        again = Next(screen, ivec2(8, 4)) with {{ table = table.value, before = table.value }}
+        count = Next(screen) with {{ table = again.value, before = previous(count.value) }}
+        output value = count.value
+    }}"""
+    (frame,) = burnish.compile(text, PROFILES, partial=True).frames
+    assert [step["only_first"] for step in frame.plan["steps"]] == [True, True, False]
+    frames = outputs(text, where, studio, 3)
+    wanted = 2 * (RAMP[0, :, 0] + 0.5)
+    for number, found in enumerate(frames):
+        assert found["value"][0][1, :, 0] == pytest.approx((number + 1) * wanted)
+
+
 @pytest.mark.parametrize("where", WITH_BUFFERS)
 def test_kernels_and_passes_feed_each_other(studio: Studio, where: str) -> None:
     text = f"""{NUMBERS}

@@ -40,6 +40,15 @@ class Coverage:
     doubtful: Fragments
     """Those that a device may have or not, whether they are among the fragments or not."""
 
+    def in_order(self) -> tuple[Fragments, Bools]:
+        """All that any device has, each once, in the order of drawing; which are certain."""
+        sure = self.certain
+        face = np.concatenate([self.fragments.face[sure], self.doubtful.face])
+        pixel = np.concatenate([self.fragments.pixel[sure], self.doubtful.pixel])
+        order = np.argsort(face, kind="stable")
+        certain: Bools = order < int(sure.sum())
+        return Fragments(face[order], pixel[order]), certain
+
 
 @dataclass(frozen=True, slots=True)
 class _Edges:

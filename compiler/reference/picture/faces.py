@@ -149,6 +149,10 @@ def triangles_of(
     moved = moved_by(places, of_places, rules).max(axis=1, keepdims=True)
     z_off, per_w_off = depths_off(places, of_places)
     unsure = unsure_corners(across, down, moved, rules)
+    unsure = np.maximum(unsure, np.roll(unsure, -1, axis=1))
+    # Parts of one triangle show the same plane, and a pixel between them is drawn once: by which
+    # of them makes no difference.
+    unsure = np.where(clipped.inner, 0.0, unsure)
     moved = np.broadcast_to(moved, across.shape)
     if rules.interpolates_snapped:
         whole = window(positions[corners], rules)
@@ -164,7 +168,7 @@ def triangles_of(
         y=snapped_y,
         area=area,
         front=(area < 0) == (front == "counter_clockwise"),
-        unsure=np.maximum(unsure, np.roll(unsure, -1, axis=1)),
+        unsure=unsure,
         moved=moved,
         extent=extent_of(planes, rules),
         plane_x=np.where(turned, snapped_x, planes[0]),

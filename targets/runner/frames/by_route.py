@@ -30,10 +30,10 @@ from ..drivers.frame_job import (
     groups_of,
 )
 from ..kernels import dispatch_of, full_screen_state, has_images
-from ..routes import Route
+from ..routes import EVERY_DRIVER, Route
 from ..runner import Runner
 from .host import FrameDraw as HostDraw
-from .host import FrameHost, Row
+from .host import FrameHost, FrameSubject, Row
 
 Floats = NDArray[np.float64]
 
@@ -42,6 +42,14 @@ WORD = 4
 """Bytes."""
 NEW = -1
 """A texture, or a buffer, that a draw brings along."""
+
+
+def lacking(subject: FrameSubject, route: Route) -> str | None:
+    """What a route lacks to draw a frame, or ``None``."""
+    if not EVERY_DRIVER[route.driver].draws_frames:
+        return f"{route.driver} draws no frames"
+    every = (shader.lacking.get(route.profile) for shader in subject.shaders)
+    return next(filter(None, every), None)
 
 
 def draw_frames(

@@ -17,6 +17,7 @@ from ....compiler.reference.picture.scene import Area
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
+from ..scene import value_roles
 from ..scene_state import CLEAR, Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
@@ -145,6 +146,8 @@ class FrameHost:
         scenery.scene.apply(self.values, width / height)
         self.given: frozenset[str] = frozenset()
         """The names of what has been set; a scene leaves that alone."""
+        self.size = size
+        """Of what is shown: width and height."""
         self._tell("size", size)
         self.instances = [Instance(shader.reflection) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
@@ -177,9 +180,9 @@ class FrameHost:
 
     def _tell(self, name: str, value: object) -> None:
         """Set what hosts tell every frame, unless this one says it itself or it has been set."""
-        known = {row["name"] for row in self.plan["parameters"]}
-        if name in known and name not in self.given:
-            self.values.set(name, value)
+        for own, role in value_roles(self.plan).items():
+            if role == name and own not in self.given:
+                self.values.set(own, value)
 
     # --- numbers ---------------------------------------------------------------------------------
 

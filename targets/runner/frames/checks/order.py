@@ -33,8 +33,6 @@ class _Execution:
         """Textures that this frame has used."""
         self._holds: dict[int, dict[tuple[int, int], str]] = {}
         """For each texture which result each layer and level holds."""
-        self._copies: dict[int, str] = {}
-        """For each texture that a copy has filled, of which result."""
         self._buffers: set[str] = set()
         """The results that are there in buffers."""
         self._kept_buffers: set[str] = set()
@@ -42,6 +40,9 @@ class _Execution:
         self._waited: set[int] = set()
         """Textures with a barrier before this step."""
         self._used_here: set[int] = set()
+        rare = [step for step in plan["steps"] if is_rare(step)]
+        self._lasting = {texture for step in rare for _, texture in written(step)}
+        """Textures that only the first frame draws to, and that keep what is in them."""
 
     def execute(self) -> None:
         """Draw two frames."""
@@ -49,18 +50,20 @@ class _Execution:
             if row["previous"] is not None:
                 self._uses[row["previous"]] = "sampled"
         for is_first in (True, False):
-            self._begin()
+            self._begin(is_first)
             for step in self._plan["steps"]:
                 if is_first or not is_rare(step):
                     self._do(step, is_first)
             self._end()
 
-    def _begin(self) -> None:
+    def _begin(self, is_first: bool) -> None:
         """Forget what the last frame has left, but for what is kept."""
-        previous = {row["previous"] for row in self._plan["kept"]}
+        kept = {row["previous"] for row in self._plan["kept"]}
+        if not is_first:
+            kept |= self._lasting
         self._holds = {texture: held for texture, held in self._holds.items()
-                       if texture in previous}  # fmt: skip
-        self._touched, self._copies, self._buffers = set(previous), {}, set()
+                       if texture in kept}  # fmt: skip
+        self._touched, self._buffers = kept, set()
 
     def _end(self) -> None:
         """Give the host its outputs, and the next frame what it reads."""
@@ -163,9 +166,8 @@ class _Execution:
         self._finds(source["texture"], source["result"])
         self._written(target["texture"], "copied_to")
         whole = places(self._plan["textures"][target["texture"]])
-        result: str = target["result"]
+        result: str = source["result"]
         self._holds[target["texture"]] = dict.fromkeys(whole, result)
-        self._copies[target["texture"]] = source["result"]
 
     def _draw(self, target: Row, use: str) -> None:
         texture, result, over = target["texture"], target["result"], target["over"]
@@ -175,18 +177,11 @@ class _Execution:
         for layer in range(layers) if target["layer"] is None else (target["layer"],):
             place = layer, target["level"]
             found = held.get(place)
-            if target["load"] == "load" and not self._is_over(texture, found, result, over):
+            if target["load"] == "load" and found != (over or result):
                 self._fail(f"`{result}` is drawn over something else: {found or 'nothing'}")
             if target["load"] == "clear" and (found == result or over is not None):
                 self._fail(f"`{result}` is cleared, and should be drawn over")
             held[place] = result if target["store"] else ""
-
-    def _is_over(self, texture: int, found: str | None, result: str, over: str | None) -> bool:
-        """Whether what is there is what a step draws over: another result, a copy of it, or what
-        the step's result is so far."""
-        if over is None:
-            return found == result
-        return found == over or (found == result and self._copies.get(texture) == over)
 
     def _fail(self, text: str) -> None:
         fail(self._plan, self._step, text)

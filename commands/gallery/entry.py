@@ -1,0 +1,104 @@
+"""What the gallery knows of one file: plain data, which is sent from process to process and kept.
+
+``making.py`` makes an ``Entry``, ``kept.py`` keeps it, and ``pages.py`` shows it.
+"""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+
+class Text(TypedDict):
+    """A shader in one language."""
+
+    language: str
+    file: str
+    text: str
+
+
+class Stage(TypedDict):
+    """The texts of one stage."""
+
+    name: str
+    texts: list[Text]
+
+
+class Program(TypedDict):
+    """A material, kernel or shader of a frame in all languages."""
+
+    label: str
+    stages: list[Stage]
+    lacking: list[str]
+    """Why there is no text for a language."""
+
+
+class Graph(TypedDict):
+    """A picture of what is computed where, or of the steps of a frame."""
+
+    label: str
+    svg: str
+    problem: str
+    """Why there is none."""
+
+
+class Figure(TypedDict):
+    """A picture by the reference or a route."""
+
+    label: str
+    """What it shows."""
+    route: str
+    note: str
+    """The device that has drawn it, or why there is no picture."""
+    picture: str
+    """The name of the picture; empty if there is none."""
+    status: str
+    """``drawn``, ``not run`` or ``failed``."""
+
+
+class Verdict(TypedDict):
+    """How a route has drawn something, as ``burnish conform`` says it."""
+
+    label: str
+    route: str
+    title: str
+    status: str
+    difference: str
+    share: str
+    bite: str
+    unproven: str
+    problem: str
+    device: str
+    lines: list[str]
+    """What is wrong, or weak."""
+
+
+class Entry(TypedDict):
+    """All that the gallery shows of one file."""
+
+    source: str
+    kinds: list[str]
+    """Whether there are materials, kernels or frames in it."""
+    names: list[str]
+    command: str
+    """The command that draws the pictures."""
+    programs: list[Program]
+    graphs: list[Graph]
+    figures: list[Figure]
+    verdicts: list[Verdict]
+    notes: list[str]
+    """What commands have said: warnings, and what was made up for the pictures."""
+    errors: list[str]
+    """What has gone wrong, each as a command tells it."""
+    pictures: dict[str, str]
+    """Files in PNG, as Base64, by their names."""
+    inputs: dict[str, str]
+    """The digests of all files that were read, by their paths; empty where none was there."""
+
+
+def failed(source: str, reason: str) -> Entry:
+    """The entry of a file of which nothing can be shown but its text."""
+    return {
+        "source": source, "kinds": [], "names": [], "command": "", "programs": [], "graphs": [],
+        "figures": [], "verdicts": [], "notes": [], "errors": [reason], "pictures": {},
+        "inputs": {},
+    }  # fmt: skip

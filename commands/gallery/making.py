@@ -1,0 +1,320 @@
+"""Makes the entry of one file: its texts, graphs, pictures and verdicts, as the commands make them.
+
+``worker.py`` keeps a ``Maker`` in each of the gallery's processes, so that drivers start once.
+"""
+
+from __future__ import annotations
+
+import base64
+import re
+import shlex
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from hashlib import blake2b
+from io import StringIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ...compiled import CompiledFrame, CompiledMaterial
+from ...compiler.diagnostics import rules
+from ...compiler.diagnostics.diagnostic import CompileError, Report
+from ...compiler.inputs import Inputs
+from ...compiler.ir.stages import COMPUTED
+from ...targets.closing import Closing
+from ...targets.conformance import summary
+from ...targets.conformance.conform import conform as compare
+from ...targets.runner.frames.by_route import lacking
+from ...targets.runner.pictures import encoded
+from ...targets.runner.routes import Route
+from ...targets.runner.runner import Runner
+from ...targets.selection import DEFAULT, full_name, select_targets
+from ...targets.toolchain import Toolchain
+from .. import compared, frames, panels, subjects
+from ..conform import conform
+from ..failures import told
+from ..frame_files import image_of
+from ..graph.command import as_svg
+from ..progress import Progress
+from ..render import render
+from .entry import Entry, Figure, Graph, Program, Stage, Text, Verdict, failed
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from ...targets.conformance.rows import Row
+
+REFERENCE = "reference"
+_COMMAND = re.compile(r"burnish (render \S+\.burnish -o \S+.*)")
+"""A command in the first comment of a file, which says how it is drawn."""
+_FILE_DOC = re.compile(r"^//!(.*)$", re.MULTILINE)
+"""A line of such a comment."""
+
+
+class Maker(Closing):
+    """Makes entries; owns the drivers that draw."""
+
+    def __init__(self, routes: Sequence[Route], shown: Sequence[Route], size: int) -> None:
+        """``routes`` are compared with the reference; ``shown`` draw the pictures beside its
+        own."""
+        self._routes, self._shown, self._size = routes, shown, size
+        every = dict.fromkeys([*routes, *shown])
+        self._runner = Runner(every, parallel=1)
+        self._toolchain = Toolchain()
+
+    def close(self) -> None:
+        """End the drivers."""
+        self._runner.close()
+        self._toolchain.close()
+
+    def entry(self, file: Path) -> Entry:
+        """Everything about one file. What goes wrong is part of it."""
+        entry = failed(file.read_text("utf-8", "replace"), "")
+        entry["errors"] = []
+        _Making(self._routes, self._shown, self._size, self._runner, self._toolchain, file,
+                entry).run()  # fmt: skip
+        return entry
+
+
+class _Making:
+    """The entry of one file, while it is made."""
+
+    def __init__(
+        self,
+        routes: Sequence[Route],
+        shown: Sequence[Route],
+        size: int,
+        runner: Runner,
+        toolchain: Toolchain,
+        file: Path,
+        entry: Entry,
+    ) -> None:
+        self._routes, self._shown, self._size = routes, shown, size
+        self._runner, self._toolchain = runner, toolchain
+        self._file, self._entry = file, entry
+
+    def run(self) -> None:
+        words = ["--routes", "all", str(self._file)]
+        found: compared.Subjects = []
+        with self._told(conform, words) as chosen:
+            request = compared.Request(**chosen)
+            inputs: list[Inputs] = []
+            further = [*_profiles(), *(route.profile for route in self._shown)]
+            try:
+                found = compared.subjects_of(
+                    request, self._routes, native_stages=False, further=further, read=inputs.append
+                )
+            except CompileError as error:
+                if {found.rule for found in error.diagnostics} != {rules.NO_MATERIAL}:
+                    raise
+                self._entry["kinds"].append("module")
+                inputs.append(_alone(self._file))
+            self._entry["inputs"] = _digests(inputs)
+        if self._entry["errors"]:
+            return
+        self._name(found)
+        self._texts(found)
+        if not found:
+            return
+        self._draw(found)
+        with self._told(conform, words):
+            self._compare(found)
+
+    @contextmanager
+    def _told(self, command: click.Command, words: Sequence[str]) -> Iterator[dict[str, Any]]:
+        """A command's options, in whose context what goes wrong becomes part of the entry."""
+        said = StringIO()
+        try:
+            with (
+                redirect_stderr(said),
+                redirect_stdout(said),
+                command.make_context(command.name, list(words)) as context,
+                told(),
+            ):
+                yield context.params
+        except click.exceptions.Exit:
+            self._entry["errors"].append(said.getvalue().strip())
+        except click.ClickException as error:
+            self._entry["errors"].append(error.format_message())
+        else:
+            self._entry["notes"] += filter(None, [said.getvalue().strip()])
+
+    def _name(self, found: compared.Subjects) -> None:
+        """Tell what there is."""
+        for _label, subject in found:
+            if isinstance(subject, CompiledFrame):
+                kind = "frame"
+            else:
+                kind = "kernel" if subject.shader.chain == COMPUTED else "material"
+            if kind not in self._entry["kinds"]:
+                self._entry["kinds"].append(kind)
+            if subject.name not in self._entry["names"]:
+                self._entry["names"].append(subject.name)
+
+    # --- texts and graphs ---
+
+    def _texts(self, found: compared.Subjects) -> None:
+        for label, subject in found:
+            name = label.partition(": ")[2]
+            self._entry["graphs"].append(_graph(name, subject))
+            if isinstance(subject, CompiledFrame):
+                self._entry["programs"] += (_program(s.name, s) for s in subject.shaders)
+            else:
+                self._entry["programs"].append(_program(name, subject))
+
+    # --- pictures ---
+
+    def _draw(self, found: compared.Subjects) -> None:
+        words = self._command()
+        self._entry["command"] = shlex.join(["burnish", "render", *words])
+        routes: list[Route | None] = [None, *self._shown]
+        with self._told(render, [*words, "--size", str(self._size)]) as chosen:
+            # With everything, what a route lacks is no error.
+            whole = {**chosen, "file": self._file, "on": (subjects.EVERYTHING,)}
+            request = subjects.Request(**whole)
+            drawn = [subject for _label, subject in found if isinstance(subject, CompiledFrame)]
+            for frame in drawn:
+                self._draw_frame(frame, request, routes)
+            if not drawn:
+                self._draw_materials(request, routes)
+
+    def _command(self) -> list[str]:
+        """The words behind ``burnish render``: those that the first comment of the file says, or
+        the plain ones."""
+        for line in _FILE_DOC.findall(self._entry["source"]):
+            if found := _COMMAND.search(line):
+                words = shlex.split(found[1])[1:]
+                if words[0] == self._file.name:
+                    return words
+        return [self._file.name, "-o", f"{self._file.stem}.png"]
+
+    def _draw_materials(self, request: subjects.Request, routes: Sequence[Route | None]) -> None:
+        usable = [route for route in self._shown if self._runner.problem(route) is None]
+        found = subjects.subjects(request, usable, lambda _share: None)
+        progress = Progress("drawing")
+        for panel in panels.panels(found, routes, request.target, self._runner, progress):
+            *titles, route = panel.titles
+            self._figure(", ".join(titles), route, panel.note, panel.image, panel.problem)
+
+    def _draw_frame(
+        self, frame: CompiledFrame, request: subjects.Request, routes: Sequence[Route | None]
+    ) -> None:
+        made = frames.host_maker(frame, request)
+        for route in routes:
+            name = REFERENCE if route is None else route.name
+            problem = route and (self._runner.problem(route) or lacking(frame, route))
+            if problem:
+                self._figure(frame.name, name, problem, None, panels.NOT_RUN)
+                continue
+            with self._failure_of(frame.name, name):
+                progress = Progress("drawing")
+                drawn = frames.draw_by(
+                    route, made, request, self._runner, self._toolchain, progress
+                )
+                for output in frames.frame_outputs(frame, request.target):
+                    image = image_of(drawn[-1][output])
+                    self._figure(f"{frame.name}.{output}", name, self._device(route), image, "")
+
+    def _device(self, route: Route | None) -> str:
+        """What has drawn."""
+        if route is None:
+            return "float64"
+        device = self._runner.device(route)
+        return f"{device.name}, {device.version}"
+
+    @contextmanager
+    def _failure_of(self, label: str, route: str) -> Iterator[None]:
+        """A route that fails has a figure that says so; the other routes draw all the same."""
+        from ...targets.runner.codes import CodeError
+        from ...targets.runner.drivers.draw import DriverError
+        from ...targets.runner.frames.checking import PlanError
+
+        try:
+            yield
+        except (CodeError, DriverError, PlanError) as error:
+            self._figure(label, route, str(error), None, panels.BROKEN)
+
+    def _figure(self, label: str, route: str, note: str, image: Image | None, problem: str) -> None:
+        name = ""
+        if image is not None:
+            name = f"{len(self._entry['pictures'])}-{route.replace(':', '-')}.png"
+            content = encoded(image, Path(name))
+            self._entry["pictures"][name] = base64.b64encode(content).decode("ascii")
+        figure: Figure = {
+            "label": label, "route": route, "note": note, "picture": name,
+            "status": problem or "drawn",
+        }  # fmt: skip
+        self._entry["figures"].append(figure)
+        if problem == panels.BROKEN:
+            self._entry["errors"].append(f"{label}, {route}: {note}")
+
+    # --- verdicts ---
+
+    def _compare(self, found: compared.Subjects) -> None:
+        rows = compare(found, self._routes, self._runner, self._toolchain)
+        for label, own in summary.by_material(rows).items():
+            said = {
+                row.route.name: lines for some, lines in summary.messages(own) for row in some[:1]
+            }
+            for row in own:
+                self._entry["verdicts"].append(_verdict(label, row, said.get(row.route.name, ())))
+                if summary.is_failure(row, strict=False):
+                    lines = "\n".join(said.get(row.route.name, ()))
+                    self._entry["errors"].append(
+                        f"{label}, {row.route.name}: {row.status}\n{lines}"
+                    )
+
+
+def _verdict(label: str, row: Row, lines: Sequence[str]) -> Verdict:
+    route, status, difference, share, bite, unproven = summary.cells(row)
+    device = "" if row.device is None else f"{row.device.name}, {row.device.version}"
+    return {
+        "label": label.partition(": ")[2], "route": route, "title": row.route.title,
+        "status": status, "difference": difference, "share": share, "bite": bite,
+        "unproven": unproven, "problem": row.problem, "device": device, "lines": list(lines),
+    }  # fmt: skip
+
+
+def _profiles() -> list[str]:
+    """The profiles whose texts are shown, by their full names: the first one of each language."""
+    return [full_name(language, profile) for language, profile in
+            select_targets([DEFAULT], Report(), single_file=False)]  # fmt: skip
+
+
+def _program(label: str, material: CompiledMaterial) -> Program:
+    """The texts of a material, stage by stage."""
+    profiles = _profiles()
+    stages: dict[str, list[Text]] = {}
+    for file in material.files:
+        if f"{file.target}:{file.profile}" in profiles:
+            text: Text = {"language": file.target, "file": file.name, "text": file.text}
+            stages.setdefault(file.stage, []).append(text)
+    found: list[Stage] = [{"name": name, "texts": texts} for name, texts in stages.items()]
+    lacks = [f"{name}: {why}" for name, why in material.lacking.items() if name in profiles]
+    return {"label": label, "stages": found, "lacking": lacks}
+
+
+def _graph(label: str, subject: CompiledFrame | CompiledMaterial) -> Graph:
+    try:
+        return {"label": label, "svg": as_svg(subject), "problem": ""}
+    except CompileError as error:
+        return {"label": label, "svg": "", "problem": error.diagnostics[0].message}
+
+
+def _alone(file: Path) -> Inputs:
+    """What a file depends on that others import: of its own imports, theirs knows."""
+    inputs = Inputs()
+    inputs.read(file, file.read_bytes())
+    return inputs
+
+
+def _digests(read: Sequence[Inputs]) -> dict[str, str]:
+    """The digests of all files that were read, by their paths."""
+    contents = {path: content for inputs in read for path, content in inputs.contents.items()}
+    return {path: digest_of(content) for path, content in contents.items()}
+
+
+def digest_of(content: bytes | None) -> str:
+    """The digest of a file; empty for one that is not there."""
+    return "" if content is None else blake2b(content, digest_size=20).hexdigest()

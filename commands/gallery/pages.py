@@ -1,0 +1,207 @@
+"""Writes the pages of a gallery: one that shows all files, and one for each of them.
+
+``command.py`` calls ``pages``. The pages consist of local files only and ask for nothing else, so a
+browser shows them from disk.
+"""
+
+from __future__ import annotations
+
+import base64
+import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from html import escape
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from ...targets.conformance.rows import STATUSES
+from ...targets.runner.routes import Route
+from .catalogue import Group, Listed
+from .entry import Entry, Figure, Verdict
+from .highlighting import burnish_text, shader_text
+
+FOLDER = Path(__file__).parent
+STATIC = ("gallery.css", "gallery.js")
+_WORDS = {"agrees": "agree", "differs": "differ", "proves little": "prove little",
+          "overflows": "overflow"}  # fmt: skip
+"""What is said of several."""
+_KINDS = {"material": "materials", "kernel": "kernels", "frame": "frames", "module": "modules"}
+
+
+class _Page(NamedTuple):
+    """A file of the gallery with its page."""
+
+    listed: Listed
+    entry: Entry
+    slug: str
+
+    @property
+    def title(self) -> str:
+        """What it shows, or what it is called."""
+        what = self.listed.what
+        return what[:1].upper() + what[1:] if what else self.listed.name
+
+    @property
+    def address(self) -> str:
+        """The name of the page."""
+        return f"{self.slug}.html"
+
+
+def pages(
+    title: str, groups: Sequence[Group], entries: Mapping[str, Entry], routes: Sequence[Route]
+) -> dict[str, bytes]:
+    """All files of the gallery, by their names."""
+    environment = Environment(
+        loader=FileSystemLoader(FOLDER),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {"words": _marked, "shader": shader_text}
+    found = {name: (FOLDER / name).read_bytes() for name in STATIC}
+    shown = _named([file for group in groups for file in group.files], entries)
+    for number, page in enumerate(shown):
+        before, after = shown[number - 1], shown[(number + 1) % len(shown)]
+        text = environment.get_template("page.html.j2").render(
+            gallery=title, page=page, entry=page.entry, before=before, after=after,
+            source=burnish_text(page.entry["source"]),
+            doc=_comment(page.entry["source"]),
+            figures=_by_label(page.entry["figures"]),
+            verdicts=_by_label(page.entry["verdicts"]),
+            summary=in_short(page.entry), state=_state(page.entry),
+        )  # fmt: skip
+        found[page.address] = text.encode()
+        for name, content in page.entry["pictures"].items():
+            found[f"{page.slug}-{name}"] = base64.b64decode(content)
+    by_name = {page.listed.name: page for page in shown}
+    index = environment.get_template("index.html.j2").render(
+        title=title,
+        groups=[
+            {
+                "title": group.title,
+                "intro": group.intro,
+                "cards": [_card(by_name[file.name]) for file in group.files],
+            }
+            for group in groups
+        ],
+        kinds=_counted_kinds(shown),
+        total=len(shown),
+        summary=_counted([v for page in shown for v in page.entry["verdicts"]]),
+        routes=_routes(routes, shown),
+        wrong=[page for page in shown if page.entry["errors"]],
+    )
+    found["index.html"] = index.encode()
+    return found
+
+
+def in_short(entry: Entry) -> str:
+    """What came of a file, in a few words."""
+    if entry["errors"] and not entry["verdicts"]:
+        return "error"
+    return _counted(entry["verdicts"]) or "nothing to draw"
+
+
+def _named(files: Sequence[Listed], entries: Mapping[str, Entry]) -> list[_Page]:
+    """Each file with a name of its own for its page, which all lie in one folder."""
+    taken = {"index"}
+    found = []
+    for file in files:
+        plain = file.name.removesuffix(".burnish").replace("/", "-")
+        slug, number = plain, 2
+        while slug.lower() in taken:
+            slug, number = f"{plain}-{number}", number + 1
+        taken.add(slug.lower())
+        found.append(_Page(file, entries[file.name], slug))
+    return found
+
+
+def _card(page: _Page) -> dict[str, Any]:
+    entry = page.entry
+    shown = next((each["picture"] for each in entry["figures"] if each["picture"]), "")
+    words = [page.listed.name, page.listed.what, *entry["names"], *_comment(entry["source"])]
+    return {
+        "page": page, "picture": f"{page.slug}-{shown}" if shown else "", "kinds": entry["kinds"],
+        "words": " ".join(words).lower(), "state": _state(entry), "summary": in_short(entry),
+    }  # fmt: skip
+
+
+def _state(entry: Entry) -> str:
+    """Whether something is wrong, weak or fine, or nothing was compared."""
+    statuses = {verdict["status"] for verdict in entry["verdicts"]}
+    if entry["errors"]:
+        return "wrong"
+    if "proves little" in statuses:
+        return "weak"
+    return "fine" if "agrees" in statuses else "none"
+
+
+def _counted(verdicts: Sequence[Verdict]) -> str:
+    """How many verdicts there are of each kind: ``12 agree, 1 not run``."""
+    counts = Counter(verdict["status"] for verdict in verdicts)
+    return ", ".join(
+        f"{counts[status]} {status if counts[status] == 1 else _WORDS.get(status, status)}"
+        for status in STATUSES
+        if counts[status]
+    )
+
+
+def _counted_kinds(shown: Sequence[_Page]) -> list[dict[str, Any]]:
+    counts = Counter(kind for page in shown for kind in page.entry["kinds"])
+    return [{"kind": kind, "words": words, "count": counts[kind]}
+            for kind, words in _KINDS.items() if counts[kind]]  # fmt: skip
+
+
+def _routes(routes: Sequence[Route], shown: Sequence[_Page]) -> list[dict[str, Any]]:
+    """Each route with what came of it, what has drawn, and why it was not run."""
+    verdicts = [verdict for page in shown for verdict in page.entry["verdicts"]]
+    found = []
+    for route in routes:
+        own = [verdict for verdict in verdicts if verdict["route"] == route.name]
+        devices = dict.fromkeys(v["device"] for v in own if v["device"])
+        reasons = Counter(v["problem"] for v in own if v["status"] == "not run")
+        found.append({
+            "name": route.name, "title": route.title, "summary": _counted(own),
+            "device": "; ".join(devices), "reasons": reasons.most_common(),
+        })  # fmt: skip
+    return found
+
+
+def _by_label(rows: Sequence[Figure] | Sequence[Verdict]) -> dict[str, list[Any]]:
+    """Figures or verdicts of the same thing, side by side."""
+    found: dict[str, list[Any]] = {}
+    for row in rows:
+        found.setdefault(row["label"], []).append(row)
+    return found
+
+
+def _comment(source: str) -> list[str]:
+    """The paragraphs of the comment about a whole file; one that is indented is a command."""
+    lines = [line[3:] for line in source.splitlines() if line.startswith("//!")]
+    paragraphs = [""]
+    for line in lines:
+        if not line.strip():
+            paragraphs.append("")
+        elif line.startswith("     "):
+            paragraphs += [line, ""]
+        else:
+            paragraphs[-1] = f"{paragraphs[-1]} {line.strip()}".strip()
+    return [paragraph for paragraph in paragraphs if paragraph]
+
+
+def _marked(text: str) -> Markup:
+    """A line of Markdown with code and emphasis; links become their words."""
+    plain = re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", text)
+    pieces = re.split(r"(`[^`]+`|\*\*?[^*`\s][^*`]*\*\*?)", escape(plain))
+    return Markup("".join(map(_styled, pieces)))
+
+
+def _styled(piece: str) -> str:
+    if piece.startswith("`"):
+        return f"<code>{piece[1:-1]}</code>"
+    if piece.startswith("*") and piece.endswith("*") and piece.strip("*"):
+        return f"<em>{piece.strip('*')}</em>"
+    return piece

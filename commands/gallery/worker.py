@@ -1,0 +1,33 @@
+"""A process of ``burnish gallery``: it makes the entries of files, one after the other.
+
+``command.py`` starts a few with ``python -m``; each keeps its drivers, which start slowly.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from pathlib import Path
+
+from ...targets.runner.routes import select
+from .making import Maker
+
+
+def main() -> None:
+    """Answer questions until the input ends. What libraries print goes to standard error."""
+    folder, routes, shown, size = sys.argv[1:]
+    os.chdir(folder)  # Messages name files as the gallery does.
+    with (
+        os.fdopen(os.dup(1), "w") as answers,
+        Maker(select([routes]), select([shown]), int(size)) as maker,
+    ):
+        os.dup2(2, 1)
+        for line in sys.stdin:
+            entry = maker.entry(Path(json.loads(line)["file"]))
+            answers.write(json.dumps({"entry": entry}) + "\n")
+            answers.flush()
+
+
+if __name__ == "__main__":
+    main()
