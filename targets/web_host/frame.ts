@@ -183,11 +183,11 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   }
 
   private settings(step: DrawStep): DrawSettings {
-    const area = (value: number | null) => (value === null ? null : (this.number(value) as Area));
+    const area = (value: number | null) => (value === null ? null : (this.resources.number(value) as Area));
     return {
       viewport: area(step.viewport),
       scissor: area(step.scissor),
-      blendConstant: step.blend_constant === null ? USUAL.blendConstant : this.number(step.blend_constant),
+      blendConstant: step.blend_constant === null ? USUAL.blendConstant : this.resources.number(step.blend_constant),
     };
   }
 
@@ -195,7 +195,7 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   private cleared({ texture, clear }: Target): number[] {
     const isDepths = this.plan.textures[texture].format.startsWith("depth");
     if (clear === null) return isDepths ? [1] : [0, 0, 0, 0];
-    const found = this.number(clear);
+    const found = this.resources.number(clear);
     return isDepths ? [Math.min(Math.max(found[0], 0), 1)] : found;
   }
 

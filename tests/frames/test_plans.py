@@ -127,17 +127,6 @@ def test_what_others_need_is_copied_before() -> None:
     check_plan(plan)
 
 
-def test_results_share_textures() -> None:
-    """Of the example with the most results, at most 60 % of their memory is needed. Steps do not
-    count: one result may have a step for each face and level."""
-    sums = {}
-    for path in EXAMPLES:
-        plan = compiled(path).plan
-        results = [row for row in plan["results"] if row["texture"] is not None]
-        sums[len(results)] = len(plan["textures"]) / len(results)
-    assert sums[max(sums)] <= 0.6
-
-
 TABLES = """
 import std.frames.{FullScreen}
 pass Table : FullScreen {

@@ -631,21 +631,43 @@ class Steps:
                 return None
             if isinstance(left, StepValue):
                 images = {n: i for n, i in left.left.items() if isinstance(i, Image)}
-                found |= images
             elif isinstance(left, Image):
-                found[left.name.rpartition(".")[2]] = left
+                images = {left.name.rpartition(".")[2]: left}
             else:
                 self._no_result(left, part.span)
                 return None
+            for name in found.keys() & images.keys():
+                reason = f"both are called `{name}`, and a pass draws over one of this name"
+                self._differ(found[name], images[name], reason, part.span)
+                return None
+            found |= images
         first, *others = found.values()
         for other in others:
             if (other.dimension, other.layers) != (first.dimension, first.layers):
-                self._ctx.report.add(
-                    rules.PLACES_DIFFER, written.span, first=first.name, second=other.name,
-                    reason="they have different layers",
-                )  # fmt: skip
+                self._differ(first, other, "they have different layers", written.span)
+                return None
+            one, two = self._known_size(first), self._known_size(other)
+            if one and two and one != two:
+                reason = f"one is {one[0]} x {one[1]}, the other {two[0]} x {two[1]}"
+                self._differ(first, other, reason, written.span)
                 return None
         return found
+
+    def _differ(self, first: Image, second: Image, reason: str, span: Span) -> None:
+        """Report that two results cannot be drawn over at once."""
+        self._ctx.report.add(
+            rules.PLACES_DIFFER, span, first=first.name, second=second.name, reason=reason
+        )
+
+    def _known_size(self, image: Image) -> tuple[int, int] | None:
+        """The size of an image, if it is known when compiling."""
+        if image.size.value is None:
+            return None
+        match self._ctx.constants.known(self.numbers.nodes[image.size.value]):
+            case (int(width), int(height)):
+                level = image.size.level
+                return max(width >> level, 1), max(height >> level, 1)
+        return None
 
     def _is_step(self, e: ast.Expression, around: Around) -> bool:
         """Whether an expression is about steps, and no number."""

@@ -35,6 +35,9 @@ class FrameTexture:
     is_black: bool = False
     """Whether it is read before a step draws to it: it is transparent black then, or as far away as
     can be."""
+    memory: int | None = None
+    """Of textures with the same number, no step needs two, so they may lie in the same memory: when
+    a barrier takes one of them from ``undefined``, the others lose their contents."""
 
     @property
     def is_depth(self) -> bool:

@@ -30,7 +30,8 @@ from ....compiler.reference.picture import (
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
-from .host import FrameDraw, FrameHost, Row, halved
+from .host import FrameDraw, FrameHost, Row
+from .sizes import halved
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -177,7 +178,7 @@ class ReferenceFrames:
 
     def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
         shader = self._shader(step["draws"][0]["uses"][0]["shader"])
-        width, height = self._size_of(step)
+        width, height = self.host.drawn_size(step)
         state, depth = self.host.state_of(step), step["depth"]
         rules = replace(
             self.rules, width=width, height=height, viewport=state.viewport, scissor=state.scissor
@@ -194,10 +195,6 @@ class ReferenceFrames:
         for draw in draws:
             self._onto(canvas, hulls, draw, rules, layer)
         self._store(canvas, hulls, step, layer, rules)
-
-    def _size_of(self, step: Row) -> tuple[int, int]:
-        target = step["targets"][0] if step["targets"] else step["depth"]
-        return _halved(self.host.size_of(target["texture"]), target["level"])
 
     def _shader(self, number: int) -> Shader:
         if self.shader_of is not None:
@@ -320,7 +317,14 @@ class ReferenceFrames:
             self.buffers |= {row["result"]: written[row["name"]] for row in step["buffers"]}
             return
         rows = [
-            {"texture": row["texture"], "layer": 0, "level": 0, "load": "clear", "clear": None}
+            {
+                "texture": row["texture"],
+                "layer": 0,
+                "level": 0,
+                "load": "clear",
+                "clear": None,
+                "result": row["result"],
+            }
             for row in step["images"]
         ]
         for row in rows:

@@ -13,24 +13,23 @@ from typing import Any, Protocol, TypeGuard
 import numpy as np
 
 from ....compiler.ir.primitives import CORNERS
-from ....compiler.reference.picture.scene import Area
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
 from ..scene import value_roles
-from ..scene_state import CLEAR, Color, SceneState, drawn_state
+from ..scene_state import Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
+from .checks.rows import attachments
 from .scenery import Model, Scenery
+from .settings import StepState, cleared, step_state
+from .sizes import Size, checked_size, drawn_size
 
 VERSION = 1
 """The version of plans that this code executes."""
 
 NUMBERS = 1 << 24
 """How many frames are told apart: then `number` is 0 again."""
-
-DEPTHS = "depth"
-"""What the formats of depths begin with."""
 
 MOST_VERTICES = 1 << 24
 """That a step draws without models: as many as float32 can tell apart."""
@@ -117,16 +116,6 @@ class _Onto:
     """Those of what a camera sees: of the viewport."""
 
 
-@dataclass(frozen=True, slots=True)
-class StepState:
-    """What a step sets for all that it draws."""
-
-    viewport: Area | None
-    scissor: Area | None
-    """``None``: the whole of the targets."""
-    blend_constant: Color
-
-
 class FrameHost:
     """The values of one frame."""
 
@@ -192,15 +181,12 @@ class FrameHost:
 
     def size_of(self, texture: int) -> tuple[int, int]:
         """The width and the height of a texture's first level."""
-        row = self.plan["textures"][texture]["size"]
-        if row["value"] is None:
-            width, height = self._extent(row["extent_of"])
+        row = self.plan["textures"][texture]
+        if row["size"]["value"] is None:
+            width, height = self._extent(row["size"]["extent_of"])
         else:
-            width, height = (int(lane) for lane in self.number(row["value"]))
-        if min(width, height) < 1:
-            names = ", ".join(self.plan["textures"][texture]["results"])
-            raise PlanError(f"{names}: the size would be {width} x {height}")
-        return halved(width, row["level"]), halved(height, row["level"])
+            width, height = (int(lane) for lane in self.number(row["size"]["value"]))
+        return checked_size(row, width, height)
 
     def _extent(self, step: str) -> tuple[int, int]:
         """The size of what a kernel writes. Raises ``PlanError`` before the kernel is run."""
@@ -211,47 +197,27 @@ class FrameHost:
             )
         return self._kernels[step].image_size()
 
+    def drawn_size(self, step: Row) -> Size:
+        """The size of all that a step draws to. Raises ``PlanError`` where its targets differ."""
+        sizes = {row["texture"]: self.size_of(row["texture"]) for row in attachments(step)}
+        return drawn_size(self.plan, step, sizes)
+
     def state_of(self, step: Row) -> StepState:
         """What a step sets for all that it draws. Raises ``PlanError`` for a viewport that is not
-        in its targets."""
-        viewport, scissor, constant = (
-            None if step[name] is None else self.number(step[name])
-            for name in ("viewport", "scissor", "blend_constant")
-        )
-        if viewport is not None:
-            left, top, width, height = viewport
-            whole, high = self.drawn_size(step)
-            inside = left >= 0 <= top and left + width <= whole and top + height <= high
-            if not inside or min(width, height) < 1:
-                raise PlanError(
-                    f"{step['name']}: the viewport of {width} x {height} texels at {left}, {top} "
-                    f"is not within its targets of {whole} x {high} texels"
-                )
-        return StepState(
-            viewport and _area(viewport), scissor and _area(scissor),
-            CLEAR if constant is None else tuple(constant),
-        )  # fmt: skip
+        within its targets."""
+        return step_state(self.plan, step, self.drawn_size(step), self.number)
 
     def clear_of(self, target: Row) -> Color:
-        """What a target is cleared to; of depths, the first number, which is within 0 and 1."""
-        is_depth = self.plan["textures"][target["texture"]]["format"].startswith(DEPTHS)
-        if target["clear"] is None:
-            return (1.0, 0.0, 0.0, 0.0) if is_depth else CLEAR
-        number = self.number(target["clear"])
-        return (min(max(number, 0.0), 1.0), 0.0, 0.0, 0.0) if is_depth else tuple(number)
-
-    def drawn_size(self, step: Row) -> tuple[int, int]:
-        """The size of what a step draws to."""
-        target = [*step["targets"], *([step["depth"]] if step["depth"] else [])][0]
-        width, height = self.size_of(target["texture"])
-        return halved(width, target["level"]), halved(height, target["level"])
+        """What a target is cleared to; of depths, the first number."""
+        return cleared(self.plan, target, self.number)
 
     # --- draws -----------------------------------------------------------------------------------
 
     def draws(self, step: Row, *, is_first: bool) -> Iterator[FrameDraw]:
         """All draws of a step that draws, one behind the other."""
-        size, viewport = self.drawn_size(step), self.state_of(step).viewport
-        onto = _Onto(size, size if viewport is None else viewport[2:])
+        state = self.state_of(step)
+        size = self.drawn_size(step)
+        onto = _Onto(size, size if state.viewport is None else state.viewport[2:])
         for drawn in step["draws"]:
             for light in self._lights(drawn["light"]):
                 yield from self._drawn(drawn, light, onto, is_first)
@@ -370,16 +336,6 @@ class FrameHost:
             instance.set(name, textures[host])
         else:
             instance.set_bytes(name, self.values.buffers()[host].data)
-
-
-def _area(lanes: Sequence[int]) -> Area:
-    left, top, width, height = (int(lane) for lane in lanes)
-    return left, top, width, height
-
-
-def halved(side: int, times: int) -> int:
-    """A side of a texture in one of its mip levels."""
-    return max(side >> times, 1)
 
 
 def _as_reflection(plan: Row) -> dict[str, Any]:

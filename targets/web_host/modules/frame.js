@@ -165,11 +165,11 @@ export class PlanFrame {
         }
     }
     settings(step) {
-        const area = (value) => (value === null ? null : this.number(value));
+        const area = (value) => (value === null ? null : this.resources.number(value));
         return {
             viewport: area(step.viewport),
             scissor: area(step.scissor),
-            blendConstant: step.blend_constant === null ? USUAL.blendConstant : this.number(step.blend_constant),
+            blendConstant: step.blend_constant === null ? USUAL.blendConstant : this.resources.number(step.blend_constant),
         };
     }
     /** What a target is cleared to, or a depth, which is within 0 and 1. */
@@ -177,7 +177,7 @@ export class PlanFrame {
         const isDepths = this.plan.textures[texture].format.startsWith("depth");
         if (clear === null)
             return isDepths ? [1] : [0, 0, 0, 0];
-        const found = this.number(clear);
+        const found = this.resources.number(clear);
         return isDepths ? [Math.min(Math.max(found[0], 0), 1)] : found;
     }
     /** Tell shaders that draw each layer by itself which one it is. */

@@ -15,7 +15,7 @@ from .compute import COMPUTE, make_compute_pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
 from .formats import DEPTHS
-from .frame_textures import USES, MadeTexture, make_frame_texture, record
+from .frame_textures import USES, MadeTexture, make_frame_textures, record
 from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .job import GRAPHICS, INDEX_SIZE, MESH, STORAGE
 from .memory import Buffer, filled_buffer, make_buffer
@@ -43,12 +43,7 @@ class _Frame:
         self._job = job
         written = {image for step in job.steps for image in step.images}
         drawn = {each.texture for step in job.steps for each in _attachments(step)}
-        self._textures = [
-            make_frame_texture(
-                owned, gpu, texture, drawn=number in drawn, written=number in written
-            )
-            for number, texture in enumerate(job.textures)
-        ]
+        self._textures = make_frame_textures(owned, gpu, job, drawn, written)
         self._buffers = [
             filled_buffer(owned, gpu, STORAGE, each.initial.to_bytes(4, "little") * each.words)
             for each in job.buffers
