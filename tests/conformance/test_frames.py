@@ -442,6 +442,65 @@ def test_lights_bring_what_their_steps_leave(studio: Studio, where: str) -> None
     assert found["added"][0][0, 0, 0] == 2 * 30 + 7
 
 
+@EVERYWHERE
+def test_stencil_values_go_from_pass_to_pass(studio: Studio, where: str) -> None:
+    """Five columns are counted once, and three of them twice; both counts are looked at later."""
+    text = f"""{HEAD}{BARS}
+    pass Counting : Bars {{ stencil {{ pass = increment_wrap }} }}
+    pass Marked : FullScreen {{
+        stencil {{ compare = equal, reference = 1 }}
+        target value : rgba32f = vec4(9, 0, 0, 1)
+    }}
+    frame F {{
+        once   = Counting(vertices(6 * 5))
+        twice  = Counting(vertices(6 * 3), once)
+        late  = Marked(screen, twice)
+        early = Marked(screen, once)
+        output single = late.value
+        output first  = early.value
+    }}"""
+    (frame,) = burnish.compile(text, PROFILES, partial=True).frames
+    assert {row["format"] for row in frame.plan["textures"]} == {"rgba32f", "depth32f_stencil8"}
+    (found,) = outputs(text, where, studio)
+    rows = {name: found[name][0][..., 0].tolist() for name in ("single", "first")}
+    assert rows["single"] == [[1, 2, 3, 9, 9, 0, 0, 0]] * SIZE[1]
+    assert rows["first"] == [[9, 9, 9, 9, 9, 0, 0, 0]] * SIZE[1]
+
+
+@EVERYWHERE
+def test_depth_tests_that_fail_are_counted_by_their_side(studio: Studio, where: str) -> None:
+    """What is behind a wall is counted: two of the first three columns are backs."""
+    text = f"""{HEAD}{BARS}
+    pass Behind : Bars {{
+        at : vec2 = corner[int(vertex_index mod 6u)]
+        clip_position = @vertex column(number, if number < 2 then at.yx else at)
+        depth {{ compare = less }}
+        stencil {{
+            front.depth_fail = increment_wrap, back.depth_fail = decrement_wrap, pass = zero
+        }}
+    }}
+    pass Wall : FullScreen {{
+        clip_position = @vertex (vec4(across, above, 0.25, 1) as point<clip>)
+        depth  {{ write = true }}
+        target value : rgba32f = vec4(0, 0, 0, 1)
+    }}
+    pass Marked : FullScreen {{
+        param mark : float = 0
+        target value : rgba32f = vec4(mark, 0, 0, 1)
+    }}
+    pass Fronts : Marked {{ stencil {{ compare = equal, reference = 1 }} }}
+    pass Backs : Marked {{ stencil {{ compare = equal, reference = 255 }} }}
+    frame F {{
+        wall   = Wall(screen)
+        behind = Behind(vertices(6 * 3), wall)
+        fronts = Fronts(screen, behind) with {{ mark = 5 }}
+        backs  = Backs(screen, fronts) with {{ mark = 7 }}
+        output value = backs.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    assert found["value"][0][..., 0].tolist() == [[7, 7, 5, 0, 0, 0, 0, 0]] * SIZE[1]
+
+
 LEVEL_EDGE = """
 pass Lower {
     clip_position : point<clip> = vec4(

@@ -9,7 +9,9 @@ from .....compiler.ir.host import KNOWN_TO_HOST
 from ...binding import FORMATS
 from .rows import Row, attachments, fail, inputs, step_name, uses
 
-DEPTH_FORMATS = ("depth32f",)
+DEPTH_FORMATS = ("depth32f", "depth32f_stencil8")
+STENCILS = "stencil8"
+"""What formats of depths end with that have stencil values."""
 SETTINGS = {"viewport": "ivec4", "scissor": "ivec4", "blend_constant": "vec4"}
 """The types of what a step that draws sets for all of it."""
 LAYERS = {"2d": range(1, 2), "cube": range(6, 7)}
@@ -172,6 +174,9 @@ def _check_attachment(plan: Row, where: str, row: Row, *, is_depth: bool) -> Non
     texture = plan["textures"][_texture(plan, where, row["texture"])]
     if (texture["format"] in DEPTH_FORMATS) != is_depth:
         fail(plan, where, f"texture {row['texture']} is {texture['format']}")
+    if texture["format"].endswith(STENCILS) != ("stencil" in row):
+        said = "what becomes" if "stencil" in row else "nothing"
+        fail(plan, where, f"it says {said} of stencil values, and it is {texture['format']}")
     layer, level = row["layer"], row["level"]
     if not 0 <= level < texture["levels"] or not (layer is None or 0 <= layer < texture["layers"]):
         fail(plan, where, f"texture {row['texture']} has no layer {layer}, level {level}")
