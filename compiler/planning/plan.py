@@ -12,6 +12,7 @@ from typing import Literal
 from ...frozen import fresh, frozen, record
 from ..ir.frame import Attachment, Frame, Image, KernelStep, Step
 from .lifetimes import (
+    ALWAYS,
     Left,
     Lifetimes,
     attachments_of,
@@ -20,6 +21,7 @@ from .lifetimes import (
     written_by,
 )
 from .stencils import Stencils
+from .unchanging import unchanging
 
 State = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as: drawn to, written by a kernel, read, copied. At first it has no
@@ -84,7 +86,8 @@ class PlannedStep:
     targets: tuple[Target, ...] = ()
     depth: Target | None = None
     only_first: bool = False
-    """Whether it is needed in the first frame only."""
+    """Whether the first frame is enough: it leaves the same in every frame, or only the first frame
+    needs it."""
 
 
 @frozen(eq=False)
@@ -129,7 +132,7 @@ class _Planning:
         self._states: dict[int, State] = {}
         self._drawn: set[tuple[Image, int | None, int]] = set()
         """Layers and levels that have been drawn to."""
-        self._rare = only_first(frame)
+        self._rare = only_first(frame) | unchanging(frame)
         """The names of the steps of the first frame only."""
         self._rare_textures: set[int] = set()
         """Theirs, which nothing else shares: these steps may be left out."""
@@ -186,7 +189,7 @@ class _Planning:
                 continue
             if image in self._texture_of:
                 yield Copy(over, image)  # What is kept has a texture of its own.
-            elif self._shares and over not in read and self._lifetimes.is_over(over, number):
+            elif self._shares and over not in read and self._is_drawn_over(over, image, number):
                 self._share(image, self._texture_of[over])
             else:
                 self._allot(image)
@@ -199,6 +202,17 @@ class _Planning:
                 self._rare_textures.add(self._texture_of[left])
             elif left not in self._texture_of:
                 self._allot(left)
+
+    def _is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
+        """Whether nobody needs what is there from a step on but those that draw an image over it:
+        there may be a step for each of its layers."""
+        if over in self._lifetimes.kept or self._lifetimes.last[over] == ALWAYS:
+            return False
+        return all(
+            over not in read_by(step)
+            and all(each.image is image for each in attachments_of(step) if each.over is over)
+            for step in self._frame.steps[number:]
+        )
 
     def _allot(self, image: Image) -> None:
         free = self._free.get(self._key(image))

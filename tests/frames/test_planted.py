@@ -18,6 +18,7 @@ import pytest
 from burnish.api import CompiledFrame
 from burnish.compiler.reflection.schema import PLAN, errors
 from burnish.targets.runner.frames.checking import PlanError, check_plan
+from burnish.targets.runner.frames.checks.rows import attachments
 
 from .changes import changes
 from .kit import EXAMPLES, compiled
@@ -62,10 +63,32 @@ def is_refused(frame: CompiledFrame, wrong: dict[str, Any]) -> bool:
     return bool(errors(wrong, PLAN))
 
 
+SWAPPED = re.compile(r"steps: row (\d+) before the one before it")
+
+
+def is_independent(plan: dict[str, Any], change: str) -> bool:
+    """Whether a change swaps steps for two layers or levels of the same: any order will do."""
+    match = SWAPPED.match(change)
+    if match is None:
+        return False
+    number = int(match[1])
+    one, other = plan["steps"][number - 1 : number + 1]
+    if not one["kind"] == other["kind"] == "draw" or one["barriers"] != other["barriers"]:
+        return False
+    return all(
+        a["result"] == b["result"] and (a["layer"], a["level"]) != (b["layer"], b["level"])
+        for a, b in zip(attachments(one), attachments(other), strict=True)
+    )
+
+
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_changed_plans_are_refused(path: Path) -> None:
     frame = compiled(path)
-    found = [change for change in changes(frame.plan) if not MEANING.match(change.name)]
+    found = [
+        change
+        for change in changes(frame.plan)
+        if not MEANING.match(change.name) and not is_independent(frame.plan, change.name)
+    ]
     if os.environ.get("BURNISH_PLANTED") != "all":
         found = random.Random(SEED).sample(found, SAMPLE)
     missed = [change.name for change in found if not is_refused(frame, change.made(frame.plan))]

@@ -130,6 +130,53 @@ def test_an_undecided_pixel_is_what_was_there_or_what_may_be_drawn(aside: float)
         assert painting.depths(pixel) == pytest.approx((0.25, 0.5), abs=1e-6)
 
 
+@pytest.mark.parametrize("aside", [-1e-6, 1e-6], ids=["not drawn", "drawn"])
+@pytest.mark.parametrize(
+    ("blend", "last", "left", "right"),
+    [
+        ("add", FAR, 1.75, (1.0, 1.75)),
+        ("add", None, 1.25, (0.5, 1.25)),
+        ("alpha", FAR, 0.5, (0.5, 0.5)),
+        ("alpha", None, 0.75, (0.5, 0.75)),
+    ],
+)
+def test_what_may_be_blended_or_not_is_in_the_hull(
+    blend: str, last: Layer | None, left: float, right: tuple[float, float], aside: float
+) -> None:
+    """Whichever of them the reference has drawn, and whatever is blended with it afterwards."""
+    painting = Painting(blend, has_depth=False)
+    painting.draw(FAR)
+    painting.draw(NEAR, THROUGH_CENTRES + aside)
+    if last is not None:
+        painting.draw(last)
+    for pixel in LEFT:
+        assert painting.hull(pixel) == pytest.approx((left, left), abs=1e-6)
+    for pixel in RIGHT:
+        assert painting.hull(pixel) == pytest.approx(right, abs=1e-6)
+
+
+@pytest.mark.parametrize("aside", [-1e-6, 1e-6], ids=["not drawn", "drawn"])
+def test_what_may_be_hidden_or_not_is_blended_or_not(aside: float) -> None:
+    """A near layer hides those behind it, if it is there."""
+    painting = Painting("add")
+    painting.draw(NEAR, THROUGH_CENTRES + aside)
+    painting.draw(FAR)
+    for pixel in RIGHT:
+        low, high = painting.hull(pixel)
+        assert low <= 0.5
+        assert high >= 0.75
+
+
+def test_what_is_hidden_is_not_blended() -> None:
+    painting = Painting("add")
+    painting.draw(NEAR)
+    painting.draw((0.4, 0.25), THROUGH_CENTRES)
+    painting.draw(FAR)
+    for pixel in RIGHT:
+        low, high = painting.hull(pixel)
+        assert low <= 0.75 <= high
+
+
 def test_what_is_drawn_over_an_undecided_pixel_is_in_its_hull() -> None:
     """A device has the near layer there, whatever was drawn before."""
     painting = Painting()

@@ -188,6 +188,25 @@ def test_a_corner_beside_the_eye_has_no_place_to_be_snapped_to() -> None:
     assert snapped == pytest.approx(exact)
 
 
+def test_parts_of_one_clipped_triangle_leave_no_pixel_undecided_between_them() -> None:
+    """Clipped at the sides, one triangle over everything becomes two, with the diagonal between."""
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    rules = at(4, subpixel_bits=8, clips_sides=True, edge_slack=2.0**-11)
+    found = picture(given, triangles(FULL, s=[0, 4, 0]), rules, errors=few_ulps)
+    assert not found.undecided.any()
+    assert found.covered.all()
+    assert found.targets[0][..., 0] == pytest.approx(np.tile([0.25, 0.75, 1.25, 1.75], (4, 1)))
+
+
+def test_an_edge_between_two_triangles_is_undecided_if_a_device_may_draw_it_elsewhere() -> None:
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    rules = at(4, subpixel_bits=8, edge_slack=2.0**-11)
+    corners = [(-1, -1, 0.5, 1), (1, -1, 0.5, 1), (1, 1, 0.5, 1)]
+    others = [(-1, -1, 0.5, 1), (1, 1, 0.5, 1), (-1, 1, 0.5, 1)]
+    found = picture(given, triangles(corners, others, s=[0] * 3 + [1] * 3), rules, errors=few_ulps)
+    assert (found.undecided == np.eye(4, dtype=bool)[::-1]).all()
+
+
 def test_corners_far_outside_are_snapped_with_larger_errors() -> None:
     """Float32 has steps of 0.001 there, so that a corner may be snapped to either side."""
     given = passing("attribute s : float\nvalue = vec4(s)")

@@ -7,6 +7,7 @@ algorithm for triangles is from Sutherland and Hodgman, "Reentrant polygon clipp
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +29,9 @@ class Clipped:
     whole."""
     made: Bools
     """(faces, 3 or 2): whether clipping has made the corner."""
+    inner: Bools
+    """(faces, 3), of lines (faces, 2): whether the side from this corner to the next one lies
+    within the triangle: another part begins there."""
 
 
 def clip(corners: Floats, *, sides: bool = False) -> Clipped:
@@ -46,9 +50,10 @@ def clip(corners: Floats, *, sides: bool = False) -> Clipped:
         [np.flatnonzero(whole), np.repeat(crossing, [len(part) for part in parts])]
     ).astype(np.int64)
     weights = np.concatenate([np.broadcast_to(np.eye(3), (int(whole.sum()), 3, 3)), cut])
+    inner = np.concatenate([np.zeros((int(whole.sum()), 3), np.bool_), *map(_inner_sides, parts)])
     order = np.argsort(triangle, kind="stable")
     made: Bools = np.asarray((weights < 1).all(axis=2))
-    return Clipped(triangle[order], weights[order], made[order])
+    return Clipped(triangle[order], weights[order], made[order], inner[order])
 
 
 def clip_lines(ends: Floats) -> Clipped:
@@ -65,7 +70,8 @@ def clip_lines(ends: Floats) -> Clipped:
     kept &= whole | (first < last)
     shares = np.stack([first, last], axis=1)[kept]
     weights = np.stack([1.0 - shares, shares], axis=2)
-    return Clipped(np.flatnonzero(kept), weights, np.asarray((weights < 1).all(axis=2)))
+    made: Bools = np.asarray((weights < 1).all(axis=2))
+    return Clipped(np.flatnonzero(kept), weights, made, np.zeros_like(made))
 
 
 def _kept(corners: Floats, distances: Floats) -> tuple[Bools, Bools]:
@@ -97,6 +103,14 @@ def _parts(distances: Floats) -> list[Floats]:
     for plane in np.flatnonzero((distances < 0).any(axis=0)):
         polygon = _inside(polygon, distances[:, plane])
     return [np.stack([polygon[0], *polygon[i : i + 2]]) for i in range(1, len(polygon) - 1)]
+
+
+def _inner_sides(fan: Sequence[Floats]) -> Bools:
+    """Which sides of the triangles of a fan are between two of them, (triangles, 3)."""
+    inner = np.zeros((len(fan), 3), np.bool_)
+    inner[1:, 0] = True
+    inner[:-1, 2] = True
+    return inner
 
 
 def _inside(polygon: list[Floats], distances: Floats) -> list[Floats]:

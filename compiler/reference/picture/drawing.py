@@ -14,7 +14,7 @@ from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
 from .copies import place_numbers
-from .coverage import Fragments, coverage_of
+from .coverage import Coverage, Fragments, coverage_of
 from .faces import Faces
 from .hulls import Hulls
 from .quads import Barycentric, Quads, depths_of, quads_of
@@ -161,7 +161,7 @@ class _Drawing:
         seen, doubtful = self._let_through(fragments), coverage.doubtful
         fragments, sure = _chosen(fragments, seen), sure[seen]
         doubtful = _chosen(doubtful, self._let_through(doubtful))
-        every = (fragments, doubtful)
+        every, certain = Coverage(fragments, sure, doubtful).in_order()
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:
             doubtful = self._not_hidden(doubtful, _chosen(fragments, sure), (depth + off)[sure])
@@ -177,15 +177,18 @@ class _Drawing:
         )
         canvas.doubt(doubtful.pixel, self._depth, self._stencil)
         if hulls is not None:
-            faces, pixels = (
-                np.concatenate([each.face for each in every]),
-                np.concatenate([each.pixel for each in every]),
-            )
             hulls.extend(
-                Fragments(faces, pixels),
+                every,
+                certain & (not self._may_hide),
                 lambda some: depths_of(self._faces, some, self._rules),
                 lambda some: self._shaded(some, None),
             )
+
+    @property
+    def _may_hide(self) -> bool:
+        """Whether some test may keep fragments from being drawn."""
+        is_tested = self._canvas.has_depth and self._depth.compare != "always"
+        return is_tested or self._stencil.tests
 
     def _test_of(self, fragments: Fragments) -> StencilTest:
         return StencilTest(self._stencil, self._faces.front[fragments.face])

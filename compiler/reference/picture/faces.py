@@ -149,6 +149,10 @@ def triangles_of(
     moved = moved_by(places, of_places, rules).max(axis=1, keepdims=True)
     z_off, per_w_off = depths_off(places, of_places)
     unsure = unsure_corners(across, down, moved, rules)
+    unsure = np.maximum(unsure, np.roll(unsure, -1, axis=1))
+    # Parts of one triangle show the same plane, and a pixel between them is drawn once: by which
+    # of them makes no difference.
+    unsure = np.where(clipped.inner, 0.0, unsure)
     moved = np.broadcast_to(moved, across.shape)
     if rules.interpolates_snapped:
         whole = window(positions[corners], rules)
@@ -164,7 +168,7 @@ def triangles_of(
         y=snapped_y,
         area=area,
         front=(area < 0) == (front == "counter_clockwise"),
-        unsure=np.maximum(unsure, np.roll(unsure, -1, axis=1)),
+        unsure=unsure,
         moved=moved,
         extent=extent_of(planes, rules),
         plane_x=np.where(turned, snapped_x, planes[0]),
@@ -181,7 +185,8 @@ def triangles_of(
 def window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
     """The x and y of clip positions (…, 4) in pixels, from the left and from the top."""
     x, y, _, w = np.moveaxis(positions, -1, 0)
-    return (x / w * 0.5 + 0.5) * rules.width, (0.5 - y / w * 0.5) * rules.height
+    left, top, width, height = rules.port
+    return left + (x / w * 0.5 + 0.5) * width, top + (0.5 - y / w * 0.5) * height
 
 
 def _shares(corners: Floats, weights: Floats) -> Floats:
@@ -236,7 +241,7 @@ def moved_by(places: Floats, off: Floats, rules: RasterRules) -> Floats:
     least = np.maximum(w - off[..., 3], 0.0)
     pixels = [
         (off[..., axis] + np.abs(places[..., axis]) / w * off[..., 3]) / least * size / 2
-        for axis, size in enumerate((rules.width, rules.height))
+        for axis, size in enumerate(rules.port[2:])
     ]
     largest = np.nan_to_num(np.maximum(*pixels), nan=np.inf, posinf=np.inf)
     moved: Floats = largest + FLOAT32_STEPS * max(rules.width, rules.height)

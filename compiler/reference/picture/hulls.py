@@ -2,7 +2,8 @@
 
 Where rounding tips which fragments are drawn, a picture alone is not compared. But a later step of
 a frame may read the pixel, and then it matters that it is one of few colours: between the least and
-the largest of them.
+the largest of them. Where colours are blended, each fragment of which rounding decides may have
+been blended with what was there, or not.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections.abc import Callable
 import numpy as np
 
 from .coverage import Fragments
-from .resolve import Canvas, Shades
+from .resolve import Canvas, Shades, in_layers
 from .scene import Bools, Floats, Ints
 
 
@@ -29,11 +30,16 @@ class Hulls:
     def extend(
         self,
         fragments: Fragments,
+        certain: Bools,
         depths: Callable[[Fragments], tuple[Floats, Floats]],
         shaded: Callable[[Fragments], Shades],
     ) -> None:
         """Behind a draw: decided pixels are what they are; others may be what they were before, or
-        any of these fragments."""
+        what any of these fragments makes of that.
+
+        The fragments are in the order of drawing. All devices draw those that are ``certain``,
+        unless they discard them.
+        """
         canvas = self._canvas
         undecided = canvas.undecided | canvas.shaky
         here = undecided[fragments.pixel]
@@ -44,14 +50,31 @@ class Hulls:
         _include(self.depth, several.pixel, np.stack([depth - off, depth + off]))
         shades = shaded(several)
         for number, target in enumerate(canvas.targets):
-            self.targets[number] = _joined(self.targets[number], target[1:], undecided)
             if canvas.is_opaque:
+                self.targets[number] = _joined(self.targets[number], target[1:], undecided)
                 colours = canvas.stored(number, shades.colours[number])[1:]
                 _include(self.targets[number], several.pixel, _known(colours))
             else:
-                for lane in canvas.written_lanes(number):
-                    self.targets[number][0, undecided, lane] = -np.inf
-                    self.targets[number][1, undecided, lane] = np.inf
+                self._blend(number, several.pixel, certain[here], shades)
+                self.targets[number][:, ~undecided] = target[1:, ~undecided]
+
+    def _blend(self, number: int, pixel: Ints, certain: Bools, shades: Shades) -> None:
+        """Blend fragments with all that their pixels may be, one after the other."""
+        hull = self.targets[number]
+        certain = certain & ~shades.undecided
+        drawn = shades.undecided | ~shades.discarded
+        for layer in in_layers(pixel):
+            members = layer[drawn[layer]]
+            at = pixel[members]
+            behind = hull[:, at]
+            mixed = _known(
+                self._canvas.mixed(
+                    number, shades.colours[number][:, members], np.stack([behind[0], *behind])
+                )[1:]
+            )
+            sure = certain[members, None]
+            hull[0, at] = np.where(sure, mixed[0], np.minimum(mixed[0], behind[0]))
+            hull[1, at] = np.where(sure, mixed[1], np.maximum(mixed[1], behind[1]))
 
 
 def _joined(before: Floats, now: Floats, undecided: Bools) -> Floats:

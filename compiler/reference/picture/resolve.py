@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -107,10 +107,8 @@ class Canvas:
         ``off`` says by how much a device's depths may differ, except between fragments of the same
         ``place``.
         """
-        rank = _ranks(pixel)
         tested = StencilTest(StencilState(), pixel >= 0) if stencil is None else stencil
-        for layer in range(int(rank.max(initial=-1)) + 1):
-            members = np.flatnonzero(rank == layer)
+        for members in in_layers(pixel):
             self._draw_layer(pixel, depth, off, place, shades, members, test, tested.part(members))
 
     def doubt(self, pixel: Ints, test: DepthState, stencil: StencilState) -> None:
@@ -163,20 +161,22 @@ class Canvas:
             self.depth_off[at] = off[drawn]
             self._place[at] = place[drawn]
         self.layers[at] += 1
-        for number, colours in enumerate(shades.colours):
-            self._write(number, at, colours[:, drawn])
+        for number, (target, colours) in enumerate(zip(self.targets, shades.colours, strict=True)):
+            target[:, at] = self.mixed(number, colours[:, drawn], target[:, at])
 
-    def _write(self, number: int, at: Ints, colours: Ends) -> None:
-        """Draw colours to some pixels of a target."""
-        target, state = self.targets[number], self._states[number]
+    def mixed(self, target: int, colours: Ends, behind: Ends) -> Ends:
+        """What one of the targets holds after colours have been drawn over what is there."""
+        state = self._states[target]
         # A device may blend as precisely as the target's format is, so that it rounds the colour
         # before. If the target is in fixed point, the colour is clamped, too.
         colour = self._rounded(state, colours)
         if state.blend != REPLACES:
-            made = composed(state.blend, colour, target[:, at], self._constants[number])
+            made = composed(state.blend, colour, behind, self._constants[target])
             colour = self._rounded(state, made)
-        for lane in self.written_lanes(number):
-            target[:, at, lane] = colour[..., lane]
+        kept = behind.copy()
+        for lane in self.written_lanes(target):
+            kept[..., lane] = colour[..., lane]
+        return kept
 
     def written_lanes(self, target: int) -> list[int]:
         """The numbers of the lanes that are written of one of the targets."""
@@ -249,11 +249,14 @@ def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:
     return (*tuple(lanes)[:count], *_MISSING[count:])
 
 
-def _ranks(pixel: Ints) -> Ints:
-    """For each fragment, how many fragments of the same pixel come before it."""
+def in_layers(pixel: Ints) -> Iterator[Ints]:
+    """The numbers of fragments in the order of drawing, in portions with at most one of each
+    pixel."""
     order = np.argsort(pixel, kind="stable")
     starts = np.flatnonzero(np.diff(pixel[order], prepend=-1))
     counts = np.diff(starts, append=len(pixel))
-    ranks = np.empty(len(pixel), dtype=np.int64)
-    ranks[order] = np.arange(len(pixel)) - np.repeat(starts, counts)
-    return ranks
+    rank = np.arange(len(pixel)) - np.repeat(starts, counts)
+    by_rank = np.argsort(rank, kind="stable")
+    ends = np.cumsum(np.bincount(rank, minlength=1))
+    for part in np.split(order[by_rank], ends[:-1]):
+        yield np.sort(part)

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from .checks.names import check_names
 from .checks.needs import check_needs
 from .checks.order import check_order
+from .checks.repeats import check_repeats
 from .checks.rows import PlanError, Row
 from .checks.shaders import check_shaders
 
@@ -26,5 +27,6 @@ def check_plan(plan: Row, reflections: Sequence[Row] | None = None) -> None:
     check_names(plan)
     check_order(plan)
     check_needs(plan)
+    check_repeats(plan, reflections)
     if reflections is not None:
         check_shaders(plan, reflections)

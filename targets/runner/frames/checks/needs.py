@@ -111,16 +111,12 @@ class _Needs:
     # --- steps -----------------------------------------------------------------------------------
 
     def check_steps(self) -> None:
-        """A step stores what somebody needs, and is left out of later frames if these do not need
-        it."""
-        rare = self._only_first()
+        """A step stores what somebody needs, and later frames wait for what they draw to."""
         in_first = {texture for step in self._steps if not is_rare(step)
                     for _, texture in written(step)}  # fmt: skip
         in_first |= {row[end] for row in self._plan["kept"] for end in ("texture", "previous")}
         for number, step in enumerate(self._steps):
             where = step_name(step)
-            if is_rare(step) != (step.get("name") in rare):
-                fail(self._plan, where, "whether it is needed in later frames is said wrongly")
             for barrier in step["barriers"]:
                 if barrier["only_first"] == (barrier["texture"] in in_first):
                     fail(self._plan, where,
@@ -130,6 +126,9 @@ class _Needs:
                 if row["store"] != self._is_needed(number, row["result"]):
                     said = "stored" if row["store"] else "dropped"
                     fail(self._plan, where, f"`{row['result']}` is {said}")
+                if "stencil" in row and row["stencil"]["store"] != self._is_found(number, row):
+                    said = "stored" if row["stencil"]["store"] else "dropped"
+                    fail(self._plan, where, f"stencil values of `{row['result']}` are {said}")
             places = {(row["layer"], row["level"]) for row in attachments(step)}
             if len(places) > 1:
                 fail(self._plan, where, "its targets are different layers or levels")
@@ -139,6 +138,13 @@ class _Needs:
         is_left = result in self._outputs or result in self._read_last
         return is_left or self._last_read.get(result, number) > number
 
+    def _is_found(self, number: int, left: Row) -> bool:
+        """Whether a later step draws where stencil values were left."""
+        place = left["result"], left["layer"], left["level"]
+        later = [row for step in self._steps[number + 1 :] for row in attachments(step)]
+        again = ((row["result"], row["layer"], row["level"]) == place for row in later)
+        return any(again) or any(row["over"] == left["result"] for row in later)
+
     @cached_property
     def _last_read(self) -> dict[str, int]:
         """The last step that reads each result, or draws over it."""
@@ -147,25 +153,6 @@ class _Needs:
             for number, step in enumerate(self._steps)
             for result in (*(each for each, _ in read_now(step, is_first=True)), *drawn_over(step))
         }
-
-    def _only_first(self) -> set[str]:
-        """The names of the steps that only a first frame needs, since it has no last one."""
-        needed: set[str] = set()
-        pending = list(self._outputs)
-        reached = set(pending)
-        while pending:
-            result = pending.pop()
-            for step in self._steps:
-                results = [each for each, _ in written(step)]
-                if result not in results:
-                    continue
-                needed.add(step["name"])
-                now = read_now(step, is_first=False)
-                wanted = {each for each, _ in (*read_before(step), *now)}
-                further = (wanted | {*results, *drawn_over(step)}) - reached
-                reached |= further
-                pending += further
-        return {step["name"] for step in self._steps if "name" in step} - needed
 
 
 def _listed(names: Iterable[str]) -> str:

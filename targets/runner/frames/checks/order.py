@@ -33,8 +33,8 @@ class _Execution:
         """Textures that this frame has used."""
         self._holds: dict[int, dict[tuple[int, int], str]] = {}
         """For each texture which result each layer and level holds."""
-        self._copies: dict[int, str] = {}
-        """For each texture that a copy has filled, of which result."""
+        self._stencils: dict[int, set[tuple[int, int]]] = {}
+        """For each texture where it has stencil values that have been kept."""
         self._buffers: set[str] = set()
         """The results that are there in buffers."""
         self._kept_buffers: set[str] = set()
@@ -42,6 +42,9 @@ class _Execution:
         self._waited: set[int] = set()
         """Textures with a barrier before this step."""
         self._used_here: set[int] = set()
+        rare = [step for step in plan["steps"] if is_rare(step)]
+        self._lasting = {texture for step in rare for _, texture in written(step)}
+        """Textures that only the first frame draws to, and that keep what is in them."""
 
     def execute(self) -> None:
         """Draw two frames."""
@@ -49,18 +52,22 @@ class _Execution:
             if row["previous"] is not None:
                 self._uses[row["previous"]] = "sampled"
         for is_first in (True, False):
-            self._begin()
+            self._begin(is_first)
             for step in self._plan["steps"]:
                 if is_first or not is_rare(step):
                     self._do(step, is_first)
             self._end()
 
-    def _begin(self) -> None:
+    def _begin(self, is_first: bool) -> None:
         """Forget what the last frame has left, but for what is kept."""
-        previous = {row["previous"] for row in self._plan["kept"]}
+        kept = {row["previous"] for row in self._plan["kept"]}
+        if not is_first:
+            kept |= self._lasting
         self._holds = {texture: held for texture, held in self._holds.items()
-                       if texture in previous}  # fmt: skip
-        self._touched, self._copies, self._buffers = set(previous), {}, set()
+                       if texture in kept}  # fmt: skip
+        self._touched, self._buffers = kept, set()
+        self._stencils = {texture: held for texture, held in self._stencils.items()
+                          if texture in kept}  # fmt: skip
 
     def _end(self) -> None:
         """Give the host its outputs, and the next frame what it reads."""
@@ -107,6 +114,7 @@ class _Execution:
             self._fail(f"it waits for texture {texture}, which was only read as {before}")
         if before == "undefined":
             self._holds[texture] = {}
+            self._stencils.pop(texture, None)
         self._uses[texture] = barrier["to"]
         self._touched.add(texture)
         self._waited.add(texture)
@@ -163,9 +171,9 @@ class _Execution:
         self._finds(source["texture"], source["result"])
         self._written(target["texture"], "copied_to")
         whole = places(self._plan["textures"][target["texture"]])
-        result: str = target["result"]
+        result: str = source["result"]
         self._holds[target["texture"]] = dict.fromkeys(whole, result)
-        self._copies[target["texture"]] = source["result"]
+        self._stencils[target["texture"]] = set(self._stencils.get(source["texture"], ()))
 
     def _draw(self, target: Row, use: str) -> None:
         texture, result, over = target["texture"], target["result"], target["over"]
@@ -175,18 +183,27 @@ class _Execution:
         for layer in range(layers) if target["layer"] is None else (target["layer"],):
             place = layer, target["level"]
             found = held.get(place)
-            if target["load"] == "load" and not self._is_over(texture, found, result, over):
+            if target["load"] == "load" and found != (over or result):
                 self._fail(f"`{result}` is drawn over something else: {found or 'nothing'}")
             if target["load"] == "clear" and (found == result or over is not None):
                 self._fail(f"`{result}` is cleared, and should be drawn over")
             held[place] = result if target["store"] else ""
+            if "stencil" in target:
+                self._draw_stencil(texture, place, target)
 
-    def _is_over(self, texture: int, found: str | None, result: str, over: str | None) -> bool:
-        """Whether what is there is what a step draws over: another result, a copy of it, or what
-        the step's result is so far."""
-        if over is None:
-            return found == result
-        return found == over or (found == result and self._copies.get(texture) == over)
+    def _draw_stencil(self, texture: int, place: tuple[int, int], target: Row) -> None:
+        """The values beside depths begin as these do, and are there later if they are stored."""
+        stencil, kept = target["stencil"], self._stencils.setdefault(texture, set())
+        if stencil["load"] != target["load"]:
+            self._fail(f"its depths are to {target['load']}, and its stencil values otherwise")
+        if stencil["load"] == "load" and place not in kept:
+            self._fail(
+                f"it finds stencil values in texture {texture}, which nothing has kept there"
+            )
+        if stencil["store"]:
+            kept.add(place)
+        else:
+            kept.discard(place)
 
     def _fail(self, text: str) -> None:
         fail(self._plan, self._step, text)

@@ -1,0 +1,119 @@
+"""Checks which steps of a plan are done in the first frame only.
+
+These are the steps that later frames do not need, since they find what the last one left, and steps
+that would leave the same in every frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from .rows import (
+    Row,
+    attachments,
+    drawn_over,
+    fail,
+    inputs,
+    is_rare,
+    read_before,
+    read_now,
+    step_name,
+    uses,
+    written,
+)
+
+_OF_THE_HOST = ("parameter", "texture")
+"""What steps of a value name that the host sets."""
+
+
+def check_repeats(plan: Row, reflections: Sequence[Row] | None) -> None:
+    """Raise ``PlanError`` for a step that would be missing in later frames."""
+    repeats = _Repeats(plan, reflections)
+    unneeded = repeats.only_first()
+    for step in plan["steps"]:
+        where = step_name(step)
+        if is_rare(step) != (where in unneeded) and not (
+            is_rare(step) and repeats.leaves_the_same(step)
+        ):
+            fail(plan, where, "whether it is needed in later frames is said wrongly")
+
+
+class _Repeats:
+    def __init__(self, plan: Row, reflections: Sequence[Row] | None) -> None:
+        self._plan = plan
+        self._reflections = reflections
+        self._outputs = {row["result"] for row in plan["outputs"]}
+        self._drawn_over = {over for step in plan["steps"] for over in drawn_over(step)}
+        self._often = {result for step in plan["steps"] if not is_rare(step)
+                       for result, _ in written(step)}  # fmt: skip
+        """Results that every frame draws."""
+
+    def only_first(self) -> set[str]:
+        """The names of the steps that only a first frame needs, since it has no last one."""
+        needed: set[str] = set()
+        pending = list(self._outputs)
+        reached = set(pending)
+        while pending:
+            result = pending.pop()
+            for step in self._plan["steps"]:
+                results = [each for each, _ in written(step)]
+                if result not in results:
+                    continue
+                needed.add(step["name"])
+                now = read_now(step, is_first=False)
+                wanted = {each for each, _ in (*read_before(step), *now)}
+                further = (wanted | {*results, *drawn_over(step)}) - reached
+                reached |= further
+                pending += further
+        return {step["name"] for step in self._plan["steps"] if "name" in step} - needed
+
+    def leaves_the_same(self, step: Row) -> bool:
+        """Whether nothing that a step is given, or draws to, changes from frame to frame."""
+        results = {result for result, _ in written(step)}
+        if results & (self._outputs | self._drawn_over | self._often) or any(drawn_over(step)):
+            return False
+        if any(drawn["models"] is not None or drawn["light"] for drawn in step.get("draws", ())):
+            return False
+        for row in inputs(step):
+            is_number = "value" in row
+            if not is_number and ("result" not in row or row["result"] in self._often):
+                return False
+        return all(self._is_constant(number) for number in self._numbers(step)) and all(
+            self._is_given_all(use) for use in uses(step)
+        )
+
+    def _numbers(self, step: Row) -> Iterator[int | None]:
+        """The values that say what a step draws, and how large; ``None`` for an unknown one."""
+        for row in (*attachments(step), *step.get("images", ()), *step.get("buffers", ())):
+            is_buffer = "texture" not in row
+            yield None if is_buffer else self._plan["textures"][row["texture"]]["size"]["value"]
+        for drawn in step.get("draws", ()):
+            yield drawn["vertices"]
+        for row in inputs(step):
+            if "value" in row:
+                yield row["value"]
+
+    def _is_constant(self, number: int | None) -> bool:
+        if number is None:
+            return False
+        steps = self._plan["values"][number]["steps"]
+        return not any(key in part for part in steps for key in _OF_THE_HOST)
+
+    def _is_given_all(self, use: Row) -> bool:
+        """Whether the frame sets all that a shader reads, as far as that is known."""
+        if self._reflections is None:
+            return True
+        names = {row["name"] for row in use["inputs"]}
+        return names.issuperset(_read_by(self._reflections[use["shader"]]))
+
+
+def _read_by(reflection: Row) -> Iterator[str]:
+    """What a shader reads: itself, or by values that are derived of it."""
+    for row in reflection["parameters"]:
+        if row["block"] is not None:
+            yield row["name"]
+    for row in reflection["derived"]:
+        yield from (part["parameter"] for part in row["steps"] if "parameter" in part)
+    for row in (*reflection["textures"], *reflection["buffers"]):
+        if row["stages"]:
+            yield row["name"]

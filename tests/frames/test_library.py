@@ -1,0 +1,68 @@
+"""Passes of the library in whole frames, drawn by the reference, against values from elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from burnish.targets.runner.frames.by_reference import ReferenceFrames
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.scenery import in_a_row
+
+from .kit import of_text
+
+AROUND = """
+import std.environments.{FaceOfCube, GlossyLight, MattLight}
+pass Slope : FaceOfCube {
+    target light : rgba16f = vec4(vec3(1 + dot(toward, vec3(0.6, 0, 0.8))), 1)
+}
+frame F {
+    slope  = each face in cube : Slope(screen, 16) with { face = face }
+    matt   = each face in cube : MattLight(screen, 2) with { around = slope.light, face = face }
+    glossy = each face in cube : GlossyLight(screen, 2) with {
+        around = slope.light, face = face, roughness = 0.7
+    }
+    output arriving = matt.light
+    output mirrored = glossy.light
+}
+"""
+"""Light that grows along an axis."""
+
+Floats = NDArray[np.float64]
+
+
+def drawn() -> ReferenceFrames:
+    drawing = ReferenceFrames(FrameHost(of_text(AROUND), in_a_row([], {}, "sphere"), (8, 8)))
+    drawing.draw()
+    return drawing
+
+
+def heights() -> Floats:
+    """The part along the axis of the directions of 2 x 2 texels of +x and of -z, row by row."""
+    at = np.array([-0.5, 0.5])
+    across, down = (each.ravel() for each in np.meshgrid(at, at))
+    right = np.stack([np.ones(4), -down, -across], axis=1)
+    back = np.stack([-across, -down, -np.ones(4)], axis=1)
+    both = np.concatenate([right, back])
+    units = both / np.linalg.norm(both, axis=1, keepdims=True)
+    return np.asarray(units @ np.array([0.6, 0.0, 0.8]), np.float64)
+
+
+def cosine_of_glossy(width: float) -> float:
+    """The mean cosine of mirrored directions, weighted by their cosine."""
+    half = np.cos((np.arange(20_000) + 0.5) * (np.pi / 40_000))
+    density = width**2 / (half**2 * (width**2 - 1) + 1) ** 2 * half * np.sqrt(1 - half**2)
+    light = 2 * half**2 - 1
+    weight = np.where(light > 0, density * light, 0)
+    return float((weight * light).sum() / weight.sum())
+
+
+def test_light_from_around_is_filtered_as_surfaces_do() -> None:
+    """Of light 1 + a·d, a surface sees 1 + c a·n. For matt ones c is the mean of the squared cosine
+    over that of the cosine, which is two thirds."""
+    drawing = drawn()
+    for name, share in (("arriving", 2 / 3), ("mirrored", cosine_of_glossy(0.49))):
+        (level,) = drawing.output(name).levels
+        found = level[0, [0, 5], ..., 0].ravel()
+        assert found == pytest.approx(1 + share * heights(), abs=0.02)
