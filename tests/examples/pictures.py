@@ -56,7 +56,8 @@ def noise(seed: int, cells: int, side: int = SIDE) -> Floats:
         corners = [[grid[(top + j) % count, (left + i) % count] for i in (0, 1)] for j in (0, 1)]
         above, below = (a + (b - a) * across for a, b in corners)
         total += (above + (below - above) * along) / 2**octave
-    return (total - total.min()) / (total.max() - total.min())
+    spread: Floats = (total - total.min()) / (total.max() - total.min())
+    return spread
 
 
 # --- surfaces ---
@@ -68,7 +69,8 @@ def brick_depths() -> Floats:
     rows = down * 6
     along = right * 3 + 0.5 * (np.floor(rows) % 2)
     edge = np.minimum(np.minimum(along % 1, 1 - along % 1) * 2, np.minimum(rows % 1, 1 - rows % 1))
-    return 1 - np.clip((edge - 0.04) / 0.1, 0, 1) * (0.9 + 0.1 * noise(3, 8))
+    depths: Floats = 1 - np.clip((edge - 0.04) / 0.1, 0, 1) * (0.9 + 0.1 * noise(3, 8))
+    return depths
 
 
 def bricks() -> Floats:
@@ -86,7 +88,8 @@ def normals_of(heights: Floats, strength: float) -> Floats:
     slope_x = np.roll(heights, -1, 1) - np.roll(heights, 1, 1)
     slope_y = np.roll(heights, -1, 0) - np.roll(heights, 1, 0)
     found = np.stack([-strength * slope_x, strength * slope_y, np.ones_like(heights)], axis=-1)
-    return 0.5 + 0.5 * found / np.linalg.norm(found, axis=-1, keepdims=True)
+    normals: Floats = 0.5 + 0.5 * found / np.linalg.norm(found, axis=-1, keepdims=True)
+    return normals
 
 
 def grounds(dark: str, light: str, seed: int, cells: int) -> Floats:
@@ -182,7 +185,8 @@ def ball() -> Floats:
     key = np.clip(0.5 * x + 0.65 * y + 0.57 * z, 0, 1)
     rim = np.clip(-0.75 * x + 0.1 * y - 0.1 * z, 0, 1) ** 2
     color = mixed("#12352b", "#5fb58d", key) + rim[..., None] * rgb("#3f5f9f")
-    return color + (key**40)[..., None] * 0.9 + (np.clip(y, 0, 1) * (1 - z) ** 2)[..., None] * 0.25
+    above: Floats = (np.clip(y, 0, 1) * (1 - z) ** 2)[..., None] * 0.25
+    return color + (key**40)[..., None] * 0.9 + above
 
 
 # --- drawn by hand ---
