@@ -173,6 +173,7 @@ class _Document:
                     "pass": step.pass_name,
                     "barriers": barriers,
                     "only_first": planned.only_first,
+                    "continues": planned.continues,
                     "targets": [self._target_row(target) for target in planned.targets],
                     "depth": planned.depth and self._target_row(planned.depth),
                     "draws": [self._drawn_row(drawn) for drawn in step.draws],

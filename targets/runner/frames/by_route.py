@@ -242,6 +242,9 @@ class _Job:
                     tuple(self._draw(draw, layer) for draw in draws),
                 )
             )
+        if step.get("continues", False):
+            (alone,) = found
+            return [_drawn_on(self._steps.pop(), alone)]
         return found
 
     def _attachment(self, target: Row, layer: int, clear: float) -> Attachment:
@@ -346,6 +349,18 @@ class _Job:
         """A kernel over images where these are drawn."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+
+
+def _drawn_on(before: FrameStep, step: FrameStep) -> FrameStep:
+    """Two steps that draw to the same attachments, as one render pass: it begins as the first one
+    does, and leaves what the second one leaves."""
+
+    def joined(first: Attachment, second: Attachment) -> Attachment:
+        return replace(second, loads=first.loads, clear=first.clear)
+
+    depth = step.depth and before.depth and joined(before.depth, step.depth)
+    targets = tuple(map(joined, before.targets, step.targets))
+    return FrameStep(before.barriers, targets, depth, (*before.draws, *step.draws))
 
 
 def _shared_memory(host: FrameHost) -> dict[int, int]:
