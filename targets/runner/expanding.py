@@ -69,23 +69,34 @@ def _divided(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
         for each in rows
         if not each["mesh"]["is_of_pattern"]
     }
-    vertices, cell = reflection["draw"]["vertices"], CORNERS[reflection["draw"]["topology"]]
     if row["levels"] is None:
         # No input is of the pattern: each vertex finds out by its number where it lies.
-        cells = np.arange(vertices).reshape(-1, cell)
+        cell = CORNERS[reflection["draw"]["topology"]]
+        cells = np.arange(reflection["draw"]["vertices"]).reshape(-1, cell)
     else:
-        places, cells = pattern(row["kind"], row["spacing"], *instance.patch_levels())
-        numbers = cells
-        if vertices is not None:
-            # Each vertex that a cell turns into gets where all corners of the cell lie.
-            numbers = np.repeat(cells, vertices, axis=0)
-            cells = np.arange(len(numbers)).reshape(-1, cell)
-        for each in rows:
-            if each["mesh"]["is_of_pattern"]:
-                corner = each["mesh"]["corner"]
-                found_at = slice(None) if corner is None else numbers[:, corner]
-                attributes[each["name"]] = places[found_at]
+        of_pattern, cells = pattern_of(instance)
+        attributes.update(of_pattern)
     return Drawn(attributes, cells, copies * len(found))
+
+
+def pattern_of(instance: Instance) -> tuple[dict[str, NDArray[Any]], Indices]:
+    """The pattern into which the host divides each patch: the vertex inputs that are of it, and the
+    vertices of each triangle or line."""
+    draw = instance.reflection["draw"]
+    row, vertices = draw["tessellation"], draw["vertices"]
+    places, cells = pattern(row["kind"], row["spacing"], *instance.patch_levels())
+    numbers = cells
+    if vertices is not None:
+        # Each vertex that a cell turns into gets where all corners of the cell lie.
+        numbers = np.repeat(cells, vertices, axis=0)
+        cells = np.arange(len(numbers)).reshape(-1, CORNERS[draw["topology"]])
+    attributes = {}
+    for each in instance.reflection["vertex_inputs"]:
+        if each["mesh"]["is_of_pattern"]:
+            corner = each["mesh"]["corner"]
+            found_at = slice(None) if corner is None else numbers[:, corner]
+            attributes[each["name"]] = places[found_at]
+    return attributes, cells
 
 
 def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int) -> NDArray[Any]:

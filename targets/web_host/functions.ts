@@ -128,7 +128,8 @@ function inserted(x: number, y: number, offset: number, count: number): number {
 /** Parts of equal width in 32 bits, the first one lowest. */
 function packed(parts: number[]): number[] {
   const width = 32 / parts.length;
-  return [parts.reduce((all, part, at) => all | ((part & (2 ** width - 1)) << (at * width)), 0) >>> 0];
+  const ones = 2 ** width - 1;
+  return [parts.reduce((all, part, at) => all | ((part & ones) << (at * width)), 0) >>> 0];
 }
 
 const parted = (x: number, count: number) =>
@@ -247,7 +248,8 @@ function converted(name: string, kind: Kind, x: number): number {
   if (name === "to_float") return x;
   if (kind !== "float") return wrapped(name === "to_int" ? "int" : "uint", x);
   if (Number.isNaN(x)) return 0;
-  return Math.trunc(name === "to_int" ? clamp(x, -(2 ** 31), LARGEST_INT) : clamp(x, 0, LARGEST_UINT));
+  const isSigned = name === "to_int";
+  return Math.trunc(clamp(x, isSigned ? -(2 ** 31) : 0, isSigned ? LARGEST_INT : LARGEST_UINT));
 }
 const LARGEST_INT = 2 ** 31 - 2 ** 7;
 const LARGEST_UINT = 2 ** 32 - 2 ** 8;
@@ -266,7 +268,8 @@ function determinant(m: number[][]): number {
 }
 
 function cofactor(m: number[][], column: number, row: number): number {
-  const minor = m.filter((_, at) => at !== column).map((lanes) => lanes.filter((_, at) => at !== row));
+  const without = <Item>(items: Item[], at: number) => items.filter((_, other) => other !== at);
+  const minor = without(m, column).map((lanes) => without(lanes, row));
   return determinant(minor) * (-1) ** (column + row);
 }
 
@@ -307,12 +310,16 @@ const WHOLE: Record<string, Whole> = {
     return incident.map((i, at) => i - twice * normal[at]);
   },
   refract: refracted,
-  faceforward: (normal, incident, reference) => (dot(reference, incident) < 0 ? normal : scaled(normal, -1)),
-  lit: ([nl], [nh], [exponent]) => [1, Math.max(nl, 0), nl < 0 || nh < 0 ? 0 : power(nh, exponent), 1],
+  faceforward: (normal, incident, reference) =>
+    dot(reference, incident) < 0 ? normal : scaled(normal, -1),
+  lit: ([nl], [nh], [exponent]) => [
+    1, Math.max(nl, 0), nl < 0 || nh < 0 ? 0 : power(nh, exponent), 1,
+  ],
   transpose: transposed,
   determinant: (m) => [determinant(m)],
   outer: (column, row: number[]) => row.map((lane) => scaled(column, lane)),
-  hadamard: (x: number[][], y) => x.map((column, at) => column.map((lane, row) => lane * y[at][row])),
+  hadamard: (x: number[][], y) =>
+    x.map((column, at) => column.map((lane, row) => lane * y[at][row])),
   inverse,
   pack_unorm4x8: packUnorm,
   pack_unorm2x16: packUnorm,
@@ -330,7 +337,9 @@ const isMatrix = (value: Lanes): value is number[][] => Array.isArray(value[0]);
 
 /** The value of a builtin; `kind` is the type of the operands' lanes. */
 export function evaluate(name: string, operands: Lanes[], kind: Kind): Lanes {
-  if (name === "dot" && kind !== "float") return [wrapped(kind, dot(operands[0], operands[1], Math.imul))];
+  if (name === "dot" && kind !== "float") {
+    return [wrapped(kind, dot(operands[0], operands[1], Math.imul))];
+  }
   if (WHOLE[name]) return WHOLE[name](...operands);
   if (operands.some(isMatrix)) {
     if (name === "mul") return product(operands[0], operands[1]);

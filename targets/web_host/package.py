@@ -16,13 +16,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..runner.expanding import pattern_of
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance
 from ..runner.looks import PLAIN
 from ..runner.mesh_buffers import KINDS
 from ..runner.meshes import Indices, Mesh
-from ..runner.patches import patches, pattern
+from ..runner.patches import patches
 from ..runner.primitives import primitives
 from ..runner.scene import inputs_of_mesh, texture_roles, value_roles, vertex_data
 from ..runner.subject import Subject
@@ -217,12 +218,15 @@ def _pattern(instance: Instance) -> dict[str, Any] | None:
     if not row or row["levels"] is None:
         return None
     edges, inside = instance.patch_levels()
-    places, cells = pattern(row["kind"], row["spacing"], edges, inside)
-    representation = f"vec{places.shape[1]}" if places.shape[1] > 1 else "float"
+    attributes, cells = pattern_of(instance)
     return {
         "levels": [*edges, *inside],
-        "places": _stream(representation, places),
-        "cells": _indices(cells),
+        "vertices": {
+            each["name"]: _stream(each["representation"], attributes[each["name"]])
+            for each in instance.reflection["vertex_inputs"]
+            if each["name"] in attributes
+        },
+        "indices": _indices(cells)["indices"],
     }
 
 

@@ -137,6 +137,6 @@ function constantOf(value: unknown): Datum {
 /** The type of the lanes of a number, vector or matrix. */
 export function kindOf(type: string): Kind {
   if (type === "int" || type === "uint" || type === "bool") return type;
-  const vector = /^([iub])vec[234]$/.exec(type);
-  return vector ? ({ i: "int", u: "uint", b: "bool" } as const)[vector[1] as "i" | "u" | "b"] : "float";
+  const letter = /^([iub])vec[234]$/.exec(type)?.[1];
+  return letter === "i" ? "int" : letter === "u" ? "uint" : letter === "b" ? "bool" : "float";
 }

@@ -95,12 +95,13 @@ export interface Stream {
   data: string;
 }
 
-/** The points of a divided patch, and the cells between them. */
+/** What is drawn of each patch. */
 export interface Pattern {
   /** The levels of the edges and the inside, for which it was made. */
   levels: number[];
-  places: Stream;
-  cells: Primitives;
+  /** The vertex inputs that are of the pattern, by name. */
+  vertices: Record<string, Stream>;
+  indices: string;
 }
 
 /** Texels with all mip levels, each level in base64, layer by layer and row by row from the top. */
@@ -149,6 +150,10 @@ export interface DrawStep {
   only_first: boolean;
   targets: Target[];
   depth: Target | null;
+  /** The numbers of values. */
+  viewport: number | null;
+  scissor: number | null;
+  blend_constant: number | null;
   draws: Drawn[];
 }
 
@@ -158,6 +163,8 @@ export interface Target {
   layer: number | null;
   level: number;
   load: "load" | "clear";
+  /** The number of the value that it is cleared to; null: transparent black, or a depth of 1. */
+  clear: number | null;
   store: boolean;
   /** The stencil values beside depths, if there are any. */
   stencil?: { load: "load" | "clear"; store: boolean; clear: number };
@@ -232,7 +239,7 @@ export interface Reflection {
   textures: TextureRow[];
   samplers: { texture: string; state: SamplerState }[];
   vertex_inputs: VertexInput[];
-  targets: { name: string; format: string; blend: Blend | null; mask: string }[];
+  targets: TargetRow[];
   draw: Draw | null;
   render_state: RenderState;
   backends: Record<string, Backend>;
@@ -352,6 +359,14 @@ export interface Draw {
   layers: { count: number; parameter: string | null } | null;
 }
 
+export interface TargetRow {
+  name: string;
+  format: string;
+  blend: Blend | null;
+  /** Some letters of `rgba`, or `none`. */
+  mask: string;
+}
+
 /** How a target is blended: words of WebGPU, with `_` for `-`. */
 export interface Blend {
   color: BlendEquation;
@@ -408,7 +423,8 @@ export interface Backend {
 
 // --- frames --------------------------------------------------------------------------------------
 
-/** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a sentence. */
+/** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a
+ * sentence. */
 export interface Frame {
   readonly plan: Plan;
   /** Set something of the frame, `sun.direction` or `lamps[2].place`; or else of all shaders that

@@ -14,16 +14,13 @@ export interface Declarations {
   derived: Derived[];
 }
 
-/** A value, with null for parts that nobody has set. */
-type Known = Datum | null;
-
 const UNIT_TYPES = /^(direction|normal)\b/;
 const UNIT_TOLERANCE = 1e-3;
 
 /** The values of one shader, or of a frame. They begin with the declared defaults. */
 export class Values {
   private readonly rows = new Map<string, Parameter>();
-  private known = new Map<string, Known>();
+  private known = new Map<string, Datum | null>();
 
   constructor(
     /** What has these values, for messages. */
@@ -32,7 +29,8 @@ export class Values {
   ) {
     for (const row of declared.parameters) {
       this.rows.set(row.name, row);
-      this.known.set(row.name, initial(row, row.default));
+      const first = row.count ? accepted(row, row.default, null, row.name) : initial(row);
+      this.known.set(row.name, first);
     }
   }
 
@@ -54,7 +52,8 @@ export class Values {
     if (row) {
       const path = name.slice(row.name.length).match(/\w+/g) ?? [];
       this.known.set(row.name, changed(row, this.known.get(row.name)!, path, value, name));
-      if (row.count && !path.length && Array.isArray(value)) this.known.set(row.count, [value.length]);
+      const isList = row.count && !path.length && Array.isArray(value);
+      if (isList) this.known.set(row.count!, [value.length]);
       return;
     }
     if (!this.lightOf(name)) throw new Error(`${this.name} has no parameter \`${name}\``);
@@ -88,15 +87,21 @@ export class Values {
 
   /** The value that steps compute. `sizes` are those of the textures that they read. */
   evaluated(steps: Operation[], sizes: Inputs["size"], element?: number): Datum {
-    return compute(steps, { parameter: (name) => this.filled(name), size: sizes }, element);
+    return compute(steps, { parameter: (name) => this.get(name), size: sizes }, element);
+  }
+
+  /** The number that steps compute of these values alone. */
+  number(steps: Operation[]): number {
+    return (this.evaluated(steps, noTexture) as number[])[0];
   }
 
   /** The bytes of every block, those of derived values included. */
   blocks(): Map<string, Uint8Array<ArrayBuffer>> {
     const { blocks, parameters, derived } = this.declared;
-    const found = new Map(blocks.map(({ name, size }) => [name, new DataView(new ArrayBuffer(size))]));
+    const found = new Map<string, DataView<ArrayBuffer>>();
+    for (const { name, size } of blocks) found.set(name, new DataView(new ArrayBuffer(size)));
     for (const row of parameters) {
-      if (row.block !== null) write(found.get(row.block)!, row.offset!, row, this.filled(row.name));
+      if (row.block !== null) write(found.get(row.block)!, row.offset!, row, this.get(row.name));
     }
     for (const row of derived) {
       write(found.get(row.block)!, row.offset, row, this.derivedOf(row));
@@ -104,17 +109,9 @@ export class Values {
     return new Map([...found].map(([name, { buffer }]) => [name, new Uint8Array(buffer)]));
   }
 
-  private derivedOf({ name, steps, layout }: Derived): Datum {
-    const none = () => {
-      throw new Error(`${name} of ${this.name} depends on the size of a texture`);
-    };
-    if (layout.count === undefined) return this.evaluated(steps, none);
-    return Array.from({ length: layout.count }, (_, at) => this.evaluated(steps, none, at));
-  }
-
-  /** A value with zeros for the parts that nobody has set, if there is a part that somebody has. */
-  private filled(name: string): Datum {
-    return zeroed(this.rows.get(name)!, this.get(name));
+  private derivedOf({ steps, layout: { count } }: Derived): Datum {
+    if (count === undefined) return this.evaluated(steps, noTexture);
+    return Array.from({ length: count }, (_, at) => this.evaluated(steps, noTexture, at));
   }
 
   private parameterOf(name: string): Parameter | undefined {
@@ -130,115 +127,98 @@ export class Values {
   }
 }
 
+const noTexture = (name: string) => {
+  throw new Error(`the size of the texture \`${name}\` is not known here`);
+};
+
 // --- shapes --------------------------------------------------------------------------------------
 
 /** The row of one element of an array. */
 function elementOf(row: Placed): Placed {
   const { count: _, ...layout } = row.layout;
-  const type = row.type?.replace(/\[[^[]*\]$/, "");
-  return { ...row, type, representation: row.representation.replace(/\[[^[]*\]$/, ""), layout };
+  const one = (type = "") => type.replace(/\[[^[]*\]$/, "");
+  return { ...row, type: one(row.type), representation: one(row.representation), layout };
 }
 
-function initial(row: Placed, value: Value): Known {
-  if (row.layout.count !== undefined) {
+/** What a host means by a value. Parts that it leaves out, or that are null, stay as they were, and
+ * are their defaults or zero at first. */
+function accepted(row: Placed, value: Value, old: Datum | null, name: string): Datum {
+  const { count, columns, lanes } = row.layout;
+  if (count !== undefined) {
+    const isCounted = Boolean((row as Partial<Parameter>).count);
+    const items = value === null ? [] : listed(value, name, count, isCounted);
     const element = elementOf(row);
-    const parts = value as Value[] | null;
-    return Array.from({ length: row.layout.count }, (_, at) => initial(element, parts?.[at] ?? null)) as Datum[];
+    return Array.from({ length: count }, (_, at) =>
+      accepted(element, items[at] ?? null, (old as Datum[] | null)?.[at] ?? null, `${name}[${at}]`),
+    );
   }
   if (row.members?.length) {
-    const parts = value as Value[] | null;
+    const before = old as { [member: string]: Datum } | null;
     return Object.fromEntries(
-      row.members.map((each, at) => [
-        each.name,
-        initial(each, parts?.[at] ?? (each as Partial<Parameter>).default ?? null),
-      ]),
-    ) as Datum;
+      row.members.map((each, at) => {
+        const part = (value as any)?.[Array.isArray(value) ? at : each.name] ?? null;
+        const first = before ? before[each.name] : initial(each);
+        return [each.name, accepted(each, part, first, `${name}.${each.name}`)];
+      }),
+    );
   }
+  const zero = Array(lanes).fill(0);
+  if (value === null) return old ?? (columns ? Array(columns).fill(zero) : zero);
+  if (!columns) return vector(row, value, name);
+  return listed(value, name, columns, false).map((column) => vector(row, column, name));
+}
+
+/** The declared default of a member, if it has one. */
+function initial(row: Placed): Datum | null {
+  const value = (row as Partial<Parameter>).default ?? null;
   return value === null ? null : accepted(row, value, null, row.name);
 }
 
 /** `old` with the part at a path replaced. */
-function changed(row: Placed, old: Known, path: string[], value: Value, name: string): Known {
+function changed(
+  row: Placed, old: Datum | null, path: string[], value: Value, name: string,
+): Datum {
   if (!path.length) return accepted(row, value, old, name);
   const [step, ...further] = path;
-  const part = row.layout.count !== undefined
-    ? Number(step) < row.layout.count && elementOf(row)
+  const inArray = row.layout.count !== undefined;
+  const part = inArray
+    ? Number(step) < row.layout.count! && elementOf(row)
     : row.members?.find((each) => each.name === step);
   if (!part) throw new Error(`\`${row.name}\` has no part \`${step}\``);
-  const before = old as any;
-  const inner = changed(part, before[step], further, value, name);
-  return Array.isArray(before)
-    ? before.map((each, at) => (at === Number(step) ? inner : each))
-    : { ...before, [step]: inner };
+  const made: any = accepted(row, null, old, name);
+  const inner = changed(part, made[step], further, value, name);
+  return Object.assign(inArray ? [...made] : { ...made }, { [step]: inner });
 }
 
-/** What a host means by a value. Parts that are null, or that are missing, stay as they were. */
-function accepted(row: Placed, value: Value, old: Known, name: string): Known {
-  if (value === null) return old;
-  const { count, columns } = row.layout;
-  if (count !== undefined) {
-    const counted = Boolean((row as Partial<Parameter>).count);
-    const items = listed(value, name, (length) => length <= count && (counted || length === count), `${count} elements`);
-    const element = elementOf(row);
-    return (old as Known[]).map((before, at) =>
-      at < items.length ? accepted(element, items[at], before, `${name}[${at}]`) : before,
-    ) as Datum[];
-  }
-  if (row.members?.length) {
-    const parts = value as { [member: string]: Value };
-    return Object.fromEntries(
-      row.members.map((each) => [
-        each.name,
-        accepted(each, parts[each.name] ?? null, (old as any)[each.name], `${name}.${each.name}`),
-      ]),
-    ) as Datum;
-  }
-  if (columns) {
-    return listed(value, name, (length) => length === columns, `${columns} columns`).map((column) =>
-      vector(row, column, name),
-    );
-  }
-  return vector(row, value, name);
-}
-
-function listed(value: Value, name: string, fits: (length: number) => boolean, wanted: string): Value[] {
-  if (Array.isArray(value) && fits(value.length)) return value;
-  throw new Error(`\`${name}\` takes ${wanted}`);
+function listed(value: Value, name: string, count: number, orFewer: boolean): Value[] {
+  const length = Array.isArray(value) ? value.length : Infinity;
+  if (length === count || (orFewer && length < count)) return value as Value[];
+  throw new Error(`\`${name}\` takes ${count} elements`);
 }
 
 function vector(row: Placed, value: Value, name: string): number[] {
-  const count = row.layout.lanes;
-  const given = Array.isArray(value) ? value : [value];
-  if (given.length !== count || given.some((lane) => typeof lane !== "number" && typeof lane !== "boolean")) {
-    throw new Error(`\`${name}\` (${row.type}) takes ${count === 1 ? "one number" : `${count} numbers`}`);
+  const plain = (lane: Value) => (typeof lane === "boolean" ? Number(lane) : lane);
+  const given = (Array.isArray(value) ? value : [value]).map(plain);
+  const { lanes: count, columns } = row.layout;
+  const refuse = (why: string) => new Error(`\`${name}\` ${why}`);
+  if (given.length !== count || given.some((lane) => typeof lane !== "number")) {
+    throw refuse(`(${row.type}) takes ${count === 1 ? "one number" : `${count} numbers`}`);
   }
-  const kind = kindOf(row.representation);
-  const lanes = given.map((lane) => (kind === "float" ? Math.fround(Number(lane)) : Number(lane)));
-  const range = (row as Partial<Parameter>).range;
+  const isFloat = kindOf(row.representation) === "float";
+  const lanes = (given as number[]).map((lane) => (isFloat ? Math.fround(lane) : lane));
+  const [low, high] = (row as Partial<Parameter>).range ?? [-Infinity, Infinity];
   for (const lane of lanes) {
-    if (!Number.isFinite(lane)) throw new Error(`\`${name}\` takes finite numbers`);
-    if (range && !(lane >= Math.fround(range[0]) && lane <= Math.fround(range[1]))) {
-      throw new Error(`\`${name}\` is declared in ${range[0]}..${range[1]}: ${lane} is not`);
+    if (!Number.isFinite(lane)) throw refuse("takes finite numbers");
+    if (!isFloat && !Number.isInteger(lane)) throw refuse("takes whole numbers");
+    if (lane < Math.fround(low) || lane > Math.fround(high)) {
+      throw refuse(`is declared in ${low}..${high}: ${lane} is not`);
     }
-    if (kind !== "float" && !Number.isInteger(lane)) throw new Error(`\`${name}\` takes whole numbers`);
   }
-  if (count > 1 && !row.layout.columns && UNIT_TYPES.test(row.type ?? "")) {
+  if (count > 1 && !columns && UNIT_TYPES.test(row.type ?? "")) {
     const length = Math.hypot(...lanes);
-    if (Math.abs(length - 1) > UNIT_TOLERANCE) throw new Error(`\`${name}\` has to be of length 1, not ${length}`);
+    if (Math.abs(length - 1) > UNIT_TOLERANCE) throw refuse(`has to be of length 1, not ${length}`);
   }
   return lanes;
-}
-
-function zeroed(row: Placed, value: Known): Datum {
-  if (row.layout.count !== undefined) {
-    const element = elementOf(row);
-    return (value as Known[]).map((part) => zeroed(element, part)) as Datum[];
-  }
-  if (row.members?.length) {
-    return Object.fromEntries(row.members.map((each) => [each.name, zeroed(each, (value as any)[each.name])]));
-  }
-  const column = Array(row.layout.lanes).fill(0);
-  return value ?? (row.layout.columns ? Array(row.layout.columns).fill(column) : column);
 }
 
 // --- bytes ---------------------------------------------------------------------------------------
@@ -254,7 +234,9 @@ export function write(view: DataView, offset: number, row: Placed, value: Datum)
       write(view, offset + each.offset, each, (value as { [member: string]: Datum })[each.name]);
     }
   } else if (columns) {
-    (value as number[][]).forEach((column, at) => writeLanes(view, offset + at * column_stride!, kind, column));
+    (value as number[][]).forEach((column, at) => {
+      writeLanes(view, offset + at * column_stride!, kind, column);
+    });
   } else {
     writeLanes(view, offset, kind, value as number[]);
   }

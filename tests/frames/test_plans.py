@@ -40,6 +40,8 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
         for row in every:
             place = f"[{row['layer']}]" if row["layer"] else ""
             stored = "" if row["store"] else ", dropped"
+            if "stencil" in row:
+                stored += ", with stencil" + ("" if row["stencil"]["store"] else " dropped")
             yield f"  {row['load']} {row['name']} -> {row['texture']}{place}{stored}"
         for row in inputs_of(step):
             source = {k: v for k, v in row.items() if k != "name"}

@@ -231,15 +231,18 @@ class _Job:
             if every[0]["layer"] is not None
             else range(self._plan["textures"][every[0]["texture"]]["layers"])
         )
-        found = []
+        found, state = [], self._host.state_of(step)
         for layer in layers:
-            depth = step["depth"] and self._attachment(step["depth"], layer, 1.0)
+            depth = step["depth"] and self._attachment(step["depth"], layer)
             found.append(
                 FrameStep(
                     barriers if layer == 0 else (),
-                    tuple(self._attachment(target, layer, 0.0) for target in step["targets"]),
+                    tuple(self._attachment(target, layer) for target in step["targets"]),
                     depth or None,
                     tuple(self._draw(draw, layer) for draw in draws),
+                    state.viewport,
+                    state.scissor,
+                    state.blend_constant,
                 )
             )
         if step.get("continues", False):
@@ -247,12 +250,12 @@ class _Job:
             return [_drawn_on(self._steps.pop(), alone)]
         return found
 
-    def _attachment(self, target: Row, layer: int, clear: float) -> Attachment:
+    def _attachment(self, target: Row, layer: int) -> Attachment:
         at = layer if target["layer"] is None else target["layer"]
         return Attachment(
             self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
             target["store"], "stencil" in target and target["stencil"]["store"],
-            (clear, 0.0, 0.0, 0.0),
+            self._host.clear_of(target),
         )  # fmt: skip
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:

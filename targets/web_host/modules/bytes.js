@@ -9,8 +9,8 @@ export function bytesOf(base64) {
     return bytes;
 }
 export const wordsOf = (base64) => new Uint32Array(bytesOf(base64).buffer);
-/** The format of a texture for each format of the language. All APIs can draw to these; lanes of ten
- * bits are drawn with eight, which are clamped and blended in the same way. */
+/** The format of a texture for each format of the language. All APIs can draw to these; lanes of
+ * ten bits are drawn with eight, which are clamped and blended in the same way. */
 const FORMATS = {
     r8: "r8unorm", rg8: "rg8unorm", rgba8: "rgba8unorm", rgba8_srgb: "rgba8unorm-srgb",
     bgra8: "rgba8unorm", bgra8_srgb: "rgba8unorm-srgb", rgb10a2: "rgba8unorm",

@@ -108,7 +108,8 @@ function inserted(x, y, offset, count) {
 /** Parts of equal width in 32 bits, the first one lowest. */
 function packed(parts) {
     const width = 32 / parts.length;
-    return [parts.reduce((all, part, at) => all | ((part & (2 ** width - 1)) << (at * width)), 0) >>> 0];
+    const ones = 2 ** width - 1;
+    return [parts.reduce((all, part, at) => all | ((part & ones) << (at * width)), 0) >>> 0];
 }
 const parted = (x, count) => Array.from({ length: count }, (_, at) => (x >>> ((at * 32) / count)) & (2 ** (32 / count) - 1));
 const packUnorm = (v) => packed(v.map((lane) => round(clamp(lane, 0, 1) * (2 ** (32 / v.length) - 1))));
@@ -218,7 +219,8 @@ function converted(name, kind, x) {
         return wrapped(name === "to_int" ? "int" : "uint", x);
     if (Number.isNaN(x))
         return 0;
-    return Math.trunc(name === "to_int" ? clamp(x, -(2 ** 31), LARGEST_INT) : clamp(x, 0, LARGEST_UINT));
+    const isSigned = name === "to_int";
+    return Math.trunc(clamp(x, isSigned ? -(2 ** 31) : 0, isSigned ? LARGEST_INT : LARGEST_UINT));
 }
 const LARGEST_INT = 2 ** 31 - 2 ** 7;
 const LARGEST_UINT = 2 ** 32 - 2 ** 8;
@@ -234,7 +236,8 @@ function determinant(m) {
     return m[0].reduce((sum, lane, row) => sum + lane * cofactor(m, 0, row), 0);
 }
 function cofactor(m, column, row) {
-    const minor = m.filter((_, at) => at !== column).map((lanes) => lanes.filter((_, at) => at !== row));
+    const without = (items, at) => items.filter((_, other) => other !== at);
+    const minor = without(m, column).map((lanes) => without(lanes, row));
     return determinant(minor) * (-1) ** (column + row);
 }
 function inverse(m) {
@@ -274,8 +277,10 @@ const WHOLE = {
         return incident.map((i, at) => i - twice * normal[at]);
     },
     refract: refracted,
-    faceforward: (normal, incident, reference) => (dot(reference, incident) < 0 ? normal : scaled(normal, -1)),
-    lit: ([nl], [nh], [exponent]) => [1, Math.max(nl, 0), nl < 0 || nh < 0 ? 0 : power(nh, exponent), 1],
+    faceforward: (normal, incident, reference) => dot(reference, incident) < 0 ? normal : scaled(normal, -1),
+    lit: ([nl], [nh], [exponent]) => [
+        1, Math.max(nl, 0), nl < 0 || nh < 0 ? 0 : power(nh, exponent), 1,
+    ],
     transpose: transposed,
     determinant: (m) => [determinant(m)],
     outer: (column, row) => row.map((lane) => scaled(column, lane)),
@@ -295,8 +300,9 @@ const WHOLE = {
 const isMatrix = (value) => Array.isArray(value[0]);
 /** The value of a builtin; `kind` is the type of the operands' lanes. */
 export function evaluate(name, operands, kind) {
-    if (name === "dot" && kind !== "float")
+    if (name === "dot" && kind !== "float") {
         return [wrapped(kind, dot(operands[0], operands[1], Math.imul))];
+    }
     if (WHOLE[name])
         return WHOLE[name](...operands);
     if (operands.some(isMatrix)) {

@@ -119,6 +119,6 @@ function constantOf(value) {
 export function kindOf(type) {
     if (type === "int" || type === "uint" || type === "bool")
         return type;
-    const vector = /^([iub])vec[234]$/.exec(type);
-    return vector ? { i: "int", u: "uint", b: "bool" }[vector[1]] : "float";
+    const letter = /^([iub])vec[234]$/.exec(type)?.[1];
+    return letter === "i" ? "int" : letter === "u" ? "uint" : letter === "b" ? "bool" : "float";
 }

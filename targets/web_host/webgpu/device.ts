@@ -2,7 +2,8 @@
 
 // The constants of the specification, which TypeScript's own types lack.
 export const BufferUsage = {
-  MAP_READ: 0x1, COPY_SRC: 0x4, COPY_DST: 0x8, INDEX: 0x10, VERTEX: 0x20, UNIFORM: 0x40, STORAGE: 0x80,
+  MAP_READ: 0x1, COPY_SRC: 0x4, COPY_DST: 0x8, INDEX: 0x10, VERTEX: 0x20, UNIFORM: 0x40,
+  STORAGE: 0x80,
 } as const;
 export const TextureUsage = {
   COPY_SRC: 0x1, COPY_DST: 0x2, TEXTURE_BINDING: 0x4, STORAGE_BINDING: 0x8, RENDER_ATTACHMENT: 0x10,
@@ -15,14 +16,17 @@ const FEATURES: GPUFeatureName[] = [
   "float32-blendable", "float32-filterable", "depth32float-stencil8",
 ];
 /** Limits that frames may need to be above the default. */
-const LIMITS = ["maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize"] as const;
+const LIMITS = [
+  "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",
+] as const;
 
 export class Device {
   private readonly complaints: string[] = [];
 
   private constructor(readonly gpu: GPUDevice) {
-    gpu.addEventListener("uncapturederror", ({ error }) => this.complaints.push(error.message));
-    void gpu.lost.then(({ message }) => this.complaints.push(`the WebGPU device was lost: ${message}`));
+    const complain = (message: string) => this.complaints.push(message);
+    gpu.addEventListener("uncapturederror", ({ error }) => complain(error.message));
+    void gpu.lost.then(({ message }) => complain(`the WebGPU device was lost: ${message}`));
   }
 
   static async open(): Promise<Device> {
@@ -44,7 +48,8 @@ export class Device {
   }
 
   buffer(bytes: Uint8Array<ArrayBuffer> | Uint32Array<ArrayBuffer>, usage: number): GPUBuffer {
-    const buffer = this.gpu.createBuffer({ size: Math.max(bytes.byteLength, 4), usage: usage | BufferUsage.COPY_DST });
+    const size = Math.max(bytes.byteLength, 4);
+    const buffer = this.gpu.createBuffer({ size, usage: usage | BufferUsage.COPY_DST });
     this.gpu.queue.writeBuffer(buffer, 0, bytes);
     return buffer;
   }
@@ -69,14 +74,16 @@ export class Arena {
       this.chunk += 1;
       this.used = 0;
     }
-    const { buffer, bytes: whole } = (this.chunks[this.chunk] ??= {
-      buffer: this.device.gpu.createBuffer({ size: this.size, usage: this.usage | BufferUsage.COPY_DST }),
-      bytes: new Uint8Array(this.size),
-    });
+    const { buffer, bytes: whole } = (this.chunks[this.chunk] ??= this.makeChunk());
     const offset = this.used;
     whole.set(bytes, offset);
     this.used = Math.ceil((offset + bytes.length) / this.alignment) * this.alignment;
     return { buffer, offset, size: bytes.length };
+  }
+
+  private makeChunk() {
+    const bytes = new Uint8Array(this.size);
+    return { buffer: this.device.buffer(bytes, this.usage), bytes };
   }
 
   begin(): void {

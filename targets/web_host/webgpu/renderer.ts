@@ -1,5 +1,6 @@
 // Draws frames with WebGPU.
 
+import { areasOf, type DrawSettings } from "../areas.js";
 import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved, type Geometry } from "../geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
@@ -18,6 +19,7 @@ interface Uploaded {
   indices: GPUBuffer | null;
 }
 
+type Canvas = HTMLCanvasElement | OffscreenCanvas;
 type Call = DrawCall<Texture, GPUBuffer>;
 
 export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
@@ -42,7 +44,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
   }
 
-  static async open(device: Device, from: FramePackage, canvas: HTMLCanvasElement | OffscreenCanvas | null) {
+  static async open(device: Device, from: FramePackage, canvas: Canvas | null) {
     const presenter = canvas && new Presenter(device, canvas);
     return new WebGpuRenderer(device, await Pipelines.of(device, from), presenter, from.shaders);
   }
@@ -104,21 +106,32 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     this.device.gpu.queue.submit([this.encoder.finish()]);
   }
 
-  draw(targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[]): void {
+  draw(
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[], settings: DrawSettings,
+  ): void {
     const pass = this.encoder.beginRenderPass({
-      colorAttachments: targets.map(({ target, texture, layer }) => ({
+      colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
         view: layerOf(texture.gpu, layer, target.level),
-        clearValue: [0, 0, 0, 0],
+        clearValue: clear,
         loadOp: target.load,
         storeOp: storeOp(target),
       })),
       ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
     });
+    const first = targets[0] ?? depth!;
+    const { width, height } = first.texture.gpu;
+    const [viewport, drawn] = areasOf(
+      settings, Math.max(width >> first.target.level, 1), Math.max(height >> first.target.level, 1),
+    );
+    pass.setViewport(...viewport, 0, 1);
+    pass.setScissorRect(...drawn);
+    pass.setBlendConstant(settings.blendConstant);
     const formats = targets.map(({ texture }) => texture.gpu.format);
     for (const call of calls) {
       const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
       pass.setPipeline(pipeline.render!);
-      pass.setStencilReference(this.shaders[call.shader].reflection.render_state.stencil?.reference ?? 0);
+      const { stencil } = this.shaders[call.shader].reflection.render_state;
+      pass.setStencilReference(stencil?.reference ?? 0);
       this.bind(pass, pipeline, call, []);
       this.drawGeometry(pass, call.geometry);
     }
@@ -128,7 +141,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   run(kernel: Bound<Texture, GPUBuffer>, images: Texture[], groups: number[]): void {
     const most = this.device.gpu.limits.maxComputeWorkgroupsPerDimension;
     if (Math.max(...groups) > most) {
-      throw new Error(`${groups.join(" x ")} work groups, and the device runs at most ${most} along one axis`);
+      const wanted = groups.join(" x ");
+      throw new Error(`${wanted} work groups, and the device runs at most ${most} along one axis`);
     }
     const pipeline = this.pipelines.get(kernel.shader, [], null);
     const pass = this.encoder.beginComputePass();
@@ -140,14 +154,16 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
 
   copy({ gpu: from }: Texture, { gpu: to }: Texture): void {
     for (let mipLevel = 0; mipLevel < from.mipLevelCount; mipLevel++) {
-      this.encoder.copyTextureToTexture({ texture: from, mipLevel }, { texture: to, mipLevel }, [
-        Math.max(from.width >> mipLevel, 1), Math.max(from.height >> mipLevel, 1), from.depthOrArrayLayers,
-      ]);
+      const halved = (side: number) => Math.max(side >> mipLevel, 1);
+      const size = [halved(from.width), halved(from.height), from.depthOrArrayLayers];
+      const [source, target] = [from, to].map((texture) => ({ texture, mipLevel }));
+      this.encoder.copyTextureToTexture(source, target, size);
     }
   }
 
   private bind(
-    pass: GPURenderPassEncoder | GPUComputePassEncoder, { layouts }: Pipeline, bound: Bound<Texture, GPUBuffer>, images: Texture[],
+    pass: GPURenderPassEncoder | GPUComputePassEncoder, { layouts }: Pipeline,
+    bound: Bound<Texture, GPUBuffer>, images: Texture[],
   ): void {
     const blocks = bound.values.blocks();
     const { textures } = this.shaders[bound.shader].reflection;
@@ -161,18 +177,22 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
           return layerOf(images[slot.number].gpu, 0, 0);
         case "sampler":
           return this.sampler(bound.shader, slot.name);
-        case "texture":
-          return viewOf(given(bound.textures, slot.name, bound), textures.find(({ name }) => name === slot.name)!);
+        case "texture": {
+          const row = textures.find(({ name }) => name === slot.name)!;
+          return viewOf(given(bound.textures, slot.name, bound), row);
+        }
       }
     };
     this.slots[bound.shader].forEach((slots, group) => {
       const entries = slots.map((slot) => ({ binding: slot.binding, resource: resource(slot) }));
-      pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout: layouts[group], entries }));
+      const layout = layouts[group];
+      pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
     });
   }
 
   private sampler(shader: number, texture: string): GPUSampler {
-    const { state } = this.shaders[shader].reflection.samplers.find((each) => each.texture === texture)!;
+    const { samplers } = this.shaders[shader].reflection;
+    const { state } = samplers.find((each) => each.texture === texture)!;
     const key = JSON.stringify(state);
     const found = this.samplers.get(key) ?? makeSampler(this.device, state);
     this.samplers.set(key, found);
@@ -222,9 +242,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     });
     const encoder = this.device.gpu.createCommandEncoder();
     const aspect = isDepth(format) ? "depth-only" : "all";
-    encoder.copyTextureToBuffer(
-      { texture: gpu, aspect }, { buffer, bytesPerRow, rowsPerImage: height }, [width, height, layers],
-    );
+    const target = { buffer, bytesPerRow, rowsPerImage: height };
+    encoder.copyTextureToBuffer({ texture: gpu, aspect }, target, [width, height, layers]);
     this.device.gpu.queue.submit([encoder.finish()]);
     try {
       await buffer.mapAsync(MAP_READ);
@@ -241,11 +260,13 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 }
 
-function depthAttachment({ texture, layer, target }: Attachment<Texture>): GPURenderPassDepthStencilAttachment {
+function depthAttachment(
+  { texture, layer, target, clear }: Attachment<Texture>,
+): GPURenderPassDepthStencilAttachment {
   const { stencil } = target;
   return {
     view: layerOf(texture.gpu, layer, target.level),
-    depthClearValue: 1,
+    depthClearValue: clear[0],
     depthLoadOp: target.load,
     depthStoreOp: storeOp(target),
     ...(hasStencil(texture.gpu.format) && {
@@ -258,7 +279,10 @@ function depthAttachment({ texture, layer, target }: Attachment<Texture>): GPURe
 
 const storeOp = ({ store }: { store: boolean }) => (store ? "store" : "discard");
 
-function given<Item>(items: Map<string, Item>, name: string, { values }: Bound<unknown, unknown>): Item {
+/** Something that a shader reads. */
+function given<Item>(
+  items: Map<string, Item>, name: string, { values }: Bound<unknown, unknown>,
+): Item {
   const found = items.get(name);
   if (found === undefined) throw new Error(`nobody gives ${values.name} its \`${name}\``);
   return found;
@@ -266,5 +290,6 @@ function given<Item>(items: Map<string, Item>, name: string, { values }: Bound<u
 
 /** The view by which a shader reads a whole texture. */
 function viewOf({ gpu }: Texture, { layout: { viewDimension } }: TextureRow): GPUTextureView {
-  return gpu.createView({ dimension: viewDimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
+  const aspect = isDepth(gpu.format) ? "depth-only" : "all";
+  return gpu.createView({ dimension: viewDimension, aspect });
 }

@@ -33,11 +33,13 @@ export function makeTexture({ gpu }: Device, size: TextureSize): Texture {
 
 export function layerOf(texture: GPUTexture, layer: number, level: number): GPUTextureView {
   return texture.createView({
-    dimension: "2d", baseArrayLayer: layer, arrayLayerCount: 1, baseMipLevel: level, mipLevelCount: 1,
+    dimension: "2d", baseArrayLayer: layer, arrayLayerCount: 1, baseMipLevel: level,
+    mipLevelCount: 1,
   });
 }
 
-export function makeSampler({ gpu }: Device, { filter, mip, wrap, compare }: SamplerState): GPUSampler {
+export function makeSampler({ gpu }: Device, state: SamplerState): GPUSampler {
+  const { filter, mip, wrap, compare } = state;
   return gpu.createSampler({
     addressModeU: WRAPS[wrap],
     addressModeV: WRAPS[wrap],
@@ -60,23 +62,26 @@ export function makePicture(device: Device, picture: Picture): Texture {
     dimension: dimension === "3d" ? "3d" : "2d",
     size: [width, height, depth],
     mipLevelCount: levels.length,
-    usage: TextureUsage.TEXTURE_BINDING | (isDepth(format) ? TextureUsage.RENDER_ATTACHMENT : TextureUsage.COPY_DST),
+    usage:
+      TextureUsage.TEXTURE_BINDING |
+      (isDepth(format) ? TextureUsage.RENDER_ATTACHMENT : TextureUsage.COPY_DST),
   });
+  const isSolid = dimension === "3d";
   levels.forEach((level, number) => {
-    const size: [number, number, number] = [
-      halved(width, number), halved(height, number), dimension === "3d" ? halved(depth, number) : depth,
-    ];
-    if (isDepth(format)) drawDepths(device, texture, bytesOf(level), number, size);
-    else writeTexels(device, texture, bytesOf(level), number, size);
+    const layers = isSolid ? halved(depth, number) : depth;
+    const size = [halved(width, number), halved(height, number), layers];
+    const fill = isDepth(format) ? drawDepths : writeTexels;
+    fill(device, texture, bytesOf(level), number, size);
   });
-  const sides = [width, height, depth].slice(0, dimension === "3d" || dimension === "2d_array" ? 3 : 2);
-  return { gpu: texture, sides };
+  const hasThree = isSolid || dimension === "2d_array";
+  return { gpu: texture, sides: hasThree ? [width, height, depth] : [width, height] };
 }
 
 const halved = (side: number, level: number) => Math.max(side >> level, 1);
 
 function writeTexels(
-  { gpu }: Device, texture: GPUTexture, bytes: Uint8Array<ArrayBuffer>, mipLevel: number, size: [number, number, number],
+  { gpu }: Device, texture: GPUTexture, bytes: Uint8Array<ArrayBuffer>, mipLevel: number,
+  size: number[],
 ): void {
   const [lanes, bytesPerLane] = lanesOf(texture.format);
   const layout = { bytesPerRow: size[0] * lanes * bytesPerLane, rowsPerImage: size[1] };
@@ -120,7 +125,8 @@ struct Corner { @builtin(position) at: vec4f, @location(0) @interpolate(flat) fi
 
 /** WebGPU cannot copy to textures of 32-bit depths, so they are drawn, layer by layer. */
 function drawDepths(
-  device: Device, texture: GPUTexture, bytes: Uint8Array<ArrayBuffer>, level: number, [width, height, layers]: number[],
+  device: Device, texture: GPUTexture, bytes: Uint8Array<ArrayBuffer>, level: number,
+  [width, height, layers]: number[],
 ): void {
   const { gpu } = device;
   const module = gpu.createShaderModule({ code: DEPTHS.replace("WIDTH", `${width}`) });

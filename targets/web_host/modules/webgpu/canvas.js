@@ -29,8 +29,9 @@ export class Presenter {
     /** Show the first layer and level of a texture, over the whole canvas. */
     show(texture) {
         const pipeline = this.pipeline(texture.format);
+        const aspect = isDepth(texture.format) ? "depth-only" : "all";
         const view = texture.createView({
-            dimension: "2d", mipLevelCount: 1, arrayLayerCount: 1, aspect: isDepth(texture.format) ? "depth-only" : "all",
+            dimension: "2d", mipLevelCount: 1, arrayLayerCount: 1, aspect,
         });
         const encoder = this.device.gpu.createCommandEncoder();
         const pass = encoder.beginRenderPass({

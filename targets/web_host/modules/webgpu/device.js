@@ -1,7 +1,8 @@
 // Opens a device of WebGPU, and keeps what it complains about.
 // The constants of the specification, which TypeScript's own types lack.
 export const BufferUsage = {
-    MAP_READ: 0x1, COPY_SRC: 0x4, COPY_DST: 0x8, INDEX: 0x10, VERTEX: 0x20, UNIFORM: 0x40, STORAGE: 0x80,
+    MAP_READ: 0x1, COPY_SRC: 0x4, COPY_DST: 0x8, INDEX: 0x10, VERTEX: 0x20, UNIFORM: 0x40,
+    STORAGE: 0x80,
 };
 export const TextureUsage = {
     COPY_SRC: 0x1, COPY_DST: 0x2, TEXTURE_BINDING: 0x4, STORAGE_BINDING: 0x8, RENDER_ATTACHMENT: 0x10,
@@ -13,14 +14,17 @@ const FEATURES = [
     "float32-blendable", "float32-filterable", "depth32float-stencil8",
 ];
 /** Limits that frames may need to be above the default. */
-const LIMITS = ["maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize"];
+const LIMITS = [
+    "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",
+];
 export class Device {
     gpu;
     complaints = [];
     constructor(gpu) {
         this.gpu = gpu;
-        gpu.addEventListener("uncapturederror", ({ error }) => this.complaints.push(error.message));
-        void gpu.lost.then(({ message }) => this.complaints.push(`the WebGPU device was lost: ${message}`));
+        const complain = (message) => this.complaints.push(message);
+        gpu.addEventListener("uncapturederror", ({ error }) => complain(error.message));
+        void gpu.lost.then(({ message }) => complain(`the WebGPU device was lost: ${message}`));
     }
     static async open() {
         const adapter = await navigator.gpu?.requestAdapter();
@@ -39,7 +43,8 @@ export class Device {
             throw new Error(found.join("\n"));
     }
     buffer(bytes, usage) {
-        const buffer = this.gpu.createBuffer({ size: Math.max(bytes.byteLength, 4), usage: usage | BufferUsage.COPY_DST });
+        const size = Math.max(bytes.byteLength, 4);
+        const buffer = this.gpu.createBuffer({ size, usage: usage | BufferUsage.COPY_DST });
         this.gpu.queue.writeBuffer(buffer, 0, bytes);
         return buffer;
     }
@@ -65,14 +70,15 @@ export class Arena {
             this.chunk += 1;
             this.used = 0;
         }
-        const { buffer, bytes: whole } = (this.chunks[this.chunk] ??= {
-            buffer: this.device.gpu.createBuffer({ size: this.size, usage: this.usage | BufferUsage.COPY_DST }),
-            bytes: new Uint8Array(this.size),
-        });
+        const { buffer, bytes: whole } = (this.chunks[this.chunk] ??= this.makeChunk());
         const offset = this.used;
         whole.set(bytes, offset);
         this.used = Math.ceil((offset + bytes.length) / this.alignment) * this.alignment;
         return { buffer, offset, size: bytes.length };
+    }
+    makeChunk() {
+        const bytes = new Uint8Array(this.size);
+        return { buffer: this.device.buffer(bytes, this.usage), bytes };
     }
     begin() {
         this.chunk = 0;

@@ -1,9 +1,9 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
-import { formatOf, hasStencil } from "../bytes.js";
+import { formatOf } from "../bytes.js";
 import { ShaderStage } from "./device.js";
+import { colorTarget, depthStencil, vertexBuffers } from "./states.js";
 export const PROFILE = "wgsl:webgpu";
-const keyOf = (shader, { targets, depth }) => [shader, ...targets, depth].join(" ");
-/** All pipelines of a frame, by shader and the formats of what it draws to. */
+/** All pipelines of a frame, by shader and formats. */
 export class Pipelines {
     device;
     made = new Map();
@@ -13,16 +13,19 @@ export class Pipelines {
     static async of(device, { plan, shaders }) {
         const found = new Pipelines(device);
         const wanted = new Map();
-        const want = (shader, formats) => wanted.set(keyOf(shader, formats), [shader, formats]);
+        const want = (shader, formats) => {
+            wanted.set(keyOf(shader, formats), [shader, formats]);
+        };
         const format = ({ texture }) => formatOf(plan.textures[texture].format);
         for (const step of plan.steps) {
             if (step.kind === "draw") {
-                const formats = { targets: step.targets.map(format), depth: step.depth && format(step.depth) };
+                const depth = step.depth && format(step.depth);
+                const formats = { targets: step.targets.map(format), depth };
                 step.draws.forEach(({ uses }) => uses.forEach(({ shader }) => want(shader, formats)));
             }
             else if (step.kind === "run") {
-                const drawn = "fragment" in shaders[step.shader].texts[PROFILE];
-                want(step.shader, { targets: drawn ? step.images.map(format) : [], depth: null });
+                const isDrawn = "fragment" in (shaders[step.shader].texts[PROFILE] ?? {});
+                want(step.shader, { targets: isDrawn ? step.images.map(format) : [], depth: null });
             }
         }
         await Promise.all([...wanted].map(async ([key, [shader, formats]]) => {
@@ -39,141 +42,97 @@ export class Pipelines {
         if (!compute && !vertex)
             throw new Error(`${reflection.material} has no text for ${PROFILE}`);
         const { gpu } = this.device;
-        const layouts = slotsOf(reflection).map((slots) => gpu.createBindGroupLayout({
-            entries: slots.map((slot) => layoutEntry(reflection, slot, compute ? ShaderStage.COMPUTE : ShaderStage.DRAWN)),
-        }));
+        const stages = compute ? ShaderStage.COMPUTE : ShaderStage.DRAWN;
+        const layouts = slotsOf(reflection).map((slots) => {
+            const entries = slots.map((slot) => layoutEntry(reflection, slot, stages));
+            return gpu.createBindGroupLayout({ entries });
+        });
         const layout = gpu.createPipelineLayout({ bindGroupLayouts: layouts });
         if (compute) {
             const stage = await this.stage(reflection, compute);
             return { layouts, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
         }
-        const { backends, draw, render_state: state } = reflection;
-        if (state.fill === "lines")
-            throw new Error(`WebGPU cannot draw the edges of triangles, as ${reflection.material} asks`);
+        const { backends, draw, render_state: state, material } = reflection;
+        const topology = draw?.topology ?? "triangle";
+        if (state.fill === "lines") {
+            throw new Error(`WebGPU cannot draw the edges of triangles, as ${material} asks`);
+        }
+        const [vertices, fragments] = [
+            await this.stage(reflection, vertex), await this.stage(reflection, fragment),
+        ];
         const render = await gpu.createRenderPipelineAsync({
             layout,
-            vertex: { ...(await this.stage(reflection, vertex)), buffers: vertexBuffers(reflection) },
-            fragment: { ...(await this.stage(reflection, fragment)), targets: this.targets(reflection, formats.targets) },
+            vertex: { ...vertices, buffers: vertexBuffers(reflection) },
+            fragment: { ...fragments, targets: this.targets(reflection, formats.targets) },
             primitive: {
-                topology: `${draw?.topology ?? "triangle"}-list`,
+                topology: `${topology}-list`,
                 cullMode: state.cull,
                 frontFace: backends[PROFILE].front_face,
             },
-            ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, draw?.topology) }),
+            ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, topology) }),
         });
         return { layouts, render };
     }
     async stage({ material }, { text, entry }) {
         const module = this.device.gpu.createShaderModule({ code: text });
         const { messages } = await module.getCompilationInfo();
-        const wrong = messages.filter(({ type }) => type === "error");
+        const wrong = messages
+            .filter(({ type }) => type === "error")
+            .map(({ lineNum, linePos, message }) => `\n${lineNum}:${linePos}: ${message}`);
         if (wrong.length) {
-            const lines = wrong.map(({ lineNum, linePos, message }) => `${lineNum}:${linePos}: ${message}`);
-            throw new Error(`the browser refuses a text of ${material}:\n${lines.join("\n")}`);
+            throw new Error(`the browser refuses a text of ${material}:${wrong.join("")}`);
         }
         return { module, entryPoint: entry };
     }
     targets({ targets, material }, formats) {
+        const blends32 = this.device.gpu.features.has("float32-blendable");
         return formats.map((format, at) => {
-            const { blend, mask } = targets[at];
-            if (blend && /32float/.test(format) && !this.device.gpu.features.has("float32-blendable")) {
-                throw new Error(`this device cannot blend ${format}, which ${material} does: it lacks float32-blendable`);
+            if (targets[at].blend && format.includes("32float") && !blends32) {
+                throw new Error(`this device cannot blend ${format}, which ${material} draws to`);
             }
-            const writeMask = [..."rgba"].reduce((bits, lane, at) => bits | (written(mask, lane) ? 1 << at : 0), 0);
-            if (!blend)
-                return { format, writeMask };
-            return { format, writeMask, blend: { color: component(blend.color), alpha: component(blend.alpha) } };
+            return colorTarget(targets[at], format);
         });
     }
 }
-function depthStencil({ depth, stencil }, format, topology = "triangle") {
-    return {
-        format,
-        depthWriteEnabled: depth.write,
-        depthCompare: word(depth.compare),
-        ...(depth.bias && topology === "triangle" && {
-            depthBias: depth.bias.constant,
-            depthBiasSlopeScale: depth.bias.slope,
-            depthBiasClamp: depth.bias.clamp,
-        }),
-        ...(stencil && hasStencil(format) && {
-            stencilFront: stencilSide(stencil.front),
-            stencilBack: stencilSide(stencil.back),
-            stencilReadMask: stencil.read_mask,
-            stencilWriteMask: stencil.write_mask,
-        }),
-    };
-}
-const stencilSide = ({ compare, fail, depth_fail, pass }) => ({
-    compare: word(compare), failOp: word(fail), depthFailOp: word(depth_fail), passOp: word(pass),
-});
-/** A word of a reflection as WebGPU writes it. */
-const word = (text) => text.replaceAll("_", "-");
-const written = (mask, lane) => mask !== "none" && mask.includes(lane);
-const component = ({ source, destination, operation }) => ({
-    operation: word(operation), srcFactor: word(source), dstFactor: word(destination),
-});
-/** One buffer for the inputs of vertices and one for those of instances, as `interleaved` makes
- * them. */
-function vertexBuffers({ vertex_inputs: inputs }) {
-    return ["vertex", "instance"].flatMap((stepMode) => {
-        const members = inputs.filter((each) => each.step === stepMode && !each.buffer);
-        let arrayStride = 0;
-        const attributes = members.map(({ representation, location }) => {
-            const lanes = Number(/\d$/.exec(representation)?.[0] ?? 1);
-            const offset = arrayStride;
-            arrayStride += 4 * lanes;
-            return { format: vertexFormat(representation, lanes), offset, shaderLocation: location };
-        });
-        return members.length ? [{ arrayStride, stepMode, attributes }] : [];
-    });
-}
-function vertexFormat(representation, lanes) {
-    const type = representation.startsWith("u") ? "uint32" : representation.startsWith("i") ? "sint32" : "float32";
-    return (lanes > 1 ? `${type}x${lanes}` : type);
-}
+const keyOf = (shader, { targets, depth }) => [shader, ...targets, depth].join(" ");
 /** What a shader reads and writes, by group; a group that is not used is empty. */
 export function slotsOf(reflection) {
     const { blocks, buffers, images, textures, samplers } = reflection.backends[PROFILE];
     const found = [];
-    const add = ({ group, binding }, slot) => {
-        while (found.length <= group)
+    const add = (place, slot) => {
+        if (!place)
+            return;
+        while (found.length <= place.group)
             found.push([]);
-        found[group].push({ ...slot, binding });
+        found[place.group].push({ ...slot, binding: place.binding });
     };
     for (const { name } of reflection.blocks)
         add(blocks[name], { kind: "block", name });
-    for (const [written, rows] of [[false, reflection.buffers], [true, reflection.results]]) {
-        for (const { name } of rows)
-            if (buffers[name])
-                add(buffers[name], { kind: "buffer", name, written });
+    for (const { name } of reflection.buffers) {
+        add(buffers[name], { kind: "buffer", name, written: false });
     }
-    reflection.targets.forEach(({ name }, number) => {
-        if (images[name])
-            add(images[name], { kind: "image", number });
-    });
+    for (const { name } of reflection.results) {
+        add(buffers[name], { kind: "buffer", name, written: true });
+    }
+    reflection.targets.forEach(({ name }, number) => add(images[name], { kind: "image", number }));
     for (const { name } of reflection.textures) {
-        if (textures[name])
-            add(textures[name], { kind: "texture", name });
-        if (samplers[name])
-            add(samplers[name], { kind: "sampler", name });
+        add(textures[name], { kind: "texture", name });
+        add(samplers[name], { kind: "sampler", name });
     }
     return found;
 }
 // The layout that WebGPU infers would leave out bindings that a text does not use.
-function layoutEntry(reflection, slot, visibility) {
+function layoutEntry({ targets, textures }, slot, visibility) {
     const entry = { binding: slot.binding, visibility };
-    switch (slot.kind) {
-        case "block":
-            return { ...entry, buffer: {} };
-        case "buffer":
-            return { ...entry, buffer: { type: slot.written ? "storage" : "read-only-storage" } };
-        case "image": {
-            const format = formatOf(reflection.targets[slot.number].format);
-            return { ...entry, storageTexture: { format } };
-        }
+    if (slot.kind === "block")
+        return { ...entry, buffer: {} };
+    if (slot.kind === "buffer") {
+        return { ...entry, buffer: { type: slot.written ? "storage" : "read-only-storage" } };
     }
-    const { layout } = reflection.textures.find(({ name }) => name === slot.name);
+    if (slot.kind === "image") {
+        return { ...entry, storageTexture: { format: formatOf(targets[slot.number].format) } };
+    }
+    const { layout } = textures.find(({ name }) => name === slot.name);
     const { viewDimension, sampleType, sampler } = layout;
     if (slot.kind === "sampler")
         return { ...entry, sampler: { type: sampler } };

@@ -1,4 +1,5 @@
 // Draws frames with WebGPU.
+import { areasOf } from "../areas.js";
 import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved } from "../geometry.js";
 import { Presenter } from "./canvas.js";
@@ -76,21 +77,28 @@ export class WebGpuRenderer {
         this.arena.flush();
         this.device.gpu.queue.submit([this.encoder.finish()]);
     }
-    draw(targets, depth, calls) {
+    draw(targets, depth, calls, settings) {
         const pass = this.encoder.beginRenderPass({
-            colorAttachments: targets.map(({ target, texture, layer }) => ({
+            colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
                 view: layerOf(texture.gpu, layer, target.level),
-                clearValue: [0, 0, 0, 0],
+                clearValue: clear,
                 loadOp: target.load,
                 storeOp: storeOp(target),
             })),
             ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
         });
+        const first = targets[0] ?? depth;
+        const { width, height } = first.texture.gpu;
+        const [viewport, drawn] = areasOf(settings, Math.max(width >> first.target.level, 1), Math.max(height >> first.target.level, 1));
+        pass.setViewport(...viewport, 0, 1);
+        pass.setScissorRect(...drawn);
+        pass.setBlendConstant(settings.blendConstant);
         const formats = targets.map(({ texture }) => texture.gpu.format);
         for (const call of calls) {
             const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
             pass.setPipeline(pipeline.render);
-            pass.setStencilReference(this.shaders[call.shader].reflection.render_state.stencil?.reference ?? 0);
+            const { stencil } = this.shaders[call.shader].reflection.render_state;
+            pass.setStencilReference(stencil?.reference ?? 0);
             this.bind(pass, pipeline, call, []);
             this.drawGeometry(pass, call.geometry);
         }
@@ -99,7 +107,8 @@ export class WebGpuRenderer {
     run(kernel, images, groups) {
         const most = this.device.gpu.limits.maxComputeWorkgroupsPerDimension;
         if (Math.max(...groups) > most) {
-            throw new Error(`${groups.join(" x ")} work groups, and the device runs at most ${most} along one axis`);
+            const wanted = groups.join(" x ");
+            throw new Error(`${wanted} work groups, and the device runs at most ${most} along one axis`);
         }
         const pipeline = this.pipelines.get(kernel.shader, [], null);
         const pass = this.encoder.beginComputePass();
@@ -110,9 +119,10 @@ export class WebGpuRenderer {
     }
     copy({ gpu: from }, { gpu: to }) {
         for (let mipLevel = 0; mipLevel < from.mipLevelCount; mipLevel++) {
-            this.encoder.copyTextureToTexture({ texture: from, mipLevel }, { texture: to, mipLevel }, [
-                Math.max(from.width >> mipLevel, 1), Math.max(from.height >> mipLevel, 1), from.depthOrArrayLayers,
-            ]);
+            const halved = (side) => Math.max(side >> mipLevel, 1);
+            const size = [halved(from.width), halved(from.height), from.depthOrArrayLayers];
+            const [source, target] = [from, to].map((texture) => ({ texture, mipLevel }));
+            this.encoder.copyTextureToTexture(source, target, size);
         }
     }
     bind(pass, { layouts }, bound, images) {
@@ -128,17 +138,21 @@ export class WebGpuRenderer {
                     return layerOf(images[slot.number].gpu, 0, 0);
                 case "sampler":
                     return this.sampler(bound.shader, slot.name);
-                case "texture":
-                    return viewOf(given(bound.textures, slot.name, bound), textures.find(({ name }) => name === slot.name));
+                case "texture": {
+                    const row = textures.find(({ name }) => name === slot.name);
+                    return viewOf(given(bound.textures, slot.name, bound), row);
+                }
             }
         };
         this.slots[bound.shader].forEach((slots, group) => {
             const entries = slots.map((slot) => ({ binding: slot.binding, resource: resource(slot) }));
-            pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout: layouts[group], entries }));
+            const layout = layouts[group];
+            pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
         });
     }
     sampler(shader, texture) {
-        const { state } = this.shaders[shader].reflection.samplers.find((each) => each.texture === texture);
+        const { samplers } = this.shaders[shader].reflection;
+        const { state } = samplers.find((each) => each.texture === texture);
         const key = JSON.stringify(state);
         const found = this.samplers.get(key) ?? makeSampler(this.device, state);
         this.samplers.set(key, found);
@@ -187,7 +201,8 @@ export class WebGpuRenderer {
         });
         const encoder = this.device.gpu.createCommandEncoder();
         const aspect = isDepth(format) ? "depth-only" : "all";
-        encoder.copyTextureToBuffer({ texture: gpu, aspect }, { buffer, bytesPerRow, rowsPerImage: height }, [width, height, layers]);
+        const target = { buffer, bytesPerRow, rowsPerImage: height };
+        encoder.copyTextureToBuffer({ texture: gpu, aspect }, target, [width, height, layers]);
         this.device.gpu.queue.submit([encoder.finish()]);
         try {
             await buffer.mapAsync(MAP_READ);
@@ -204,11 +219,11 @@ export class WebGpuRenderer {
         }
     }
 }
-function depthAttachment({ texture, layer, target }) {
+function depthAttachment({ texture, layer, target, clear }) {
     const { stencil } = target;
     return {
         view: layerOf(texture.gpu, layer, target.level),
-        depthClearValue: 1,
+        depthClearValue: clear[0],
         depthLoadOp: target.load,
         depthStoreOp: storeOp(target),
         ...(hasStencil(texture.gpu.format) && {
@@ -219,6 +234,7 @@ function depthAttachment({ texture, layer, target }) {
     };
 }
 const storeOp = ({ store }) => (store ? "store" : "discard");
+/** Something that a shader reads. */
 function given(items, name, { values }) {
     const found = items.get(name);
     if (found === undefined)
@@ -227,5 +243,6 @@ function given(items, name, { values }) {
 }
 /** The view by which a shader reads a whole texture. */
 function viewOf({ gpu }, { layout: { viewDimension } }) {
-    return gpu.createView({ dimension: viewDimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
+    const aspect = isDepth(gpu.format) ? "depth-only" : "all";
+    return gpu.createView({ dimension: viewDimension, aspect });
 }

@@ -21,10 +21,12 @@ export function makeTexture({ gpu }, size) {
 }
 export function layerOf(texture, layer, level) {
     return texture.createView({
-        dimension: "2d", baseArrayLayer: layer, arrayLayerCount: 1, baseMipLevel: level, mipLevelCount: 1,
+        dimension: "2d", baseArrayLayer: layer, arrayLayerCount: 1, baseMipLevel: level,
+        mipLevelCount: 1,
     });
 }
-export function makeSampler({ gpu }, { filter, mip, wrap, compare }) {
+export function makeSampler({ gpu }, state) {
+    const { filter, mip, wrap, compare } = state;
     return gpu.createSampler({
         addressModeU: WRAPS[wrap],
         addressModeV: WRAPS[wrap],
@@ -46,19 +48,18 @@ export function makePicture(device, picture) {
         dimension: dimension === "3d" ? "3d" : "2d",
         size: [width, height, depth],
         mipLevelCount: levels.length,
-        usage: TextureUsage.TEXTURE_BINDING | (isDepth(format) ? TextureUsage.RENDER_ATTACHMENT : TextureUsage.COPY_DST),
+        usage: TextureUsage.TEXTURE_BINDING |
+            (isDepth(format) ? TextureUsage.RENDER_ATTACHMENT : TextureUsage.COPY_DST),
     });
+    const isSolid = dimension === "3d";
     levels.forEach((level, number) => {
-        const size = [
-            halved(width, number), halved(height, number), dimension === "3d" ? halved(depth, number) : depth,
-        ];
-        if (isDepth(format))
-            drawDepths(device, texture, bytesOf(level), number, size);
-        else
-            writeTexels(device, texture, bytesOf(level), number, size);
+        const layers = isSolid ? halved(depth, number) : depth;
+        const size = [halved(width, number), halved(height, number), layers];
+        const fill = isDepth(format) ? drawDepths : writeTexels;
+        fill(device, texture, bytesOf(level), number, size);
     });
-    const sides = [width, height, depth].slice(0, dimension === "3d" || dimension === "2d_array" ? 3 : 2);
-    return { gpu: texture, sides };
+    const hasThree = isSolid || dimension === "2d_array";
+    return { gpu: texture, sides: hasThree ? [width, height, depth] : [width, height] };
 }
 const halved = (side, level) => Math.max(side >> level, 1);
 function writeTexels({ gpu }, texture, bytes, mipLevel, size) {

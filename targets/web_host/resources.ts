@@ -1,0 +1,155 @@
+// The textures and buffers of a plan: which size they have, and what is kept for the next frame.
+
+import { formatOf } from "./bytes.js";
+import type { Bound, Renderer } from "./renderer.js";
+import type { FramePackage, RunStep } from "./types.js";
+import type { Values } from "./values.js";
+
+interface Made<Texture> {
+  texture: Texture;
+  width: number;
+  height: number;
+}
+
+export class Resources<Texture, Buffer> {
+  /** The host's pictures, by their numbers in the package. */
+  readonly pictures: Texture[];
+  /** By the results that kernels have written, and the host's by the names of `hostBuffer`. */
+  readonly buffers = new Map<string, Buffer>();
+  private readonly textures = new Map<number, Made<Texture>>();
+  /** The kernels that this frame has run, by step. */
+  private kernels = new Map<string, Bound<Texture, Buffer>>();
+
+  constructor(
+    private readonly from: FramePackage,
+    private readonly renderer: Renderer<Texture, Buffer>,
+    private readonly values: Values,
+  ) {
+    this.pictures = from.pictures.map((picture) => renderer.makePicture(picture));
+  }
+
+  /** Get ready for the next frame; returns whether it finds what the last one has kept. */
+  begin(isFirst: boolean): boolean {
+    const { kept } = this.from.plan;
+    const finds = !isFirst && kept.every(({ previous: at }) => at === null || this.fits(at));
+    if (!finds) this.forget();
+    this.kernels = new Map();
+    return finds;
+  }
+
+  /** Behind the last step: what was drawn is then what the next frame finds. */
+  end(): void {
+    for (const { result, texture, previous } of this.from.plan.kept) {
+      if (texture === null) exchange(this.buffers, result, previousOf(result));
+      else exchange(this.textures, texture, previous!);
+    }
+  }
+
+  /** What an output shows, or undefined if it is no picture, or was not drawn yet. */
+  shown(result: string, texture: number | null): Texture | undefined {
+    const kept = this.from.plan.kept.find((each) => each.result === result);
+    return this.textures.get(kept?.previous ?? texture ?? -1)?.texture;
+  }
+
+  /** A number, vector or matrix of the plan. */
+  number(value: number): number[] {
+    const { values: rows } = this.from.plan;
+    const sizeOf = (name: string) => this.renderer.sizeOf(this.pictures[this.from.textures[name]]);
+    return this.values.evaluated(rows[value].steps, sizeOf) as number[];
+  }
+
+  /** The width and height of a texture's first level. */
+  sizeOf(texture: number): number[] {
+    const { value, extent_of, level } = this.from.plan.textures[texture].size;
+    const sides = value !== null ? this.number(value) : this.extent(extent_of!);
+    if (!(Math.min(...sides) >= 1)) {
+      const { frame } = this.from.plan;
+      throw new Error(`a texture of ${frame} would have ${sides.join(" x ")} texels`);
+    }
+    return sides.map((side) => Math.max(side >> level, 1));
+  }
+
+  /** A texture of the plan, which is made when it is needed first, and anew for another size. */
+  texture(number: number): Texture {
+    if (this.fits(number)) return this.textures.get(number)!.texture;
+    this.free(number);
+    const row = this.from.plan.textures[number];
+    const [width, height] = this.sizeOf(number);
+    const format = formatOf(row.format);
+    const isImage = row.uses.includes("image");
+    const texture = this.renderer.makeTexture({ ...row, format, width, height, isImage });
+    this.textures.set(number, { texture, width, height });
+    return texture;
+  }
+
+  /** Remember a kernel that is run; returns how many texels, or elements, it computes. */
+  running(step: string, kernel: Bound<Texture, Buffer>): number[] {
+    this.kernels.set(step, kernel);
+    return this.extent(step);
+  }
+
+  /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
+  giveWritten({ buffers, shader }: RunStep, bound: Bound<Texture, Buffer>): void {
+    const { results } = this.from.shaders[shader].reflection;
+    for (const { name, result } of buffers) {
+      const { count, stride, initial } = results.find((each) => each.name === name)!;
+      const sizeOf = (texture: string) => this.renderer.sizeOf(bound.textures.get(texture)!);
+      const [elements] = bound.values.evaluated(count, sizeOf) as number[];
+      const bytes = new Uint8Array(Math.max(elements, 1) * stride);
+      if (initial !== null) new Int32Array(bytes.buffer).fill(initial | 0);
+      bound.buffers.set(name, this.buffer(result, bytes, initial !== null));
+    }
+  }
+
+  private buffer(result: string, bytes: Uint8Array<ArrayBuffer>, isFilled: boolean): Buffer {
+    const known = this.buffers.get(result);
+    if (known && this.renderer.bytesIn(known) === bytes.length) {
+      if (isFilled) this.renderer.fill(known, bytes);
+      return known;
+    }
+    if (known) this.renderer.freeBuffer(known);
+    const made = this.renderer.makeBuffer(bytes);
+    this.buffers.set(result, made);
+    return made;
+  }
+
+  private extent(step: string): number[] {
+    const kernel = this.kernels.get(step);
+    if (!kernel) throw new Error(`the size of what \`${step}\` writes is needed before it is run`);
+    const { extent } = this.from.shaders[kernel.shader].reflection;
+    const sizeOf = (name: string) => this.renderer.sizeOf(kernel.textures.get(name)!);
+    return kernel.values.evaluated(extent!, sizeOf) as number[];
+  }
+
+  private fits(texture: number): boolean {
+    const made = this.textures.get(texture);
+    if (!made) return false;
+    const [width, height] = this.sizeOf(texture);
+    return made.width === width && made.height === height;
+  }
+
+  private free(texture: number): void {
+    const made = this.textures.get(texture);
+    if (made) this.renderer.freeTexture(made.texture);
+    this.textures.delete(texture);
+  }
+
+  private forget(): void {
+    for (const { texture, previous } of this.from.plan.kept) {
+      if (texture !== null) this.free(texture);
+      if (previous !== null) this.free(previous);
+    }
+  }
+}
+
+/** What a buffer is called that the last frame has left. */
+export const previousOf = (result: string) => `previous(${result})`;
+/** What a buffer of the host is called, which may have the name of a shader's. */
+export const hostBuffer = (owner: string, name: string) => `${name} of ${owner}, set by the host`;
+
+function exchange<Key, Item>(items: Map<Key, Item>, one: Key, other: Key): void {
+  const [first, second] = [items.get(one), items.get(other)];
+  items.delete(one);
+  if (second !== undefined) items.set(one, second);
+  if (first !== undefined) items.set(other, first);
+}

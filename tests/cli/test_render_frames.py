@@ -1,0 +1,122 @@
+"""``burnish render`` of frames that evolve: numbered pictures, pictures that move, and what is left
+where one of them cannot be written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image, ImageSequence
+
+from burnish.commands.frame_files import write_pictures
+
+from .kit import invoke, tree
+
+COUNTED = """\
+import std.frames.{FullScreen}
+
+pass Grey : FullScreen {
+    param bright : float in 0..1 = 0
+    target color : rgba8 = vec4(vec3(bright), 1)
+}
+
+pass Faded : FullScreen {
+    map now    : texture2d with { filter = nearest, mip = none }
+    map before : texture2d with { filter = nearest, mip = none }
+    target color : rgba8 = max(now(uv), before(uv) - 0.2)
+}
+
+/// White first, and black later: what is left of the white fades.
+frame Fading {
+    grey  = Grey(screen) with { bright = if number == 0 then 1 else 0 }
+    faded = Faded(screen) with { now = grey.color, before = previous(faded.color) }
+    output picture = faded.color
+}
+"""
+LEFT = (1.0, 0.8, 0.6, 0.4)
+"""How bright the frames are, of a light that is linear."""
+
+
+def bytes_of(linear: float) -> int:
+    """What sRGB stores of it."""
+    stored: float = 255 * (1.055 * linear ** (1 / 2.4) - 0.055)
+    return round(stored)
+
+
+def render(folder: Path, name: str, count: int) -> str:
+    """What the command prints that draws some frames of ``COUNTED``."""
+    (folder / "f.burnish").write_text(COUNTED)
+    result = invoke(
+        "render", folder / "f.burnish", "-o", folder / "out" / name, "--size", "4x2",
+        "--frames", count,
+    )  # fmt: skip
+    assert (result.exit_code, result.stderr) == (0, "")
+    return result.stdout
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """With a folder for pictures."""
+    (tmp_path / "out").mkdir()
+    return tmp_path
+
+
+def greys(path: Path) -> Iterator[tuple[int, float]]:
+    """How bright each picture of a file is, and for how many milliseconds it is shown."""
+    with Image.open(path) as image:
+        for shown in ImageSequence.Iterator(image):
+            values = np.asarray(shown.convert("RGB"))
+            assert values.shape == (2, 4, 3)
+            assert np.ptp(values) <= 1
+            yield int(values[0, 0, 0]), shown.info["duration"]
+
+
+def test_numbered_pictures(folder: Path) -> None:
+    printed = render(folder, "f.png", len(LEFT))
+    assert printed == f"Fading: {folder}/out/f-000.png to f-003.png\n"
+    assert tree(folder / "out") == {f"f-{number:03}.png" for number in range(len(LEFT))}
+    for number, left in enumerate(LEFT):
+        with Image.open(folder / "out" / f"f-{number:03}.png") as image:
+            assert image.convert("RGB").getpixel((0, 0)) == pytest.approx(
+                (bytes_of(left),) * 3, abs=1
+            )
+
+
+def test_one_frame_is_one_picture(folder: Path) -> None:
+    render(folder, "f.png", 1)
+    assert tree(folder / "out") == {"f.png"}
+
+
+def test_there_are_enough_digits(folder: Path) -> None:
+    write_pictures([[np.zeros((1, 1, 1, 4))]] * 1001, folder / "out" / "f.png")
+    assert min(tree(folder / "out")) == "f-0000.png"
+    assert max(tree(folder / "out")) == "f-1000.png"
+
+
+@pytest.mark.parametrize("ending", ["gif", "webp", "apng"])
+def test_a_picture_that_moves(folder: Path, ending: str) -> None:
+    render(folder, f"f.{ending}", len(LEFT))
+    assert tree(folder / "out") == {f"f.{ending}"}
+    found = list(greys(folder / "out" / f"f.{ending}"))
+    assert [grey for grey, _ in found] == pytest.approx([bytes_of(left) for left in LEFT], abs=4)
+    assert [duration for _, duration in found] == [40] * len(LEFT)
+
+
+def test_frames_that_stay_the_same_are_shown_as_long(folder: Path) -> None:
+    """Some formats store equal pictures once; they must not be over sooner for it."""
+    render(folder, "f.gif", 12)
+    assert sum(duration for _, duration in greys(folder / "out" / "f.gif")) == 12 * 40
+
+
+def test_nothing_is_left_where_one_picture_cannot_be_written(folder: Path) -> None:
+    (folder / "out" / "f-002.png").mkdir()
+    (folder / "f.burnish").write_text(COUNTED)
+    result = invoke(
+        "render", folder / "f.burnish", "-o", folder / "out" / "f.png", "--size", "4x2",
+        "--frames", 4,
+    )  # fmt: skip
+    assert result.exit_code == 1
+    assert result.stderr == f"error: cannot write `{folder}/out/f-002.png`: it is a folder\n"
+    assert tree(folder / "out") == {"f-002.png"}
