@@ -167,8 +167,8 @@ def package() -> dict[str, Any]:
     return {
         "package": 1, "plan": plan, "shaders": [filled, doubled, added], "size": [WIDTH, HEIGHT],
         "camera": {"view_projection": [], "eye": [0, 0, 0]}, "values": {"glow": 3},
-        "roles": {"size": "size"}, "scene": {"models": [], "meshes": []}, "given": [], "textures": {}, "buffers": {},
-        "pictures": [],
+        "roles": {"size": "size"}, "scene": {"models": [], "meshes": []}, "given": [],
+        "textures": {}, "buffers": {}, "pictures": [],
     }  # fmt: skip
 
 
