@@ -126,6 +126,9 @@ class _Needs:
                 if row["store"] != self._is_needed(number, row["result"]):
                     said = "stored" if row["store"] else "dropped"
                     fail(self._plan, where, f"`{row['result']}` is {said}")
+                if "stencil" in row and row["stencil"]["store"] != self._is_found(number, row):
+                    said = "stored" if row["stencil"]["store"] else "dropped"
+                    fail(self._plan, where, f"stencil values of `{row['result']}` are {said}")
             places = {(row["layer"], row["level"]) for row in attachments(step)}
             if len(places) > 1:
                 fail(self._plan, where, "its targets are different layers or levels")
@@ -134,6 +137,13 @@ class _Needs:
         """Whether anybody needs behind a step what it draws."""
         is_left = result in self._outputs or result in self._read_last
         return is_left or self._last_read.get(result, number) > number
+
+    def _is_found(self, number: int, left: Row) -> bool:
+        """Whether a later step draws where stencil values were left."""
+        place = left["result"], left["layer"], left["level"]
+        later = [row for step in self._steps[number + 1 :] for row in attachments(step)]
+        again = ((row["result"], row["layer"], row["level"]) == place for row in later)
+        return any(again) or any(row["over"] == left["result"] for row in later)
 
     @cached_property
     def _last_read(self) -> dict[str, int]:
