@@ -84,5 +84,7 @@ def test_it_moves_sideways_and_closer() -> None:
 
 def test_it_sees_all_of_the_models() -> None:
     """The target lies before the eye, also where a file's camera looks away from the models."""
-    row = orbit(Scenery(in_a_row(["Clay"], {}, "sphere").models, Scene(looking((0, 0, 9), (0, 0, 20)))))
+    row = orbit(
+        Scenery(in_a_row(["Clay"], {}, "sphere").models, Scene(looking((0, 0, 9), (0, 0, 20))))
+    )
     assert row["target"][2] > row["eye"][2]

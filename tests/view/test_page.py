@@ -18,6 +18,8 @@ from ..suite.processes import LIMIT, until
 from .kit import FLAT, Viewer, viewing
 
 SIZE = ViewportSize(width=900, height=500)
+BEHIND = (0x1B, 0x1D, 0x21)
+"""The colour behind a material."""
 NEAR = 3
 """How far a lane of a pixel may be off, of 255."""
 
@@ -53,7 +55,10 @@ def browser() -> Iterator[Browser]:
     assert paths is not None
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
-            executable_path=paths[0], headless=True, args=(*FLAGS, *CANVAS_FLAGS), timeout=START_LIMIT
+            executable_path=paths[0],
+            headless=True,
+            args=(*FLAGS, *CANVAS_FLAGS),
+            timeout=START_LIMIT,
         )
         yield browser
         browser.close()
@@ -220,16 +225,16 @@ def test_the_camera(page: Page, viewer: Viewer) -> None:
     canvas.press("h")
     _shows(page, _of_normal(yaw, pitch))
 
-    assert _pixel(page, 0.5, 0.06) != (0, 0, 0)
+    assert _pixel(page, 0.5, 0.06) != BEHIND
     page.mouse.wheel(0, 800)
-    _shows(page, (0, 0, 0), 0.5, 0.06)
+    _shows(page, BEHIND, 0.5, 0.06)
     _shows(page, _of_normal(yaw, pitch))
     page.keyboard.down("Shift")
     page.mouse.down()
     page.mouse.move(x, y + box["height"] / 2.2)
     page.mouse.up()
     page.keyboard.up("Shift")
-    _shows(page, (0, 0, 0))
+    _shows(page, BEHIND)
 
 
 def test_frames_evolve_step_by_step(page: Page, viewer: Viewer) -> None:
