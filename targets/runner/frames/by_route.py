@@ -231,25 +231,31 @@ class _Job:
             if every[0]["layer"] is not None
             else range(self._plan["textures"][every[0]["texture"]]["layers"])
         )
-        found = []
+        found, state = [], self._host.state_of(step)
         for layer in layers:
-            depth = step["depth"] and self._attachment(step["depth"], layer, 1.0)
+            depth = step["depth"] and self._attachment(step["depth"], layer)
             found.append(
                 FrameStep(
                     barriers if layer == 0 else (),
-                    tuple(self._attachment(target, layer, 0.0) for target in step["targets"]),
+                    tuple(self._attachment(target, layer) for target in step["targets"]),
                     depth or None,
                     tuple(self._draw(draw, layer) for draw in draws),
+                    state.viewport,
+                    state.scissor,
+                    state.blend_constant,
                 )
             )
+        if step.get("continues", False):
+            (alone,) = found
+            return _drawn_on(self._steps.pop(), alone)
         return found
 
-    def _attachment(self, target: Row, layer: int, clear: float) -> Attachment:
+    def _attachment(self, target: Row, layer: int) -> Attachment:
         at = layer if target["layer"] is None else target["layer"]
         return Attachment(
             self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
             target["store"], "stencil" in target and target["stencil"]["store"],
-            (clear, 0.0, 0.0, 0.0),
+            self._host.clear_of(target),
         )  # fmt: skip
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
@@ -346,6 +352,22 @@ class _Job:
         """A kernel over images where these are drawn."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+
+
+def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
+    """Two steps that draw to the same attachments, as one render pass: it begins as the first one
+    does, and leaves what the second one leaves. They stay two if their settings differ."""
+    settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
+    if settings[0] != settings[1]:
+        return [before, step]
+
+    def joined(first: Attachment, second: Attachment) -> Attachment:
+        return replace(second, loads=first.loads, clear=first.clear)
+
+    depth = step.depth and before.depth and joined(before.depth, step.depth)
+    targets = tuple(map(joined, before.targets, step.targets))
+    draws = (*before.draws, *step.draws)
+    return [replace(before, targets=targets, depth=depth, draws=draws)]
 
 
 def _shared_memory(host: FrameHost) -> dict[int, int]:

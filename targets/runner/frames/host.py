@@ -17,12 +17,13 @@ from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
 from ..scene import value_roles
-from ..scene_state import SceneState, drawn_state
+from ..scene_state import Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
 from .checks.rows import attachments
 from .scenery import Model, Scenery
-from .sizes import checked_size, drawn_size
+from .settings import StepState, cleared, step_state
+from .sizes import Size, checked_size, drawn_size
 
 VERSION = 1
 """The version of plans that this code executes."""
@@ -103,6 +104,16 @@ def bare_mesh(count: int, primitive: str = "triangle") -> Mesh:
 
 KERNEL = bare_mesh(3)
 """What is drawn where a kernel is drawn: all pixels of a texture."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Onto:
+    """What a step draws to."""
+
+    size: tuple[int, int]
+    """The width and height of its targets."""
+    seen: tuple[int, int]
+    """Those of what a camera sees: of the viewport."""
 
 
 class FrameHost:
@@ -186,15 +197,30 @@ class FrameHost:
             )
         return self._kernels[step].image_size()
 
+    def drawn_size(self, step: Row) -> Size:
+        """The size of all that a step draws to. Raises ``PlanError`` where its targets differ."""
+        sizes = {row["texture"]: self.size_of(row["texture"]) for row in attachments(step)}
+        return drawn_size(self.plan, step, sizes)
+
+    def state_of(self, step: Row) -> StepState:
+        """What a step sets for all that it draws. Raises ``PlanError`` for a viewport that is not
+        within its targets."""
+        return step_state(self.plan, step, self.drawn_size(step), self.number)
+
+    def clear_of(self, target: Row) -> Color:
+        """What a target is cleared to; of depths, the first number."""
+        return cleared(self.plan, target, self.number)
+
     # --- draws -----------------------------------------------------------------------------------
 
     def draws(self, step: Row, *, is_first: bool) -> Iterator[FrameDraw]:
         """All draws of a step that draws, one behind the other."""
-        sizes = {row["texture"]: self.size_of(row["texture"]) for row in attachments(step)}
-        size = drawn_size(self.plan, step, sizes)
+        state = self.state_of(step)
+        size = self.drawn_size(step)
+        onto = _Onto(size, size if state.viewport is None else state.viewport[2:])
         for drawn in step["draws"]:
             for light in self._lights(drawn["light"]):
-                yield from self._drawn(drawn, light, size, is_first)
+                yield from self._drawn(drawn, light, onto, is_first)
 
     def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
         """The run of a kernel."""
@@ -219,7 +245,7 @@ class FrameHost:
         self,
         drawn: Row,
         light: tuple[str, int | None] | None,
-        size: tuple[int, int],
+        onto: _Onto,
         is_first: bool,
     ) -> Iterator[FrameDraw]:
         uses = {use["material"]: use for use in drawn["uses"]}
@@ -228,7 +254,7 @@ class FrameHost:
             primitive = self.instances[uses[None]["shader"]].reflection["draw"]["primitive"]
             if count >= CORNERS[primitive]:
                 mesh = bare_mesh(count, primitive)
-                yield self._one(uses[None], None, mesh, light, size, is_first)
+                yield self._one(uses[None], None, mesh, light, onto, is_first)
             return
         for model in self.scenery.tagged(drawn["models"]):
             if model.material not in uses:
@@ -237,7 +263,7 @@ class FrameHost:
                     f"a model of `{drawn['models']}` has the material {model.material}, and the "
                     f"frame draws {known}"
                 )
-            yield self._one(uses[model.material], model, model.mesh, light, size, is_first)
+            yield self._one(uses[model.material], model, model.mesh, light, onto, is_first)
 
     def _vertex_count(self, value: int) -> int:
         """How many vertices a step draws without models. Raises ``PlanError`` for numbers that
@@ -253,7 +279,7 @@ class FrameHost:
         model: Model | None,
         mesh: Mesh,
         light: tuple[str, int | None] | None,
-        size: tuple[int, int],
+        onto: _Onto,
         is_first: bool,
     ) -> FrameDraw:
         instance = self.instances[use["shader"]].copied()
@@ -262,10 +288,10 @@ class FrameHost:
             scene = replace(
                 scene, object_to_world=model.placement, look=model.look, bones=model.bones
             )
-        scene.apply(instance, size[0] / size[1], self.given)
+        scene.apply(instance, onto.seen[0] / onto.seen[1], self.given)
         self._shine(instance, light)
         reads = self._give(instance, use, is_first)
-        return FrameDraw(use["shader"], drawn_state(instance, mesh, size), reads)
+        return FrameDraw(use["shader"], drawn_state(instance, mesh, onto.size), reads)
 
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; of a single one, that of its entry."""
