@@ -44,7 +44,7 @@ class _Changed(SourceFileLoader):
         assert source.count(self._before) == 1, f"{path} does not say {self._before!r} once"
         return source.replace(self._before, self._after)
 
-    def set_data(self, path: str, data: bytes, *, _mode: int = 0) -> None:
+    def set_data(self, path: str, data: object, *, _mode: int = 0) -> None:
         """Nothing of it is kept."""
 
 
