@@ -32,6 +32,7 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
     for step in plan["steps"]:
         yield ""
         first = " (first frame only)" if step.get("only_first") else ""
+        first += " (in the same render pass)" if step.get("continues") else ""
         yield f"{step['kind']} {step.get('name', '')}{first}"
         for row in step["barriers"]:
             yield f"  texture {row['texture']}: {row['from']} -> {row['to']}"
@@ -121,6 +122,7 @@ def test_what_nobody_else_needs_is_drawn_over_in_place() -> None:
     assert plan["textures"][0]["results"] == ["solid.color", "both.color"]
     assert [target["load"] for target in plan["steps"][1]["targets"]] == ["load"]
     assert plan["steps"][1]["depth"]["load"] == "load"
+    assert [step["continues"] for step in plan["steps"]] == [False, True]
 
 
 def test_what_others_need_is_copied_before() -> None:

@@ -76,7 +76,7 @@ def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: 
     if not materials:
         return Scenery(())
     standing = [name for name in materials if name not in tags.get(FLOOR, ())] or list(materials)
-    width = _APART * (len(standing) - 1)
+    width = _APART * max(len(standing) - 1, 0)
     shape = MESHES[mesh]()
     models = [
         Model(shape, material, _moved((_APART * number - width / 2, 0.0, 0.0)))

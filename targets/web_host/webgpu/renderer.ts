@@ -45,8 +45,10 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   static async open(device: Device, from: FramePackage, canvas: Canvas | null) {
+    const pipelines = await Pipelines.of(device, from);
+    // Until here, the canvas shows what it did before.
     const presenter = canvas && new Presenter(device, canvas);
-    return new WebGpuRenderer(device, await Pipelines.of(device, from), presenter, from.shaders);
+    return new WebGpuRenderer(device, pipelines, presenter, from.shaders);
   }
 
   // --- resources ---
@@ -85,7 +87,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   dispose(): void {
     this.owned.forEach((each) => each.destroy());
     this.arena.free();
-    this.device.gpu.destroy();
+    if (!this.presenter) this.device.gpu.destroy();
   }
 
   private own(texture: Texture): Texture {

@@ -232,4 +232,5 @@ PLANTED = [
     Planted("blended by nothing", "pipeline: Stained", GLSL,
             job(_draws(lambda draw: replace(draw, blend_constant=(0.0, 0.0, 0.0, 0.0))))),
     Planted("added instead of blended", "pipeline: Veil", GLSL, job(_targets(blend=named("add")))),
+    Planted("whole triangles", "pipeline: Edges", GLSL, job(_states(fill="faces"))),
 ]  # fmt: skip

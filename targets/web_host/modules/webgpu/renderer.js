@@ -30,8 +30,10 @@ export class WebGpuRenderer {
         this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
     }
     static async open(device, from, canvas) {
+        const pipelines = await Pipelines.of(device, from);
+        // Until here, the canvas shows what it did before.
         const presenter = canvas && new Presenter(device, canvas);
-        return new WebGpuRenderer(device, await Pipelines.of(device, from), presenter, from.shaders);
+        return new WebGpuRenderer(device, pipelines, presenter, from.shaders);
     }
     // --- resources ---
     makeTexture(size) {
@@ -61,7 +63,8 @@ export class WebGpuRenderer {
     dispose() {
         this.owned.forEach((each) => each.destroy());
         this.arena.free();
-        this.device.gpu.destroy();
+        if (!this.presenter)
+            this.device.gpu.destroy();
     }
     own(texture) {
         this.owned.add(texture.gpu);
