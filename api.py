@@ -12,7 +12,7 @@ from itertools import chain, islice
 from os import PathLike
 from pathlib import Path
 from types import NoneType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .arguments import expect, expect_all
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
@@ -164,6 +164,26 @@ def has_frames(
     if module is None or report.failed:
         raise CompileError(report.diagnostics)
     return frontend.has_frames(module, material)
+
+
+class Declared(NamedTuple):
+    """The names of what a file declares and ``compile`` takes, in the order of the file."""
+
+    frames: tuple[str, ...]
+    materials: tuple[str, ...]
+    kernels: tuple[str, ...]
+    rigs: tuple[str, ...]
+    passes: tuple[str, ...]
+
+
+def declared(source: str | Path, *, search_path: Sequence[str | Path] = ()) -> Declared:
+    """What a file declares. Raises ``CompileError`` if the file cannot be read."""
+    report = Report()
+    frontend, module = _opened(source, search_path, report)
+    if module is None or report.failed:
+        raise CompileError(report.diagnostics)
+    kinds = ("frame", "material", "kernel", "rig", "pass")
+    return Declared(*(frontend.declared(module, kind) for kind in kinds))
 
 
 def variants(

@@ -18,7 +18,7 @@ HERE = Path(__file__).parent.resolve()
 ROOTS = ("commands", "compiler", "targets", "stdlib")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
-DATA = ("h", "j2", "txt", "json", "lark", "mjs", "ts", "css", "js")
+DATA = ("h", "j2", "txt", "json", "lark", "mjs", "ts", "css", "js", "html", "svg")
 """The endings of files that belong to a sub-package besides its code."""
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])

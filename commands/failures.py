@@ -17,6 +17,9 @@ PACKAGES = {
     "jsonschema": ("reading plans needs jsonschema", "run"),
     "msgspec": ("scenes need msgspec", "scenes"),
     "OpenImageIO": (".exr and .hdr files need OpenImageIO", "scenes"),
+    "starlette": ("the viewer's server needs Starlette", "view"),
+    "uvicorn": ("the viewer's server needs uvicorn", "view"),
+    "watchfiles": ("the viewer needs watchfiles", "view"),
 }
 """What lacks without a package, by the name that is imported; and the extra that brings it."""
 
@@ -25,6 +28,24 @@ def fail(text: str) -> NoReturn:
     """Print an error that belongs to no place in a file, and end the command."""
     remark("error", text)
     click.get_current_context().exit(FAILED)
+
+
+def drawing_errors() -> tuple[type[Exception], ...]:
+    """The exceptions whose texts tell people why something cannot be drawn."""
+    from ..targets.runner.codes import CodeError
+    from ..targets.runner.feeding import FeedError
+    from ..targets.runner.frames.checking import PlanError
+    from ..targets.runner.instances.instance import MissingValuesError
+    from ..targets.runner.instances.values import ParameterError
+    from ..targets.runner.kernels import UndrawableError
+    from ..targets.runner.meshes import MeshError
+    from ..targets.runner.scenes.records import SceneError
+    from ..targets.runner.textures.kinds import PictureError
+
+    return (
+        CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
+        PlanError, SceneError, UndrawableError,
+    )  # fmt: skip
 
 
 @contextmanager
@@ -36,17 +57,10 @@ def told() -> Iterator[None]:
     """
     try:
         from ..compiler.diagnostics.diagnostic import CompileError
-        from ..targets.runner.codes import CodeError
         from ..targets.runner.drivers.draw import DriverError
-        from ..targets.runner.feeding import FeedError
-        from ..targets.runner.frames.checking import PlanError
-        from ..targets.runner.instances.instance import MissingValuesError
-        from ..targets.runner.instances.values import ParameterError
-        from ..targets.runner.kernels import UndrawableError
-        from ..targets.runner.meshes import MeshError
         from ..targets.runner.routes import UnknownRouteError
-        from ..targets.runner.scenes.records import SceneError
-        from ..targets.runner.textures.kinds import PictureError
+
+        of_drawing = drawing_errors()
     except ModuleNotFoundError as error:
         needed(error)
     try:
@@ -58,10 +72,7 @@ def told() -> Iterator[None]:
         raise click.UsageError(str(error)) from error
     except DriverError as error:
         fail(str(error).replace("\n", "\n  "))
-    except (
-        CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
-        PlanError, SceneError, UndrawableError,
-    ) as error:  # fmt: skip
+    except of_drawing as error:
         fail(str(error))
     except MemoryError:
         fail("there is not enough memory to draw this: a smaller picture may do")

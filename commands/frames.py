@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -95,7 +96,7 @@ def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
 
 def host_maker(frame: PlannedFrame, request: Request) -> Callable[[], FrameHost]:
     """What makes the host of each route: with the scene and all values that a request asks for."""
-    made = partial(_host, frame, request, _scenery(frame, request))
+    made = partial(_host, frame, request, scenery_of(frame.plan, request.mesh, request.scene))
     _tell_unused_lamps(made())
     return made
 
@@ -142,20 +143,20 @@ def _by_reference(
         yield {name: drawing.output(name).levels[0][0] for name in outputs}
 
 
-def _scenery(frame: PlannedFrame, request: Request) -> Scenery:
-    """What there is to draw: a model of each material, or the objects of a file."""
+def scenery_of(plan: Mapping[str, Any], mesh: str, scene: Path | None) -> Scenery:
+    """What there is to draw: a model of each material with a mesh, or the objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
 
-    tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+    tags = {row["name"]: row["materials"] for row in plan["models"]}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-    if request.scene is None:
-        return in_a_row(materials, tags, request.mesh)
+    if scene is None:
+        return in_a_row(materials, tags, mesh)
     from ..targets.runner.frames.staging import staged
     from ..targets.runner.scenes.gltf.reading import read_gltf
 
-    file = read_gltf(request.scene)
+    file = read_gltf(scene)
     for note in file.notes:
-        remark("note", f"{request.scene}: {note}")
+        remark("note", f"{scene}: {note}")
     return staged(file, materials, list(tags))
 
 

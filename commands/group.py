@@ -19,6 +19,7 @@ COMMANDS = (
     "check",
     "graph",
     "render",
+    "view",
     "conform",
     "gallery",
     "targets",

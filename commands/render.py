@@ -51,16 +51,17 @@ def _size(_context: click.Context, _option: click.Parameter, given: str) -> tupl
     return size
 
 
-def _pairs(
+def pairs(
     _context: click.Context, _option: click.Parameter, given: Sequence[str]
 ) -> tuple[tuple[str, str], ...]:
-    pairs = []
+    """The callback of an option whose values are like ``power=32``."""
+    found = []
     for text in given:
         name, _, value = (part.strip() for part in text.partition("="))
         if not name or not value:
             raise click.BadParameter(f"'{text}' is not NAME=VALUE")
-        pairs.append((name, value))
-    return tuple(pairs)
+        found.append((name, value))
+    return tuple(found)
 
 
 def _color(_context: click.Context, _option: click.Parameter, given: str) -> Color:
@@ -104,7 +105,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="Pixels of the picture, or of each picture on a sheet.",
 )  # fmt: skip
 @click.option(
-    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=_pairs,
+    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
     help="A parameter or a texture; may be given many times.",
 )  # fmt: skip
 @click.option(
@@ -112,7 +113,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="How many steps kernels make, if --again says what goes from step to step.",
 )  # fmt: skip
 @click.option(
-    "--again", metavar="BUFFER=RESULT", multiple=True, callback=_pairs,
+    "--again", metavar="BUFFER=RESULT", multiple=True, callback=pairs,
     help="What a buffer becomes before the next step; may be given many times.",
 )  # fmt: skip
 @click.option(

@@ -164,6 +164,12 @@ class Frontend:
             found += [] if shader is None else [shader]
         return found
 
+    def declared(self, module: Module, kind: str) -> tuple[str, ...]:
+        """The names of what a file declares of a kind, such as ``frame``; abstract ones are left
+        out."""
+        found = _rigs(module) if kind == "rig" else records_of(module, kind, abstract=False)
+        return tuple(symbol.name for symbol in found)
+
     def variants(self, module: Module) -> Iterator[tuple[str | None, str | None]]:
         """Names of a rig and a pass under which the module's materials can be drawn.
 

@@ -7,7 +7,9 @@ same, but each of the many processes that tests start would compute it again.
 from __future__ import annotations
 
 import os
+import signal
 import sys
+from collections.abc import Iterator
 from importlib.metadata import Distribution, PackageNotFoundError
 from pathlib import Path
 
@@ -37,6 +39,17 @@ def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):
         os.environ.setdefault("MALLOC_ARENA_MAX", "1")
         run([sys.executable, "-m", "burnish.generate"])
+
+
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """Lets the programs that a test starts be interrupted.
+
+    Who runs the tests in the background may have them ignore it, which programs inherit.
+    """
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture

@@ -1188,6 +1188,24 @@ NO_SHARED_VERTICES = _error(
     "Lines, primitives with what lies next to them, and patches come of a mesh, whose triangles "
     "have vertices in common. Vertices that have nothing but their numbers share none.",
 )
+NOT_CLEARED = _error(
+    "B0820",
+    "`{name}` is drawn over, so it is not cleared",
+    "A step clears what it draws to for the first time. What it draws over stays as another step "
+    "has left it.",
+)
+NO_BLEND_CONSTANT = _error(
+    "B0821",
+    "`{target}` of `{step}` is blended by a constant, and the frame does not say which",
+    "`constant` and `one_minus_constant` are a colour that is set for the whole step: "
+    "`Faded(screen) with { blend_constant = vec4(0.5) }`.",
+)
+NOT_BLENDED = _error(
+    "B0822",
+    "`{target}` of `{step}` is blended, and `{format}` cannot be blended everywhere",
+    "WebGPU and WebGL 2 blend 32-bit floats only where a device has an extension for it. "
+    "Draw to a format of 16-bit floats.",
+)
 NOT_BROUGHT = _error(
     "B0819",
     "`{name}` of a {record} cannot be what a step leaves",

@@ -132,6 +132,9 @@ class Attachment:
     level: int
     over: Image | None
     """What is there before, drawn by another step; ``None`` if it is cleared."""
+    clear: int | None = None
+    """The number of the value that it is cleared to; ``None`` for transparent black, or a depth of
+    1."""
 
 
 @frozen(eq=False)
@@ -145,6 +148,12 @@ class RenderStep:
     draws: tuple[Drawn, ...]
     doc: str
     span: Span
+    viewport: int | None = None
+    scissor: int | None = None
+    """The numbers of the values that say into which part of the targets the clip volume is drawn,
+    and which part is drawn to: left, top, width and height. ``None`` for all of it."""
+    blend_constant: int | None = None
+    """What the factor ``constant`` means in all targets."""
 
 
 @frozen(eq=False)

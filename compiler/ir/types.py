@@ -139,6 +139,7 @@ UINT = Scalar("uint")
 BOOL = Scalar("bool")
 VEC2 = Vector("float", 2)
 IVEC2 = Vector("int", 2)
+IVEC4 = Vector("int", 4)
 VEC3 = Vector("float", 3)
 VEC4 = Vector("float", 4)
 

@@ -127,6 +127,9 @@ class _Document:
         """The row of one of the frame's values."""
         return self._values[self._frame.values[number]]
 
+    def _optional(self, number: int | None) -> int | None:
+        return None if number is None else self._value(number)
+
     def _result_rows(self) -> Iterator[dict[str, Any]]:
         numbers = {planned.step: n for n, planned in enumerate(self._plan.steps)}
         steps_ = self._frame.steps
@@ -173,8 +176,12 @@ class _Document:
                     "pass": step.pass_name,
                     "barriers": barriers,
                     "only_first": planned.only_first,
+                    "continues": planned.continues,
                     "targets": [self._target_row(target) for target in planned.targets],
                     "depth": planned.depth and self._target_row(planned.depth),
+                    "viewport": self._optional(step.viewport),
+                    "scissor": self._optional(step.scissor),
+                    "blend_constant": self._optional(step.blend_constant),
                     "draws": [self._drawn_row(drawn) for drawn in step.draws],
                     "source": _place(step.span),
                 }
@@ -205,6 +212,7 @@ class _Document:
             "layer": attachment.layer,
             "level": attachment.level,
             "load": "load" if target.loads else "clear",
+            "clear": None if target.loads else self._optional(attachment.clear),
             "store": target.stores,
             "over": attachment.over and attachment.over.name,
             **({"stencil": _stencil_row(target)} if target.has_stencil else {}),

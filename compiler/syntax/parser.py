@@ -168,7 +168,7 @@ class _Parser:
             if self._machine.accepts(self._tokens[index].text) > self._machine.accepts("NAME"):
                 return False  # where no expression begins, as behind `scatter bins : uint[256]`
             return [t.kind for t in following[:1]] != ["NAME"] or following[-1].text != second
-        return bool(following) and following[0].kind in ("=", ":")
+        return bool(following) and following[0].kind in ("=", ":", ".")
 
     def _start(self, index: int) -> int:
         """The first token of the member or declaration that cannot be read on at ``index``."""

@@ -138,6 +138,11 @@ def value_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
     return {name: role for name, role in found if role is not None}
 
 
+def declared_as(role: str) -> str:
+    """The library's declaration of what a scene calls so."""
+    return next(name for name, own in scene_names()["parameters"].items() if own == role)
+
+
 def texture_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
     """The textures for which a look may have a picture, each with what a scene calls that."""
     names = scene_names()["textures"]

@@ -1,5 +1,6 @@
 // Executes the plan of a frame, step by step, with the renderer of an API: see docs/plans.md.
 
+import { areasOf, USUAL, type Area, type DrawSettings } from "./areas.js";
 import { bytesOf } from "./bytes.js";
 import { bareGeometry, checkLevels, geometryOf, type Geometry } from "./geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer } from "./renderer.js";
@@ -123,8 +124,10 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   }
 
   /** Set what hosts tell every frame, unless this one says it itself, or somebody has set it. */
-  private tell(name: string, value: Value): void {
-    if (this.values.has(name) && !this.given.has(name)) this.values.set(name, value);
+  private tell(role: string, value: Value): void {
+    for (const [name, own] of Object.entries(this.from.roles)) {
+      if (own === role && !this.given.has(name)) this.values.set(name, value);
+    }
   }
 
   /** Give values what they are of a scene. */
@@ -163,15 +166,37 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     const first = step.targets[0] ?? step.depth!;
     const sides = this.resources.sizeOf(first.texture);
     const [width, height] = sides.map((side) => Math.max(side >> first.level, 1));
-    const calls = step.draws.flatMap((drawn) => this.calls(drawn, width / height));
+    const settings = this.settings(step);
+    const [[, , wide, high]] = areasOf(settings, width, height);
+    const calls = step.draws.flatMap((drawn) => this.calls(drawn, wide / high));
     const layers = first.layer === null ? this.plan.textures[first.texture].layers : 1;
     for (let layer = 0; layer < layers; layer++) {
       if (first.layer === null) this.tellLayer(calls, layer);
       const attachment = (target: Target): Attachment<Texture> => ({
-        target, texture: this.resources.texture(target.texture), layer: target.layer ?? layer,
+        target,
+        texture: this.resources.texture(target.texture),
+        layer: target.layer ?? layer,
+        clear: this.cleared(target),
       });
-      this.renderer.draw(step.targets.map(attachment), step.depth && attachment(step.depth), calls);
+      this.renderer.draw(step.targets.map(attachment), step.depth && attachment(step.depth), calls, settings);
     }
+  }
+
+  private settings(step: DrawStep): DrawSettings {
+    const area = (value: number | null) => (value === null ? null : (this.resources.number(value) as Area));
+    return {
+      viewport: area(step.viewport),
+      scissor: area(step.scissor),
+      blendConstant: step.blend_constant === null ? USUAL.blendConstant : this.resources.number(step.blend_constant),
+    };
+  }
+
+  /** What a target is cleared to, or a depth, which is within 0 and 1. */
+  private cleared({ texture, clear }: Target): number[] {
+    const isDepths = this.plan.textures[texture].format.startsWith("depth");
+    if (clear === null) return isDepths ? [1] : [0, 0, 0, 0];
+    const found = this.resources.number(clear);
+    return isDepths ? [Math.min(Math.max(found[0], 0), 1)] : found;
   }
 
   /** Tell shaders that draw each layer by itself which one it is. */
@@ -325,9 +350,9 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     if (images.length && !Object.keys(backends[this.renderer.profile].images).length) {
       // Where a kernel cannot write images it is drawn over all of them.
       const target = { level: 0, load: "clear", store: true } as const;
-      const targets = images.map((texture) => ({ target, texture, layer: 0 }));
+      const targets = images.map((texture) => ({ target, texture, layer: 0, clear: [0, 0, 0, 0] }));
       const geometry = bareGeometry(this.from.shaders[step.shader], 3);
-      this.renderer.draw(targets, null, [{ ...bound, geometry }]);
+      this.renderer.draw(targets, null, [{ ...bound, geometry }], USUAL);
       return;
     }
     this.resources.giveWritten(step, bound);

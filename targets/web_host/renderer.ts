@@ -1,5 +1,6 @@
 // What an API of the browser has to do for frames: `frame.ts` says when.
 
+import type { DrawSettings } from "./areas.js";
 import type { Geometry } from "./geometry.js";
 import type { Dimension, PackagedShader, Picture, Pixels, Target } from "./types.js";
 import type { Values } from "./values.js";
@@ -34,6 +35,8 @@ export interface Attachment<Texture> {
   target: Pick<Target, "level" | "load" | "store" | "stencil">;
   texture: Texture;
   layer: number;
+  /** What it is cleared to: a colour, or a depth. */
+  clear: number[];
 }
 
 export interface Renderer<Texture, Buffer> {
@@ -56,6 +59,7 @@ export interface Renderer<Texture, Buffer> {
     targets: Attachment<Texture>[],
     depth: Attachment<Texture> | null,
     calls: DrawCall<Texture, Buffer>[],
+    settings: DrawSettings,
   ): void;
   run(kernel: Bound<Texture, Buffer>, images: Texture[], groups: number[]): void;
   copy(from: Texture, to: Texture): void;

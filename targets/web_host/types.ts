@@ -150,6 +150,10 @@ export interface DrawStep {
   only_first: boolean;
   targets: Target[];
   depth: Target | null;
+  /** The numbers of values. */
+  viewport: number | null;
+  scissor: number | null;
+  blend_constant: number | null;
   draws: Drawn[];
 }
 
@@ -159,6 +163,8 @@ export interface Target {
   layer: number | null;
   level: number;
   load: "load" | "clear";
+  /** The number of the value that it is cleared to; null: transparent black, or a depth of 1. */
+  clear: number | null;
   store: boolean;
   /** The stencil values beside depths, if there are any. */
   stencil?: { load: "load" | "clear"; store: boolean; clear: number };

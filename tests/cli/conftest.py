@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-import signal
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from .place import Place
-
-
-@pytest.fixture
-def interruptible() -> Iterator[None]:
-    """Lets the programs that a test starts be interrupted.
-
-    Who runs the tests in the background may have them ignore it, which programs inherit.
-    """
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture

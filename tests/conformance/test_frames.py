@@ -106,6 +106,57 @@ def test_drawing_over_leaves_what_was_there_to_others(studio: Studio, where: str
 
 
 @EVERYWHERE
+def test_steps_that_draw_on_are_one_render_pass(studio: Studio, where: str) -> None:
+    text = f"""{NUMBERS}
+    frame F {{
+        one = Numbered(screen)
+        two = Added(screen) with {{ source = one.value }}
+        three = Added(screen, two) with {{ source = one.value, times = 2 }}
+        output value = three.value
+    }}"""
+    (frame,) = burnish.compile(text, ("wgsl",)).frames
+    assert [step["continues"] for step in frame.plan["steps"]] == [False, False, True]
+    (found,) = outputs(text, where, studio)
+    assert found["value"][0][..., :2] == pytest.approx(3 * RAMP)
+
+
+@EVERYWHERE
+def test_steps_draw_into_a_part_over_what_they_say(studio: Studio, where: str) -> None:
+    """The clip volume is drawn into the viewport, where `uv` goes from 0 to 1, and places are
+    counted from the corner of the whole. Blending by a constant is told by hand."""
+    text = f"""{NUMBERS}
+    pass Taken : FullScreen {{
+        target value : rgba16f = vec4(8) blend {{
+            source = constant, destination = one, operation = reverse_subtract, mask = rb
+        }}
+    }}
+    pass Copied : FullScreen {{
+        map source : texture2d with {{ filter = nearest, mip = none }}
+        target value : rgba16f = source.load(ivec2(frag_coord.xy))
+    }}
+    frame F {{
+        param left : int = 4
+        numbered = Numbered(screen) with {{
+            viewport = ivec4(left, 1, size.x / 2, 2), clear.value = vec4(-1, -2, -3, -4)
+        }}
+        copied = Copied(screen) with {{ source = numbered.value }}
+        taken = Taken(screen, copied) with {{
+            scissor = ivec4(5, -2, 2, 5), blend_constant = vec4(2, 3, 0.5, 0.25)
+        }}
+        output value = taken.value
+    }}
+    """
+    (found,) = outputs(text, where, studio)
+    columns, rows = RAMP[..., 0], RAMP[..., 1]
+    whole = np.stack([columns, rows, (columns - 3.5) / 4, (rows - 0.5) / 2], axis=-1)
+    inside = (columns >= 4) & (rows >= 1) & (rows < 3)
+    expected = np.where(inside[..., None], whole, (-1.0, -2.0, -3.0, -4.0))
+    taken = (columns >= 5) & (columns < 7) & (rows < 3)
+    expected = expected - np.where(taken[..., None], (16.0, 0.0, 4.0, 0.0), 0.0)
+    assert (found["value"][0] == expected).all()
+
+
+@EVERYWHERE
 def test_layers_levels_and_faces_are_drawn_one_by_one(studio: Studio, where: str) -> None:
     text = f"""{HEAD}
     pass Filled : FullScreen {{
@@ -404,6 +455,65 @@ def test_lights_bring_what_their_steps_leave(studio: Studio, where: str) -> None
     (found,) = outputs(text, where, studio)
     assert found["value"][0][0, 0, 0] == 2 * 30 + 7
     assert found["added"][0][0, 0, 0] == 2 * 30 + 7
+
+
+@EVERYWHERE
+def test_stencil_values_go_from_pass_to_pass(studio: Studio, where: str) -> None:
+    """Five columns are counted once, and three of them twice; both counts are looked at later."""
+    text = f"""{HEAD}{BARS}
+    pass Counting : Bars {{ stencil {{ pass = increment_wrap }} }}
+    pass Marked : FullScreen {{
+        stencil {{ compare = equal, reference = 1 }}
+        target value : rgba32f = vec4(9, 0, 0, 1)
+    }}
+    frame F {{
+        once   = Counting(vertices(6 * 5))
+        twice  = Counting(vertices(6 * 3), once)
+        late  = Marked(screen, twice)
+        early = Marked(screen, once)
+        output single = late.value
+        output first  = early.value
+    }}"""
+    (frame,) = burnish.compile(text, PROFILES, partial=True).frames
+    assert {row["format"] for row in frame.plan["textures"]} == {"rgba32f", "depth32f_stencil8"}
+    (found,) = outputs(text, where, studio)
+    rows = {name: found[name][0][..., 0].tolist() for name in ("single", "first")}
+    assert rows["single"] == [[1, 2, 3, 9, 9, 0, 0, 0]] * SIZE[1]
+    assert rows["first"] == [[9, 9, 9, 9, 9, 0, 0, 0]] * SIZE[1]
+
+
+@EVERYWHERE
+def test_depth_tests_that_fail_are_counted_by_their_side(studio: Studio, where: str) -> None:
+    """What is behind a wall is counted: two of the first three columns are backs."""
+    text = f"""{HEAD}{BARS}
+    pass Behind : Bars {{
+        at : vec2 = corner[int(vertex_index mod 6u)]
+        clip_position = @vertex column(number, if number < 2 then at.yx else at)
+        depth {{ compare = less }}
+        stencil {{
+            front.depth_fail = increment_wrap, back.depth_fail = decrement_wrap, pass = zero
+        }}
+    }}
+    pass Wall : FullScreen {{
+        clip_position = @vertex (vec4(across, above, 0.25, 1) as point<clip>)
+        depth  {{ write = true }}
+        target value : rgba32f = vec4(0, 0, 0, 1)
+    }}
+    pass Marked : FullScreen {{
+        param mark : float = 0
+        target value : rgba32f = vec4(mark, 0, 0, 1)
+    }}
+    pass Fronts : Marked {{ stencil {{ compare = equal, reference = 1 }} }}
+    pass Backs : Marked {{ stencil {{ compare = equal, reference = 255 }} }}
+    frame F {{
+        wall   = Wall(screen)
+        behind = Behind(vertices(6 * 3), wall)
+        fronts = Fronts(screen, behind) with {{ mark = 5 }}
+        backs  = Backs(screen, fronts) with {{ mark = 7 }}
+        output value = backs.value
+    }}"""
+    (found,) = outputs(text, where, studio)
+    assert found["value"][0][..., 0].tolist() == [[7, 7, 5, 0, 0, 0, 0, 0]] * SIZE[1]
 
 
 LEVEL_EDGE = """

@@ -32,6 +32,7 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
     for step in plan["steps"]:
         yield ""
         first = " (first frame only)" if step.get("only_first") else ""
+        first += " (in the same render pass)" if step.get("continues") else ""
         yield f"{step['kind']} {step.get('name', '')}{first}"
         for row in step["barriers"]:
             yield f"  texture {row['texture']}: {row['from']} -> {row['to']}"
@@ -39,6 +40,8 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
         for row in every:
             place = f"[{row['layer']}]" if row["layer"] else ""
             stored = "" if row["store"] else ", dropped"
+            if "stencil" in row:
+                stored += ", with stencil" + ("" if row["stencil"]["store"] else " dropped")
             yield f"  {row['load']} {row['name']} -> {row['texture']}{place}{stored}"
         for row in inputs_of(step):
             source = {k: v for k, v in row.items() if k != "name"}
@@ -119,23 +122,13 @@ def test_what_nobody_else_needs_is_drawn_over_in_place() -> None:
     assert plan["textures"][0]["results"] == ["solid.color", "both.color"]
     assert [target["load"] for target in plan["steps"][1]["targets"]] == ["load"]
     assert plan["steps"][1]["depth"]["load"] == "load"
+    assert [step["continues"] for step in plan["steps"]] == [False, True]
 
 
 def test_what_others_need_is_copied_before() -> None:
     plan = of_text(OVER.replace("OUTPUT", "output before = solid.color")).plan
     assert [step["kind"] for step in plan["steps"]] == ["draw", "copy", "draw"]
     check_plan(plan)
-
-
-def test_results_share_textures() -> None:
-    """Of the example with the most results, at most 60 % of their memory is needed. Steps do not
-    count: one result may have a step for each face and level."""
-    sums = {}
-    for path in EXAMPLES:
-        plan = compiled(path).plan
-        results = [row for row in plan["results"] if row["texture"] is not None]
-        sums[len(results)] = len(plan["textures"]) / len(results)
-    assert sums[max(sums)] <= 0.6
 
 
 TABLES = """

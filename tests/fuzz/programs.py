@@ -38,6 +38,15 @@ CAPTURED = ("float", "vec2", "vec3", "vec4", "int", "uint", "ivec2", "uvec2")
 BLENDS = ("none", "none", "add", "multiply")
 BLENDS_BY_ALPHA = ("alpha", "premultiplied")
 """How targets of four lanes are blended besides."""
+FACTORS = ("zero", "one", "src", "one_minus_src", "dst", "one_minus_dst")
+FACTORS_BY_ALPHA = (
+    "src_alpha", "one_minus_src_alpha", "dst_alpha", "one_minus_dst_alpha", "src_alpha_saturated",
+)  # fmt: skip
+OPERATIONS = ("add", "add", "subtract", "reverse_subtract")
+CHOICES = ("min", "max")
+MASKS = ("rgb", "a", "rb", "gba", "none")
+FLOATS = "32f"
+"""What the names of formats end with that frames do not blend."""
 LIBRARY_MIXINS = {
     "VertexColors": "vertices", "SecondUv": "vertices", "Tangents": "tangents",
     "Skinned": "skinning", "Instanced": "instancing", "Morphed": "morphing",
@@ -335,9 +344,10 @@ class _Program:
         for number in range(writer.chance.randint(0, 2)):
             type_ = writer.chance.choice([*FORMATS])
             value = self._tamed(writer.expression(type_, scope, FUEL // 2))
-            text = f"target o{number} : {writer.chance.choice(FORMATS[type_])} = {{}}"
-            if adds or writer.maybe(0.3) or type_ != "vec4":
-                text += f" blend {'add' if adds else self._blend(type_)}"
+            blends = adds or writer.maybe(0.4)
+            formats = [name for name in FORMATS[type_] if not (blends and name.endswith(FLOATS))]
+            text = f"target o{number} : {writer.chance.choice(formats)} = {{}}"
+            text += f" blend {'add' if adds else self._blending(type_) if blends else 'none'}"
             items.append(Node(text, (value,), role="target", optional=True, name=f"o{number}"))
         if writer.maybe(0.3):
             condition = writer.expression("bool", scope, FUEL // 2)
@@ -349,5 +359,20 @@ class _Program:
         return replace(listed(form, items, "\n    ", "pass"), optional=True, name="Drawn")
 
     def _blend(self, type_: str) -> str:
-        """How a target of a type is blended."""
+        """A word for how a target of a type is blended."""
         return self.writer.chance.choice(BLENDS + BLENDS_BY_ALPHA * (type_ == "vec4"))
+
+    def _blending(self, type_: str) -> str:
+        """How a target of a type is blended, and which lanes are written."""
+        chance, of_alpha = self.writer.chance, type_ == "vec4"
+        settings = {}
+        if chance.random() < 0.5:
+            factors = FACTORS + FACTORS_BY_ALPHA * of_alpha
+            settings = {name: chance.choice(factors) for name in ("source", "destination")}
+            settings["operation"] = chance.choice(OPERATIONS)
+        elif chance.random() < 0.3:
+            settings = {"operation": chance.choice(CHOICES)}
+        if chance.random() < 0.3:
+            settings["mask"] = chance.choice(MASKS)
+        said = ", ".join(f"{name} = {word}" for name, word in settings.items())
+        return f"{self._blend(type_)}{f' {{{{ {said} }}}}' if said else ''}"

@@ -83,6 +83,7 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_host": "runner toolchain",
     "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",
+    "targets.web_view": "runner",
     # The door.
     "compiled": (
         "frozen garbage inputs diagnostics ir passes planning reflection description legalise emit "
@@ -94,7 +95,8 @@ FLOORS: dict[str, str] = {
     ),
     "commands": (
         "frozen cache inputs diagnostics syntax ir passes frontend formula closing description "
-        "emit registry availability selection runner web_host conformance toolchain compiled api"
+        "emit registry availability selection runner web_host web_view conformance toolchain "
+        "compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",

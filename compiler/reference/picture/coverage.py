@@ -132,16 +132,17 @@ def _edges(faces: Faces, rules: RasterRules) -> _Edges:
 def _spans(faces: Faces, edges: _Edges, rules: RasterRules) -> _Spans:
     """For every face the rows that it may touch, and in each the pixels between its edges."""
     slack = faces.unsure.max(axis=1, initial=0.0)
-    left = _clamped(np.ceil(faces.x.min(axis=1) - slack - 0.5), 0, rules.width)
-    right = _clamped(np.floor(faces.x.max(axis=1) + slack + 0.5), 0, rules.width)
-    top = _clamped(np.ceil(faces.y.min(axis=1) - slack - 0.5), 0, rules.height)
-    bottom = _clamped(np.floor(faces.y.max(axis=1) + slack + 0.5), 0, rules.height)
+    first, upper, last, lower = rules.drawn
+    left = _clamped(np.ceil(faces.x.min(axis=1) - slack - 0.5), first, last)
+    right = _clamped(np.floor(faces.x.max(axis=1) + slack + 0.5), first, last)
+    top = _clamped(np.ceil(faces.y.min(axis=1) - slack - 0.5), upper, lower)
+    bottom = _clamped(np.floor(faces.y.max(axis=1) + slack + 0.5), upper, lower)
     rows = np.where(right > left, np.maximum(bottom - top, 0), 0)
     face = np.repeat(np.arange(len(rows)), rows)
     y = np.arange(len(face)) + np.repeat(top - np.cumsum(rows) + rows, rows)
     begin, end = _between(edges, face, y + 0.5)
-    start = np.maximum(left[face], _clamped(np.floor(begin) - 1, 0, rules.width))
-    stop = np.minimum(right[face], _clamped(np.ceil(end) + 1, 0, rules.width))
+    start = np.maximum(left[face], _clamped(np.floor(begin) - 1, first, last))
+    stop = np.minimum(right[face], _clamped(np.ceil(end) + 1, first, last))
     some = stop > start
     return _Spans(face[some], y[some], start[some], (stop - start)[some])
 

@@ -185,7 +185,8 @@ def triangles_of(
 def window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
     """The x and y of clip positions (…, 4) in pixels, from the left and from the top."""
     x, y, _, w = np.moveaxis(positions, -1, 0)
-    return (x / w * 0.5 + 0.5) * rules.width, (0.5 - y / w * 0.5) * rules.height
+    left, top, width, height = rules.port
+    return left + (x / w * 0.5 + 0.5) * width, top + (0.5 - y / w * 0.5) * height
 
 
 def _shares(corners: Floats, weights: Floats) -> Floats:
@@ -240,7 +241,7 @@ def moved_by(places: Floats, off: Floats, rules: RasterRules) -> Floats:
     least = np.maximum(w - off[..., 3], 0.0)
     pixels = [
         (off[..., axis] + np.abs(places[..., axis]) / w * off[..., 3]) / least * size / 2
-        for axis, size in enumerate((rules.width, rules.height))
+        for axis, size in enumerate(rules.port[2:])
     ]
     largest = np.nan_to_num(np.maximum(*pixels), nan=np.inf, posinf=np.inf)
     moved: Floats = largest + FLOAT32_STEPS * max(rules.width, rules.height)

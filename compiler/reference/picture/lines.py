@@ -52,9 +52,10 @@ class LineFaces(Faces):
     step: Floats
     """(faces,): the distance between the places to which ends are snapped."""
     leaves: Bools
-    """(faces,): whether the line goes beyond the picture, so that a device may cut it there."""
-    size: Floats
-    """(faces, 2): the width and height of the picture."""
+    """(faces,): whether the line goes beyond the viewport, so that a device may cut it there."""
+    first: Floats
+    last: Floats
+    """(faces, 2): the upper left and the lower right corner of the viewport."""
     by_diamonds: Bools
     """(faces,): whether the ends are those of diamonds."""
 
@@ -65,7 +66,7 @@ class LineFaces(Faces):
         if self.by_diamonds.any():
             covered, close = self._by_diamonds(face, place, covered, close)
         middle = np.stack(place, axis=1)
-        beside = np.minimum(middle, self.size[face] - middle).min(axis=1)
+        beside = np.minimum(middle - self.first[face], self.last[face] - middle).min(axis=1)
         return covered, close | (self.leaves[face] & (beside < _BORDER))
 
     def _by_diamonds(
@@ -119,6 +120,7 @@ def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Fl
     whole, whole_off = positions[lines[clipped.primitive]], of_vertices[lines[clipped.primitive]]
     places, off = clipped.weights @ whole, np.abs(clipped.weights) @ whole_off
     ends = np.stack(window(places, rules), axis=-1)
+    first, last = _border(rules)
     outline = _outline(ends, rules)
     x, y = _corners(outline, rules)
     moved = moved_by(places, off, rules).max(axis=1)
@@ -149,20 +151,24 @@ def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Fl
         slack=slack + rules.edge_slack,
         step=np.full(len(x), _step(rules)),
         leaves=_leaves(ends, rules),
-        size=np.broadcast_to(_size(rules), ends[:, 0].shape),
+        first=np.broadcast_to(first, ends[:, 0].shape),
+        last=np.broadcast_to(last, ends[:, 0].shape),
         by_diamonds=np.full(len(x), rules.lines == "diamonds"),
     )
     kept: Bools = np.isfinite(x + y).all(axis=1) & (outline.length > 0)
     return faces.only(kept)
 
 
-def _size(rules: RasterRules) -> Floats:
-    return np.array([rules.width, rules.height], np.float64)
+def _border(rules: RasterRules) -> tuple[Floats, Floats]:
+    """The upper left and the lower right corner of the viewport."""
+    left, top, width, height = rules.port
+    return np.array([left, top], np.float64), np.array([left + width, top + height], np.float64)
 
 
 def _leaves(ends: Floats, rules: RasterRules, margin: float = 0.0) -> Bools:
-    """Which lines have an end beyond the picture, or so close to its border."""
-    inside = (ends >= margin) & (ends <= _size(rules) - margin)
+    """Which lines have an end beyond the viewport, or so close to its border."""
+    first, last = _border(rules)
+    inside = (ends >= first + margin) & (ends <= last - margin)
     beyond: Bools = np.asarray(~inside.all(axis=(1, 2)))
     return beyond
 

@@ -13,6 +13,8 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
+Area = tuple[int, int, int, int]
+"""A part of a picture: left, top, width and height."""
 Lines = Literal["rectangle", "parallelogram", "diamonds", "any"]
 """Which pixels a line of the width 1 covers: those with their middle in a rectangle around it, or
 in a parallelogram with sides along the picture, one pixel wide across the line's longer direction;
@@ -136,6 +138,29 @@ class RasterRules:
     unguarded_is_nan: bool = False
     """Whether an ``unguarded`` operation outside of its domain makes pixels undecided, as a device
     may give anything there; or else it means what it does with its guard."""
+    viewport: Area | None = None
+    """Into which part of the picture the clip volume is drawn; ``None``: into all of it. Nothing is
+    drawn outside of it."""
+    scissor: Area | None = None
+    """To which part of the picture is drawn, likewise."""
+
+    @property
+    def port(self) -> Area:
+        """The viewport."""
+        return (0, 0, self.width, self.height) if self.viewport is None else self.viewport
+
+    @property
+    def drawn(self) -> Area:
+        """What is drawn to, as the first and the last column and row; the last ones are outside."""
+        found = (0, 0, self.width, self.height)
+        for area in (self.viewport, self.scissor):
+            if area is not None:
+                left, top, width, height = area
+                found = (
+                    max(found[0], left), max(found[1], top),
+                    min(found[2], left + width), min(found[3], top + height),
+                )  # fmt: skip
+        return found
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,6 +48,7 @@ from .around import WHOLE, Around, Owner, Place
 from .bringing import Bringing
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
+from .settings import AREAS, Settings
 from .shaders import Shaders, required_of
 from .values import Made, Numbers, StepValue, on_host
 
@@ -439,13 +440,16 @@ class Steps:
         place = around.place or Place()
         name = self._unique(around.name + place.suffix)
         within = changed(around, name=name, place=None, light=False)
+        settings, given = Settings.parted(self._ctx, self.numbers, given, around.scope)
         inputs = self._inputs(given, within)
         draws = None if what is None else self._draws(symbol, what, inputs, e, around.light)
         over = self._where(e, changed(within, name=f"{name}.over"))
         if not draws or over is None or inputs.report_unknown(symbol.name):
             return FAILURE
         shader = draws[0].uses[0].shader
-        step = self._step(name, shader, draws, over, changed(around, place=place), e)
+        step = self._step(name, shader, draws, over, settings, changed(around, place=place), e)
+        if not settings.check(shader.shader, symbol.name, e.span):
+            return FAILURE
         self.steps.append(step)
         return StepValue(around.name, self._all_left(step))
 
@@ -567,6 +571,7 @@ class Steps:
         shader: FrameShader,
         draws: Sequence[Drawn],
         over: Mapping[str, Image] | Size,
+        settings: Settings,
         around: Around,
         e: ast.Call,
     ) -> RenderStep:
@@ -578,7 +583,9 @@ class Steps:
         given = over if isinstance(over, Mapping) else {}
         size = next(iter(given.values())).size if isinstance(over, Mapping) else over
 
-        def attached(target: str, format_: str, doc: str) -> Attachment:
+        def attached(
+            target: str, format_: str, doc: str, state: RenderTarget | float
+        ) -> Attachment:
             behind = given.get(target)
             image = place.images.get(target)
             if image is None:
@@ -592,17 +599,22 @@ class Steps:
                     rules.PLACES_DIFFER, e.span, first=behind.name, second=image.name,
                     reason=f"one is `{behind.format}`, the other `{format_}`",
                 )  # fmt: skip
-            return Attachment(target, image, None if layered else place.layer, place.level, behind)
+            clear = settings.cleared(target, state, e.span if behind is not None else None)
+            layer = None if layered else place.layer
+            return Attachment(target, image, layer, place.level, behind, clear)
 
         targets = tuple(
-            attached(result.name, result.state.format, result.doc)
+            attached(result.name, result.state.format, result.doc, result.state)
             for result in shader.shader.results_of(TARGET)
             if result.state is not None
         )
         state = shader.shader.render_state
         uses_depth = state.depth.is_used or state.stencil.is_used
-        depth = attached(DEPTH, DEPTH_FORMAT, "") if uses_depth else None
-        return RenderStep(name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span)
+        depth = attached(DEPTH, DEPTH_FORMAT, "", state.depth.clear) if uses_depth else None
+        return RenderStep(
+            name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span,
+            *(settings.number(setting) for setting in AREAS),
+        )  # fmt: skip
 
     def _where(self, e: ast.Call, around: Around) -> Mapping[str, Image] | Size | None:
         """Where to a pass draws: new images of a size, or over what others have left."""
@@ -619,21 +631,43 @@ class Steps:
                 return None
             if isinstance(left, StepValue):
                 images = {n: i for n, i in left.left.items() if isinstance(i, Image)}
-                found |= images
             elif isinstance(left, Image):
-                found[left.name.rpartition(".")[2]] = left
+                images = {left.name.rpartition(".")[2]: left}
             else:
                 self._no_result(left, part.span)
                 return None
+            for name in found.keys() & images.keys():
+                reason = f"both are called `{name}`, and a pass draws over one of this name"
+                self._differ(found[name], images[name], reason, part.span)
+                return None
+            found |= images
         first, *others = found.values()
         for other in others:
             if (other.dimension, other.layers) != (first.dimension, first.layers):
-                self._ctx.report.add(
-                    rules.PLACES_DIFFER, written.span, first=first.name, second=other.name,
-                    reason="they have different layers",
-                )  # fmt: skip
+                self._differ(first, other, "they have different layers", written.span)
+                return None
+            one, two = self._known_size(first), self._known_size(other)
+            if one and two and one != two:
+                reason = f"one is {one[0]} x {one[1]}, the other {two[0]} x {two[1]}"
+                self._differ(first, other, reason, written.span)
                 return None
         return found
+
+    def _differ(self, first: Image, second: Image, reason: str, span: Span) -> None:
+        """Report that two results cannot be drawn over at once."""
+        self._ctx.report.add(
+            rules.PLACES_DIFFER, span, first=first.name, second=second.name, reason=reason
+        )
+
+    def _known_size(self, image: Image) -> tuple[int, int] | None:
+        """The size of an image, if it is known when compiling."""
+        if image.size.value is None:
+            return None
+        match self._ctx.constants.known(self.numbers.nodes[image.size.value]):
+            case (int(width), int(height)):
+                level = image.size.level
+                return max(width >> level, 1), max(height >> level, 1)
+        return None
 
     def _is_step(self, e: ast.Expression, around: Around) -> bool:
         """Whether an expression is about steps, and no number."""

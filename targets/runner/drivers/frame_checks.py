@@ -67,7 +67,7 @@ def _check_attachments(job: FrameJob, step: FrameStep) -> None:
     if len(sizes) > 1:
         found = " and ".join(f"{width} x {height}" for width, height in sorted(sizes))
         raise DriverError(f"its targets have different sizes: {found}")
-    copied = {replace(job.textures[number], is_black=False) for number in step.copied}
+    copied = {replace(job.textures[number], is_black=False, memory=None) for number in step.copied}
     if len(copied) > 1:
         source, target = step.copied
         raise DriverError(

@@ -15,6 +15,9 @@ from .draw import DepthFormat, Dispatch, Draw, KernelJob, Pipeline, Sides, Targe
 TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as; at first it has no contents."""
 
+Area = tuple[int, int, int, int]
+"""A part of a picture: left, top, width and height."""
+
 BLACK = (0.0, 0.0, 0.0, 0.0)
 
 
@@ -32,6 +35,9 @@ class FrameTexture:
     is_black: bool = False
     """Whether it is read before a step draws to it: it is transparent black then, or as far away as
     can be."""
+    memory: int | None = None
+    """Of textures with the same number, no step needs two, so they may lie in the same memory: when
+    a barrier takes one of them from ``undefined``, the others lose their contents."""
 
     @property
     def is_depth(self) -> bool:
@@ -96,6 +102,11 @@ class FrameStep:
     depth: Attachment | None = None
     draws: tuple[FrameDraw, ...] = ()
     """In one render pass; of a kernel, only one."""
+    viewport: Area | None = None
+    """Into which part of the targets the clip volume is drawn; ``None``: into all of it. Nothing is
+    drawn outside of it."""
+    scissor: Area | None = None
+    """To which part of the targets is drawn, likewise."""
     blend_constant: tuple[float, float, float, float] = BLACK
     """What the factor ``constant`` means in all of them."""
     images: tuple[int, ...] = ()
@@ -106,6 +117,22 @@ class FrameStep:
     """From which texture to which other one, if it is a copy."""
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
+
+    def areas(self, width: int, height: int) -> tuple[Area, Area]:
+        """The viewport in targets of this size, and all that is drawn to."""
+        whole = (0, 0, width, height)
+        viewport = whole if self.viewport is None else self.viewport
+        return viewport, _common(viewport, whole if self.scissor is None else self.scissor, whole)
+
+
+def _common(*areas: Area) -> Area:
+    """What lies in all areas."""
+    left, top = max(area[0] for area in areas), max(area[1] for area in areas)
+    right = min(area[0] + area[2] for area in areas)
+    bottom = min(area[1] + area[3] for area in areas)
+    if right <= left or bottom <= top:
+        return (0, 0, 0, 0)
+    return left, top, right - left, bottom - top
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,7 +27,12 @@ def check_order(job: FrameJob) -> None:
 
 def _check_step(textures: list[_Texture], step: FrameStep) -> None:
     for barrier in step.barriers:
-        textures[barrier.texture].wait(barrier.before, barrier.after)
+        waiting = textures[barrier.texture]
+        if barrier.before == "undefined" and waiting.memory is not None:
+            for texture in textures:
+                if texture.memory == waiting.memory:
+                    texture.lose()
+        waiting.wait(barrier.before, barrier.after)
     for number in (texture for draw in step.draws for texture in draw.textures):
         if number >= 0:
             textures[number].read("sampled")
@@ -52,11 +57,17 @@ class _Texture:
         made = job.textures[number]
         self._name = f"texture {number}"
         self._layers, self._levels = made.layers, made.levels
+        self.memory = made.memory
         self._use: TextureUse = "sampled" if made.is_black else "undefined"
         self._held = set(self._parts()) if made.is_black else set()
         """The parts that have contents."""
         self._changed: set[Part] = set()
         """The parts that were written since the last barrier."""
+
+    def lose(self) -> None:
+        """Another texture takes the memory, or this one begins anew."""
+        self._use = "undefined"
+        self._held.clear()
 
     def wait(self, before: TextureUse, after: TextureUse) -> None:
         """A barrier."""

@@ -30,8 +30,8 @@ from ....compiler.reference.picture import (
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
-from ..scene_state import CLEAR
-from .host import FrameDraw, FrameHost, Row, halved
+from .host import FrameDraw, FrameHost, Row
+from .sizes import halved
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -178,12 +178,16 @@ class ReferenceFrames:
 
     def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
         shader = self._shader(step["draws"][0]["uses"][0]["shader"])
-        width, height = self._size_of(step)
-        rules = replace(self.rules, width=width, height=height)
-        written = written_by(shader)
+        width, height = self.host.drawn_size(step)
+        state, depth = self.host.state_of(step), step["depth"]
+        rules = replace(
+            self.rules, width=width, height=height, viewport=state.viewport, scissor=state.scissor
+        )
         canvas = Canvas(
-            width * height, [CLEAR] * len(written), written, rounds=self.errors is not None,
-            has_depth=step["depth"] is not None,
+            width * height, [self.host.clear_of(target) for target in step["targets"]],
+            written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
+            depth=1.0 if depth is None else self.host.clear_of(depth)[0],
+            blend_constant=state.blend_constant,
         )  # fmt: skip
         self._load(canvas, step, layer)
         hulls = Hulls(canvas)
@@ -191,10 +195,6 @@ class ReferenceFrames:
         for draw in draws:
             self._onto(canvas, hulls, draw, rules, layer)
         self._store(canvas, hulls, step, layer, rules)
-
-    def _size_of(self, step: Row) -> tuple[int, int]:
-        target = step["targets"][0] if step["targets"] else step["depth"]
-        return _halved(self.host.size_of(target["texture"]), target["level"])
 
     def _shader(self, number: int) -> Shader:
         if self.shader_of is not None:
@@ -317,14 +317,25 @@ class ReferenceFrames:
             self.buffers |= {row["result"]: written[row["name"]] for row in step["buffers"]}
             return
         rows = [
-            {"texture": row["texture"], "layer": 0, "level": 0, "load": "clear"}
+            {
+                "texture": row["texture"],
+                "layer": 0,
+                "level": 0,
+                "load": "clear",
+                "clear": None,
+                "result": row["result"],
+            }
             for row in step["images"]
         ]
         for row in rows:
             self._make(row["texture"])
         drawn = replace(draw, state=full_screen_state(instance))
         self._draw_layer(
-            {"targets": rows, "depth": None, "draws": [{"uses": [{"shader": draw.shader}]}]},
+            {
+                "name": step["name"], "targets": rows, "depth": None, "viewport": None,
+                "scissor": None, "blend_constant": None,
+                "draws": [{"uses": [{"shader": draw.shader}]}],
+            },
             [drawn], 0,
         )  # fmt: skip
 

@@ -34,6 +34,7 @@ from ..routes import EVERY_DRIVER, Route
 from ..runner import Runner
 from .host import FrameDraw as HostDraw
 from .host import FrameHost, FrameSubject, Row
+from .memory import bytes_of, taking_turns
 
 Floats = NDArray[np.float64]
 
@@ -97,12 +98,16 @@ class _Job:
         self._textures = _Textures()
         self._buffers: list[FrameBuffer] = []
         self._buffer_of: dict[str, int] = {}
+        self._memory: dict[int, int] = {}
+        """For textures of the plan that take turns in the same memory, a number of the latter."""
         self._steps: list[FrameStep] = []
 
     def add_frame(self, number: int) -> None:
         """Add the steps of one frame; ``number`` is that of the frames before it."""
         is_first = number == 0
         self._host.begin(number)
+        if is_first:
+            self._memory = _shared_memory(self._host)
         for row in self._plan["kept"]:
             for texture in (row["texture"], row["previous"]):
                 if texture is not None and texture not in self._textures.at:
@@ -150,7 +155,14 @@ class _Job:
         name: Any = DEPTH_FORMATS.get(row["format"]) or FORMATS[row["format"]]
         self._textures.made.append(
             FrameTexture(
-                name, width, height, row["layers"], row["levels"], row["dimension"], is_black
+                name,
+                width,
+                height,
+                row["layers"],
+                row["levels"],
+                row["dimension"],
+                is_black,
+                self._memory.get(number),
             )
         )
         self._textures.uses.append("sampled" if is_black else "undefined")
@@ -191,7 +203,9 @@ class _Job:
             number = self._texture(row["texture"])
             before, after = self._use(row["from"]), self._use(row["to"])
             known = self._textures.uses[number]
-            if before == "undefined" or known == "copied_from":
+            begins = before == "undefined"
+            takes_turns = begins and self._textures.made[number].memory is not None
+            if (begins or known == "copied_from") and not takes_turns:
                 # The last frame may still read what it left there, and so may the host.
                 before = known
             found.append(Barrier(number, before, after))
@@ -217,25 +231,31 @@ class _Job:
             if every[0]["layer"] is not None
             else range(self._plan["textures"][every[0]["texture"]]["layers"])
         )
-        found = []
+        found, state = [], self._host.state_of(step)
         for layer in layers:
-            depth = step["depth"] and self._attachment(step["depth"], layer, 1.0)
+            depth = step["depth"] and self._attachment(step["depth"], layer)
             found.append(
                 FrameStep(
                     barriers if layer == 0 else (),
-                    tuple(self._attachment(target, layer, 0.0) for target in step["targets"]),
+                    tuple(self._attachment(target, layer) for target in step["targets"]),
                     depth or None,
                     tuple(self._draw(draw, layer) for draw in draws),
+                    state.viewport,
+                    state.scissor,
+                    state.blend_constant,
                 )
             )
+        if step.get("continues", False):
+            (alone,) = found
+            return _drawn_on(self._steps.pop(), alone)
         return found
 
-    def _attachment(self, target: Row, layer: int, clear: float) -> Attachment:
+    def _attachment(self, target: Row, layer: int) -> Attachment:
         at = layer if target["layer"] is None else target["layer"]
         return Attachment(
             self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
             target["store"], "stencil" in target and target["stencil"]["store"],
-            (clear, 0.0, 0.0, 0.0),
+            self._host.clear_of(target),
         )  # fmt: skip
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
@@ -332,6 +352,32 @@ class _Job:
         """A kernel over images where these are drawn."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+
+
+def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
+    """Two steps that draw to the same attachments, as one render pass: it begins as the first one
+    does, and leaves what the second one leaves. They stay two if their settings differ."""
+    settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
+    if settings[0] != settings[1]:
+        return [before, step]
+
+    def joined(first: Attachment, second: Attachment) -> Attachment:
+        return replace(second, loads=first.loads, clear=first.clear)
+
+    depth = step.depth and before.depth and joined(before.depth, step.depth)
+    targets = tuple(map(joined, before.targets, step.targets))
+    draws = (*before.draws, *step.draws)
+    return [replace(before, targets=targets, depth=depth, draws=draws)]
+
+
+def _shared_memory(host: FrameHost) -> dict[int, int]:
+    """A number for each texture that takes turns with others. Sizes that a kernel says are known
+    too late."""
+    rows = host.plan["textures"]
+    known = [number for number, row in enumerate(rows) if row["size"]["value"] is not None]
+    needed = {number: bytes_of(rows[number], host.size_of(number)) for number in known}
+    groups = [group for group in taking_turns(host.plan, needed) if len(group) > 1]
+    return {texture: number for number, group in enumerate(groups) for texture in group}
 
 
 def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureUse:

@@ -16,10 +16,14 @@ from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
-from ..scene_state import SceneState, drawn_state
+from ..scene import value_roles
+from ..scene_state import Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
+from .checks.rows import attachments
 from .scenery import Model, Scenery
+from .settings import StepState, cleared, step_state
+from .sizes import Size, checked_size, drawn_size
 
 VERSION = 1
 """The version of plans that this code executes."""
@@ -102,6 +106,16 @@ KERNEL = bare_mesh(3)
 """What is drawn where a kernel is drawn: all pixels of a texture."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Onto:
+    """What a step draws to."""
+
+    size: tuple[int, int]
+    """The width and height of its targets."""
+    seen: tuple[int, int]
+    """Those of what a camera sees: of the viewport."""
+
+
 class FrameHost:
     """The values of one frame."""
 
@@ -121,6 +135,8 @@ class FrameHost:
         scenery.scene.apply(self.values, width / height)
         self.given: frozenset[str] = frozenset()
         """The names of what has been set; a scene leaves that alone."""
+        self.size = size
+        """Of what is shown: width and height."""
         self._tell("size", size)
         self.instances = [Instance(shader.reflection) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
@@ -153,9 +169,9 @@ class FrameHost:
 
     def _tell(self, name: str, value: object) -> None:
         """Set what hosts tell every frame, unless this one says it itself or it has been set."""
-        known = {row["name"] for row in self.plan["parameters"]}
-        if name in known and name not in self.given:
-            self.values.set(name, value)
+        for own, role in value_roles(self.plan).items():
+            if role == name and own not in self.given:
+                self.values.set(own, value)
 
     # --- numbers ---------------------------------------------------------------------------------
 
@@ -165,15 +181,12 @@ class FrameHost:
 
     def size_of(self, texture: int) -> tuple[int, int]:
         """The width and the height of a texture's first level."""
-        row = self.plan["textures"][texture]["size"]
-        if row["value"] is None:
-            width, height = self._extent(row["extent_of"])
+        row = self.plan["textures"][texture]
+        if row["size"]["value"] is None:
+            width, height = self._extent(row["size"]["extent_of"])
         else:
-            width, height = (int(lane) for lane in self.number(row["value"]))
-        if min(width, height) < 1:
-            names = ", ".join(self.plan["textures"][texture]["results"])
-            raise PlanError(f"{names}: the size would be {width} x {height}")
-        return halved(width, row["level"]), halved(height, row["level"])
+            width, height = (int(lane) for lane in self.number(row["size"]["value"]))
+        return checked_size(row, width, height)
 
     def _extent(self, step: str) -> tuple[int, int]:
         """The size of what a kernel writes. Raises ``PlanError`` before the kernel is run."""
@@ -184,16 +197,30 @@ class FrameHost:
             )
         return self._kernels[step].image_size()
 
+    def drawn_size(self, step: Row) -> Size:
+        """The size of all that a step draws to. Raises ``PlanError`` where its targets differ."""
+        sizes = {row["texture"]: self.size_of(row["texture"]) for row in attachments(step)}
+        return drawn_size(self.plan, step, sizes)
+
+    def state_of(self, step: Row) -> StepState:
+        """What a step sets for all that it draws. Raises ``PlanError`` for a viewport that is not
+        within its targets."""
+        return step_state(self.plan, step, self.drawn_size(step), self.number)
+
+    def clear_of(self, target: Row) -> Color:
+        """What a target is cleared to; of depths, the first number."""
+        return cleared(self.plan, target, self.number)
+
     # --- draws -----------------------------------------------------------------------------------
 
     def draws(self, step: Row, *, is_first: bool) -> Iterator[FrameDraw]:
         """All draws of a step that draws, one behind the other."""
-        target = [*step["targets"], *([step["depth"]] if step["depth"] else [])][0]
-        width, height = self.size_of(target["texture"])
-        size = halved(width, target["level"]), halved(height, target["level"])
+        state = self.state_of(step)
+        size = self.drawn_size(step)
+        onto = _Onto(size, size if state.viewport is None else state.viewport[2:])
         for drawn in step["draws"]:
             for light in self._lights(drawn["light"]):
-                yield from self._drawn(drawn, light, size, is_first)
+                yield from self._drawn(drawn, light, onto, is_first)
 
     def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
         """The run of a kernel."""
@@ -218,7 +245,7 @@ class FrameHost:
         self,
         drawn: Row,
         light: tuple[str, int | None] | None,
-        size: tuple[int, int],
+        onto: _Onto,
         is_first: bool,
     ) -> Iterator[FrameDraw]:
         uses = {use["material"]: use for use in drawn["uses"]}
@@ -227,7 +254,7 @@ class FrameHost:
             primitive = self.instances[uses[None]["shader"]].reflection["draw"]["primitive"]
             if count >= CORNERS[primitive]:
                 mesh = bare_mesh(count, primitive)
-                yield self._one(uses[None], None, mesh, light, size, is_first)
+                yield self._one(uses[None], None, mesh, light, onto, is_first)
             return
         for model in self.scenery.tagged(drawn["models"]):
             if model.material not in uses:
@@ -236,7 +263,7 @@ class FrameHost:
                     f"a model of `{drawn['models']}` has the material {model.material}, and the "
                     f"frame draws {known}"
                 )
-            yield self._one(uses[model.material], model, model.mesh, light, size, is_first)
+            yield self._one(uses[model.material], model, model.mesh, light, onto, is_first)
 
     def _vertex_count(self, value: int) -> int:
         """How many vertices a step draws without models. Raises ``PlanError`` for numbers that
@@ -252,7 +279,7 @@ class FrameHost:
         model: Model | None,
         mesh: Mesh,
         light: tuple[str, int | None] | None,
-        size: tuple[int, int],
+        onto: _Onto,
         is_first: bool,
     ) -> FrameDraw:
         instance = self.instances[use["shader"]].copied()
@@ -261,10 +288,10 @@ class FrameHost:
             scene = replace(
                 scene, object_to_world=model.placement, look=model.look, bones=model.bones
             )
-        scene.apply(instance, size[0] / size[1], self.given)
+        scene.apply(instance, onto.seen[0] / onto.seen[1], self.given)
         self._shine(instance, light)
         reads = self._give(instance, use, is_first)
-        return FrameDraw(use["shader"], drawn_state(instance, mesh, size), reads)
+        return FrameDraw(use["shader"], drawn_state(instance, mesh, onto.size), reads)
 
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; of a single one, that of its entry."""
@@ -309,11 +336,6 @@ class FrameHost:
             instance.set(name, textures[host])
         else:
             instance.set_bytes(name, self.values.buffers()[host].data)
-
-
-def halved(side: int, times: int) -> int:
-    """A side of a texture in one of its mip levels."""
-    return max(side >> times, 1)
 
 
 def _as_reflection(plan: Row) -> dict[str, Any]:

@@ -73,17 +73,18 @@ def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: 
     ``tags`` are the materials of the models that a frame asks for by each name. The floor has the
     material that only the name ``floor`` asks for, or the last one of all.
     """
+    if not materials:
+        return Scenery(())
     standing = [name for name in materials if name not in tags.get(FLOOR, ())] or list(materials)
-    width = _APART * (len(standing) - 1)
+    width = _APART * max(len(standing) - 1, 0)
     shape = MESHES[mesh]()
     models = [
         Model(shape, material, _moved((_APART * number - width / 2, 0.0, 0.0)))
         for number, material in enumerate(standing)
     ]
-    if materials:
-        below = tags.get(FLOOR, materials)[-1]
-        lowest = float(shape.channels["position"][:, 1].min())
-        models.append(Model(MESHES["plane"](), below, _lying(width / 2 + _SIDE, lowest)))
+    below = tags.get(FLOOR, materials)[-1]
+    lowest = float(shape.channels["position"][:, 1].min())
+    models.append(Model(MESHES["plane"](), below, _lying(width / 2 + _SIDE, lowest)))
     tagged = tuple(
         replace(model, tags=frozenset(_tags_of(model.material, tags))) for model in models
     )

@@ -204,6 +204,11 @@ class Instance:
         return plain(place.shape, value)
 
     @property
+    def needed(self) -> tuple[str, ...]:
+        """The names of parameters that a shader reads, or of which the host computes something."""
+        return self._names.needed
+
+    @property
     def missing(self) -> tuple[str, ...]:
         """The names of values that the blocks need and that nobody has set."""
         return tuple(self._missing(self._values))

@@ -1,5 +1,6 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
 
+import { areasOf, type DrawSettings } from "../areas.js";
 import { hasStencil, isDepth, toFloats } from "../bytes.js";
 import { interleaved, type Geometry } from "../geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
@@ -101,7 +102,9 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
     this.gl.flush();
   }
 
-  draw(targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[]): void {
+  draw(
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[], settings: DrawSettings,
+  ): void {
     const { gl } = this;
     const first = (targets[0] ?? depth!);
     const width = halved(first.texture.width, first.target.level);
@@ -112,9 +115,14 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
       const formats = [...targets, ...(depth ? [depth] : [])].map(({ texture }) => texture.format);
       throw new Error(`WebGL cannot draw ${width} x ${height} pixels to ${formats.join(", ")}`);
     }
-    gl.viewport(0, 0, width, height);
     this.clear(targets, depth);
+    const [viewport, drawn] = areasOf(settings, width, height);
+    gl.viewport(...viewport);
+    gl.scissor(...drawn);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.blendColor(...(settings.blendConstant as [number, number, number, number]));
     for (const call of calls) this.drawCall(call, depth, height);
+    gl.disable(gl.SCISSOR_TEST);
     const dropped = [...targets, ...(depth ? [depth] : [])].flatMap(({ target }, at) => (target.store ? [] : points[at]));
     if (dropped.length) gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
     points.forEach((point) => gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0));
@@ -138,13 +146,13 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
     const { gl } = this;
     gl.colorMask(true, true, true, true);
     gl.disable(gl.SCISSOR_TEST);
-    targets.forEach(({ target }, at) => {
-      if (target.load === "clear") gl.clearBufferfv(gl.COLOR, at, [0, 0, 0, 0]);
+    targets.forEach(({ target, clear }, at) => {
+      if (target.load === "clear") gl.clearBufferfv(gl.COLOR, at, clear);
     });
     if (!depth) return;
     gl.depthMask(true);
     gl.stencilMask(0xff);
-    if (depth.target.load === "clear") gl.clearBufferfv(gl.DEPTH, 0, [1]);
+    if (depth.target.load === "clear") gl.clearBufferfv(gl.DEPTH, 0, depth.clear);
     const { stencil } = depth.target;
     if (hasStencil(depth.texture.format) && stencil?.load !== "load") {
       gl.clearBufferiv(gl.STENCIL, 0, [stencil?.clear ?? 0]);

@@ -1,5 +1,6 @@
 // Draws frames with WebGPU.
 
+import { areasOf, type DrawSettings } from "../areas.js";
 import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved, type Geometry } from "../geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
@@ -44,8 +45,10 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   static async open(device: Device, from: FramePackage, canvas: Canvas | null) {
+    const pipelines = await Pipelines.of(device, from);
+    // Until here, the canvas shows what it did before.
     const presenter = canvas && new Presenter(device, canvas);
-    return new WebGpuRenderer(device, await Pipelines.of(device, from), presenter, from.shaders);
+    return new WebGpuRenderer(device, pipelines, presenter, from.shaders);
   }
 
   // --- resources ---
@@ -84,7 +87,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   dispose(): void {
     this.owned.forEach((each) => each.destroy());
     this.arena.free();
-    this.device.gpu.destroy();
+    if (!this.presenter) this.device.gpu.destroy();
   }
 
   private own(texture: Texture): Texture {
@@ -105,16 +108,26 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     this.device.gpu.queue.submit([this.encoder.finish()]);
   }
 
-  draw(targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[]): void {
+  draw(
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[], settings: DrawSettings,
+  ): void {
     const pass = this.encoder.beginRenderPass({
-      colorAttachments: targets.map(({ target, texture, layer }) => ({
+      colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
         view: layerOf(texture.gpu, layer, target.level),
-        clearValue: [0, 0, 0, 0],
+        clearValue: clear,
         loadOp: target.load,
         storeOp: storeOp(target),
       })),
       ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
     });
+    const first = targets[0] ?? depth!;
+    const { width, height } = first.texture.gpu;
+    const [viewport, drawn] = areasOf(
+      settings, Math.max(width >> first.target.level, 1), Math.max(height >> first.target.level, 1),
+    );
+    pass.setViewport(...viewport, 0, 1);
+    pass.setScissorRect(...drawn);
+    pass.setBlendConstant(settings.blendConstant);
     const formats = targets.map(({ texture }) => texture.gpu.format);
     for (const call of calls) {
       const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
@@ -250,12 +263,12 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
 }
 
 function depthAttachment(
-  { texture, layer, target }: Attachment<Texture>,
+  { texture, layer, target, clear }: Attachment<Texture>,
 ): GPURenderPassDepthStencilAttachment {
   const { stencil } = target;
   return {
     view: layerOf(texture.gpu, layer, target.level),
-    depthClearValue: 1,
+    depthClearValue: clear[0],
     depthLoadOp: target.load,
     depthStoreOp: storeOp(target),
     ...(hasStencil(texture.gpu.format) && {

@@ -17,6 +17,7 @@ from .context import (
     GL_COLOR,
     GL_COLOR_ATTACHMENT0,
     GL_FRAMEBUFFER,
+    GL_SCISSOR_TEST,
     Functions,
 )
 from .frame_textures import make_frame_texture
@@ -91,15 +92,28 @@ class _Frame:
         for drawn in step.draws:
             self._program(drawn)  # moderngl may bind a framebuffer when it links
         with self._framebuffer(step):
-            self._functions.glViewport(0, 0, width, height)
             write_all_lanes(self._functions, len(step.targets))
             for number, target in enumerate(step.targets):
                 self._clear(target, number)
             if step.depth is not None and not step.depth.loads:
                 made = self._textures[step.depth.texture]
                 clear_depths(self._functions, step.depth.clear[0], made.point(0))
-            for drawn in step.draws:
-                self._draw_one(step, drawn)
+            with self._within(step, width, height):
+                for drawn in step.draws:
+                    self._draw_one(step, drawn)
+
+    @contextmanager
+    def _within(self, step: FrameStep, width: int, height: int) -> Iterator[None]:
+        """Draw to the viewport and the scissor of a step. The first row is the top one, as texts
+        of frames have it."""
+        viewport, drawn_to = step.areas(width, height)
+        self._functions.glViewport(*viewport)
+        self._functions.glScissor(*drawn_to)
+        self._functions.glEnable(GL_SCISSOR_TEST)
+        try:
+            yield
+        finally:
+            self._functions.glDisable(GL_SCISSOR_TEST)
 
     @contextmanager
     def _framebuffer(self, step: FrameStep) -> Iterator[None]:

@@ -9,13 +9,13 @@ from typing import Any
 import vulkan as vk
 
 from ..draw import Draw, Image
-from ..frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
+from ..frame_job import Area, Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..readback import TEXEL_LANES, depths_to_float, to_float
 from .compute import COMPUTE, make_compute_pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
 from .formats import DEPTHS
-from .frame_textures import USES, MadeTexture, make_frame_texture, record
+from .frame_textures import USES, MadeTexture, make_frame_textures, record
 from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .job import GRAPHICS, INDEX_SIZE, MESH, STORAGE
 from .memory import Buffer, filled_buffer, make_buffer
@@ -43,12 +43,7 @@ class _Frame:
         self._job = job
         written = {image for step in job.steps for image in step.images}
         drawn = {each.texture for step in job.steps for each in _attachments(step)}
-        self._textures = [
-            make_frame_texture(
-                owned, gpu, texture, drawn=number in drawn, written=number in written
-            )
-            for number, texture in enumerate(job.textures)
-        ]
+        self._textures = make_frame_textures(owned, gpu, job, drawn, written)
         self._buffers = [
             filled_buffer(owned, gpu, STORAGE, each.initial.to_bytes(4, "little") * each.words)
             for each in job.buffers
@@ -151,11 +146,12 @@ class _Frame:
             pClearValues=[self._clear_value(each) for each in attachments],
         )
         vk.vkCmdBeginRenderPass(commands, begin, vk.VK_SUBPASS_CONTENTS_INLINE)
-        vk.vkCmdSetScissor(commands, 0, 1, [area])
+        port, drawn_to = step.areas(width, height)
+        vk.vkCmdSetScissor(commands, 0, 1, [_rectangle(drawn_to)])
         vk.vkCmdSetBlendConstants(commands, step.blend_constant)
         for drawn, bound in zip(step.draws, sets, strict=True):
             description = self._job.pipelines[drawn.pipeline]
-            view = viewport(description, width, height)
+            view = viewport(description, *port)
             vk.vkCmdSetViewport(commands, 0, 1, [view])
             self._draw_one(commands, drawn, bound, render_pass)
         vk.vkCmdEndRenderPass(commands)
@@ -317,6 +313,11 @@ def _texel_size(format_: Any) -> int:
         return DEPTH_BYTES
     lanes, kind = TEXEL_LANES[format_]
     return lanes * int(kind.itemsize)
+
+
+def _rectangle(area: Area) -> Any:
+    left, top, width, height = area
+    return vk.VkRect2D(vk.VkOffset2D(left, top), vk.VkExtent2D(width, height))
 
 
 def _halved(texture: MadeTexture, level: int) -> tuple[int, int]:

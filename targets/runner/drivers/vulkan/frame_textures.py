@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from typing import Any
 
 import vulkan as vk
 
-from ..frame_job import Attachment, Barrier, FrameTexture, TextureUse
+from ..frame_job import Attachment, Barrier, FrameJob, FrameTexture, TextureUse
 from .device import Gpu
 from .formats import ASPECTS, DEPTHS, TARGETS, VIEWS
-from .memory import ImageSpec, make_image
+from .memory import ImageSpec, give_memory, image_without_memory, make_view
 
 DRAWING = vk.VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT
 TESTING = (
@@ -100,13 +100,20 @@ class MadeTexture:
         return vk.VkImageMemoryBarrier(
             oldLayout=USES[before].layout,
             newLayout=USES[after].layout,
-            srcAccessMask=USES[before].access,
+            srcAccessMask=self._writes if before == "undefined" else USES[before].access,
             dstAccessMask=USES[after].access,
             srcQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
             dstQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
             image=self.image,
             subresourceRange=self.spec.subresources(),
         )
+
+    @property
+    def _writes(self) -> int:
+        """What may have been written where it lies before it has contents: by whatever other
+        texture has had the memory."""
+        is_shared = self.description.memory is not None
+        return vk.VK_ACCESS_MEMORY_WRITE_BIT if is_shared else 0
 
     def clear(self, commands: Any) -> None:
         """Make it transparent black, or as far away as can be, and ready to be read."""
@@ -121,10 +128,29 @@ class MadeTexture:
         record(commands, [self], [Barrier(0, "copied_to", "sampled")])
 
 
-def make_frame_texture(
-    owned: ExitStack, gpu: Gpu, wanted: FrameTexture, *, drawn: bool, written: bool
-) -> MadeTexture:
-    """A texture of a frame, which passes have ``drawn`` or kernels have ``written``."""
+def make_frame_textures(
+    owned: ExitStack, gpu: Gpu, job: FrameJob, drawn: Set[int], written: Set[int]
+) -> list[MadeTexture]:
+    """The textures of a frame, some of which passes have ``drawn`` or kernels have ``written``."""
+    specs = [
+        _spec(texture, drawn=number in drawn, written=number in written)
+        for number, texture in enumerate(job.textures)
+    ]
+    images = [image_without_memory(owned, gpu, spec) for spec in specs]
+    places: dict[object, list[Any]] = {}
+    for number, texture in enumerate(job.textures):
+        alone = ("alone", number)
+        place = alone if texture.memory is None else ("shared", texture.memory)
+        places.setdefault(place, []).append(images[number])
+    for sharing in places.values():
+        give_memory(owned, gpu, sharing)
+    return [
+        MadeTexture(gpu, owned, texture, spec, image, make_view(owned, gpu, spec, image))
+        for texture, spec, image in zip(job.textures, specs, images, strict=True)
+    ]
+
+
+def _spec(wanted: FrameTexture, *, drawn: bool, written: bool) -> ImageSpec:
     attached = (
         vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
         if wanted.is_depth
@@ -138,12 +164,10 @@ def make_frame_texture(
             format_, aspect, read = DEPTHS[depths], ASPECTS[depths], depth
         case colours:
             format_, aspect, read = TARGETS[colours], colour, colour
-    spec = ImageSpec(
+    return ImageSpec(
         format_, wanted.width, wanted.height, usage, wanted.levels, aspect, wanted.layers,
         VIEWS[wanted.dimension], read,
     )  # fmt: skip
-    image, view = make_image(owned, gpu, spec)
-    return MadeTexture(gpu, owned, wanted, spec, image, view)
 
 
 def record(commands: Any, textures: Sequence[MadeTexture], barriers: Sequence[Barrier]) -> None:

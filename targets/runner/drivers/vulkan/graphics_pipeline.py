@@ -75,14 +75,15 @@ OPERATIONS: dict[StencilOperation, int] = {
 }
 
 
-def viewport(pipeline: Pipeline, width: int, height: int) -> Any:
+def viewport(pipeline: Pipeline, left: int, top: int, width: int, height: int) -> Any:
     """A ``VkViewport`` that makes the first row the top one.
 
     Vulkan's clip y points down, so the height is negative for a text that is not flipped.
     """
     if pipeline.flip_y:
-        return vk.VkViewport(0.0, 0.0, float(width), float(height), 0.0, 1.0)
-    return vk.VkViewport(0.0, float(height), float(width), -float(height), 0.0, 1.0)
+        return vk.VkViewport(float(left), float(top), float(width), float(height), 0.0, 1.0)
+    bottom = float(top + height)
+    return vk.VkViewport(float(left), bottom, float(width), -float(height), 0.0, 1.0)
 
 
 def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:

@@ -86,7 +86,7 @@ class Painter:
             pClearValues=_clear_values(draw),
         )
         vk.vkCmdBeginRenderPass(commands, begin, vk.VK_SUBPASS_CONTENTS_INLINE)
-        view = viewport(self._description, draw.width, draw.height)
+        view = viewport(self._description, 0, 0, draw.width, draw.height)
         vk.vkCmdSetViewport(commands, 0, 1, [view])
         vk.vkCmdSetScissor(commands, 0, 1, [area])
         vk.vkCmdSetBlendConstants(commands, draw.blend_constant)

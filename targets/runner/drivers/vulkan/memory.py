@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import Any
@@ -82,7 +83,14 @@ class ImageSpec:
 
 
 def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
-    """The image and a view of all of it."""
+    """The image, in memory of its own, and a view of all of it."""
+    image = image_without_memory(owned, gpu, spec)
+    give_memory(owned, gpu, [image])
+    return image, make_view(owned, gpu, spec, image)
+
+
+def image_without_memory(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> Any:
+    """An image that ``give_memory`` has to be called for before it is used."""
     is_cube = spec.view == vk.VK_IMAGE_VIEW_TYPE_CUBE
     info = vk.VkImageCreateInfo(
         flags=vk.VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT if is_cube else 0,
@@ -99,9 +107,25 @@ def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
     )
     image = vk.vkCreateImage(gpu.device, info, None)
     owned.callback(vk.vkDestroyImage, gpu.device, image, None)
-    needs = vk.vkGetImageMemoryRequirements(gpu.device, image)
-    memory = _allocate(owned, gpu, needs, vk.VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)
-    vk.vkBindImageMemory(gpu.device, image, memory, 0)
+    return image
+
+
+def give_memory(owned: ExitStack, gpu: Gpu, images: Sequence[Any]) -> None:
+    """Give images the same memory; those that a device keeps in different kinds of memory share it
+    with their own kind only."""
+    kinds: dict[int, list[tuple[Any, Any]]] = {}
+    for image in images:
+        needs = vk.vkGetImageMemoryRequirements(gpu.device, image)
+        kinds.setdefault(needs.memoryTypeBits, []).append((image, needs))
+    for alike in kinds.values():
+        largest = max((needs for _, needs in alike), key=lambda needs: needs.size)
+        memory = _allocate(owned, gpu, largest, vk.VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)
+        for image, _ in alike:
+            vk.vkBindImageMemory(gpu.device, image, memory, 0)
+
+
+def make_view(owned: ExitStack, gpu: Gpu, spec: ImageSpec, image: Any) -> Any:
+    """A view of all of an image."""
     view_info = vk.VkImageViewCreateInfo(
         image=image,
         viewType=spec.view,
@@ -110,7 +134,7 @@ def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
     )
     view = vk.vkCreateImageView(gpu.device, view_info, None)
     owned.callback(vk.vkDestroyImageView, gpu.device, view, None)
-    return image, view
+    return view
 
 
 def _allocate(owned: ExitStack, gpu: Gpu, needs: Any, properties: int) -> Any:

@@ -9,7 +9,11 @@ from .....compiler.ir.host import KNOWN_TO_HOST
 from ...binding import FORMATS
 from .rows import Row, attachments, fail, inputs, step_name, uses
 
-DEPTH_FORMATS = ("depth32f",)
+DEPTH_FORMATS = ("depth32f", "depth32f_stencil8")
+STENCILS = "stencil8"
+"""What formats of depths end with that have stencil values."""
+SETTINGS = {"viewport": "ivec4", "scissor": "ivec4", "blend_constant": "vec4"}
+"""The types of what a step that draws sets for all of it."""
 LAYERS = {"2d": range(1, 2), "cube": range(6, 7)}
 """How many layers textures of a dimension have; any number where none is said."""
 
@@ -121,6 +125,9 @@ def _check_step(plan: Row, step: Row) -> None:
         _texture(plan, where, image["texture"])
     for row in attachments(step):
         _check_attachment(plan, f"{where}, {row['name']}", row, is_depth=row is step["depth"])
+    for name, type_ in SETTINGS.items():
+        if step.get(name) is not None:
+            _value(plan, f"{where}, {name}", step[name], type_)
     for drawn in step.get("draws", ()):
         _check_drawn(plan, where, step, drawn)
     for end in ("from", "to"):
@@ -167,9 +174,16 @@ def _check_attachment(plan: Row, where: str, row: Row, *, is_depth: bool) -> Non
     texture = plan["textures"][_texture(plan, where, row["texture"])]
     if (texture["format"] in DEPTH_FORMATS) != is_depth:
         fail(plan, where, f"texture {row['texture']} is {texture['format']}")
+    if texture["format"].endswith(STENCILS) != ("stencil" in row):
+        said = "what becomes" if "stencil" in row else "nothing"
+        fail(plan, where, f"it says {said} of stencil values, and it is {texture['format']}")
     layer, level = row["layer"], row["level"]
     if not 0 <= level < texture["levels"] or not (layer is None or 0 <= layer < texture["layers"]):
         fail(plan, where, f"texture {row['texture']} has no layer {layer}, level {level}")
+    if row["clear"] is not None:
+        _value(plan, where, row["clear"], "float" if is_depth else "vec4")
+        if row["load"] != "clear":
+            fail(plan, where, "what is loaded is not cleared")
     if row["over"] is not None:
         _one_of(plan, where, "result", row["over"], _results(plan))
 

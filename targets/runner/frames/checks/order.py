@@ -33,6 +33,8 @@ class _Execution:
         """Textures that this frame has used."""
         self._holds: dict[int, dict[tuple[int, int], str]] = {}
         """For each texture which result each layer and level holds."""
+        self._stencils: dict[int, set[tuple[int, int]]] = {}
+        """For each texture where it has stencil values that have been kept."""
         self._buffers: set[str] = set()
         """The results that are there in buffers."""
         self._kept_buffers: set[str] = set()
@@ -64,6 +66,8 @@ class _Execution:
         self._holds = {texture: held for texture, held in self._holds.items()
                        if texture in kept}  # fmt: skip
         self._touched, self._buffers = kept, set()
+        self._stencils = {texture: held for texture, held in self._stencils.items()
+                          if texture in kept}  # fmt: skip
 
     def _end(self) -> None:
         """Give the host its outputs, and the next frame what it reads."""
@@ -110,6 +114,7 @@ class _Execution:
             self._fail(f"it waits for texture {texture}, which was only read as {before}")
         if before == "undefined":
             self._holds[texture] = {}
+            self._stencils.pop(texture, None)
         self._uses[texture] = barrier["to"]
         self._touched.add(texture)
         self._waited.add(texture)
@@ -168,6 +173,7 @@ class _Execution:
         whole = places(self._plan["textures"][target["texture"]])
         result: str = source["result"]
         self._holds[target["texture"]] = dict.fromkeys(whole, result)
+        self._stencils[target["texture"]] = set(self._stencils.get(source["texture"], ()))
 
     def _draw(self, target: Row, use: str) -> None:
         texture, result, over = target["texture"], target["result"], target["over"]
@@ -182,6 +188,22 @@ class _Execution:
             if target["load"] == "clear" and (found == result or over is not None):
                 self._fail(f"`{result}` is cleared, and should be drawn over")
             held[place] = result if target["store"] else ""
+            if "stencil" in target:
+                self._draw_stencil(texture, place, target)
+
+    def _draw_stencil(self, texture: int, place: tuple[int, int], target: Row) -> None:
+        """The values beside depths begin as these do, and are there later if they are stored."""
+        stencil, kept = target["stencil"], self._stencils.setdefault(texture, set())
+        if stencil["load"] != target["load"]:
+            self._fail(f"its depths are to {target['load']}, and its stencil values otherwise")
+        if stencil["load"] == "load" and place not in kept:
+            self._fail(
+                f"it finds stencil values in texture {texture}, which nothing has kept there"
+            )
+        if stencil["store"]:
+            kept.add(place)
+        else:
+            kept.discard(place)
 
     def _fail(self, text: str) -> None:
         fail(self._plan, self._step, text)

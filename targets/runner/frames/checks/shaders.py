@@ -109,16 +109,24 @@ class _Shaders:
         for use in uses(step):
             reflection = self._reflections[use["shader"]]
             self._check_targets(where, step["targets"], reflection)
-            depth = reflection["render_state"]["depth"]
-            if (depth["write"] or depth["compare"] != "always") != (step["depth"] is not None):
-                said = "no depths" if step["depth"] is None else "depths"
-                fail(self._plan, where, f"it has {said}, and {reflection['material']} differs")
+            self._check_depths(where, step["depth"], reflection)
             own = reflection["draw"]["layers"]
             for row in attachments(step):
                 if (own is not None) != (row["layer"] is None):
                     fail(self._plan, where, f"`{row['name']}` is drawn to layer {row['layer']}")
             if own is not None and own["count"] != layers:
                 fail(self._plan, where, f"it draws {own['count']} layers to {layers}")
+
+    def _check_depths(self, where: str, given: Row | None, reflection: Row) -> None:
+        """A step has depths, and stencil values, if its pass uses them."""
+        state = reflection["render_state"]
+        depth, stencil = state["depth"], state["stencil"]
+        is_used = depth["write"] or depth["compare"] != "always" or stencil is not None
+        if is_used != (given is not None):
+            said = "no depths" if given is None else "depths"
+            fail(self._plan, where, f"it has {said}, and {reflection['material']} differs")
+        if stencil is not None and "stencil" not in (given or ()):
+            fail(self._plan, where, f"{reflection['material']} tests stencil values it has not got")
 
     def check_run(self, step: Row) -> None:
         """A kernel writes what its reflection says."""

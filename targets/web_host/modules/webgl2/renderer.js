@@ -1,4 +1,5 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
+import { areasOf } from "../areas.js";
 import { hasStencil, isDepth, toFloats } from "../bytes.js";
 import { interleaved } from "../geometry.js";
 import { Presenter } from "./canvas.js";
@@ -76,7 +77,7 @@ export class WebGl2Renderer {
     end() {
         this.gl.flush();
     }
-    draw(targets, depth, calls) {
+    draw(targets, depth, calls, settings) {
         const { gl } = this;
         const first = (targets[0] ?? depth);
         const width = halved(first.texture.width, first.target.level);
@@ -87,10 +88,15 @@ export class WebGl2Renderer {
             const formats = [...targets, ...(depth ? [depth] : [])].map(({ texture }) => texture.format);
             throw new Error(`WebGL cannot draw ${width} x ${height} pixels to ${formats.join(", ")}`);
         }
-        gl.viewport(0, 0, width, height);
         this.clear(targets, depth);
+        const [viewport, drawn] = areasOf(settings, width, height);
+        gl.viewport(...viewport);
+        gl.scissor(...drawn);
+        gl.enable(gl.SCISSOR_TEST);
+        gl.blendColor(...settings.blendConstant);
         for (const call of calls)
             this.drawCall(call, depth, height);
+        gl.disable(gl.SCISSOR_TEST);
         const dropped = [...targets, ...(depth ? [depth] : [])].flatMap(({ target }, at) => (target.store ? [] : points[at]));
         if (dropped.length)
             gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
@@ -114,16 +120,16 @@ export class WebGl2Renderer {
         const { gl } = this;
         gl.colorMask(true, true, true, true);
         gl.disable(gl.SCISSOR_TEST);
-        targets.forEach(({ target }, at) => {
+        targets.forEach(({ target, clear }, at) => {
             if (target.load === "clear")
-                gl.clearBufferfv(gl.COLOR, at, [0, 0, 0, 0]);
+                gl.clearBufferfv(gl.COLOR, at, clear);
         });
         if (!depth)
             return;
         gl.depthMask(true);
         gl.stencilMask(0xff);
         if (depth.target.load === "clear")
-            gl.clearBufferfv(gl.DEPTH, 0, [1]);
+            gl.clearBufferfv(gl.DEPTH, 0, depth.clear);
         const { stencil } = depth.target;
         if (hasStencil(depth.texture.format) && stencil?.load !== "load") {
             gl.clearBufferiv(gl.STENCIL, 0, [stencil?.clear ?? 0]);

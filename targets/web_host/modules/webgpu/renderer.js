@@ -1,4 +1,5 @@
 // Draws frames with WebGPU.
+import { areasOf } from "../areas.js";
 import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved } from "../geometry.js";
 import { Presenter } from "./canvas.js";
@@ -29,8 +30,10 @@ export class WebGpuRenderer {
         this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
     }
     static async open(device, from, canvas) {
+        const pipelines = await Pipelines.of(device, from);
+        // Until here, the canvas shows what it did before.
         const presenter = canvas && new Presenter(device, canvas);
-        return new WebGpuRenderer(device, await Pipelines.of(device, from), presenter, from.shaders);
+        return new WebGpuRenderer(device, pipelines, presenter, from.shaders);
     }
     // --- resources ---
     makeTexture(size) {
@@ -60,7 +63,8 @@ export class WebGpuRenderer {
     dispose() {
         this.owned.forEach((each) => each.destroy());
         this.arena.free();
-        this.device.gpu.destroy();
+        if (!this.presenter)
+            this.device.gpu.destroy();
     }
     own(texture) {
         this.owned.add(texture.gpu);
@@ -76,16 +80,22 @@ export class WebGpuRenderer {
         this.arena.flush();
         this.device.gpu.queue.submit([this.encoder.finish()]);
     }
-    draw(targets, depth, calls) {
+    draw(targets, depth, calls, settings) {
         const pass = this.encoder.beginRenderPass({
-            colorAttachments: targets.map(({ target, texture, layer }) => ({
+            colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
                 view: layerOf(texture.gpu, layer, target.level),
-                clearValue: [0, 0, 0, 0],
+                clearValue: clear,
                 loadOp: target.load,
                 storeOp: storeOp(target),
             })),
             ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
         });
+        const first = targets[0] ?? depth;
+        const { width, height } = first.texture.gpu;
+        const [viewport, drawn] = areasOf(settings, Math.max(width >> first.target.level, 1), Math.max(height >> first.target.level, 1));
+        pass.setViewport(...viewport, 0, 1);
+        pass.setScissorRect(...drawn);
+        pass.setBlendConstant(settings.blendConstant);
         const formats = targets.map(({ texture }) => texture.gpu.format);
         for (const call of calls) {
             const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
@@ -212,11 +222,11 @@ export class WebGpuRenderer {
         }
     }
 }
-function depthAttachment({ texture, layer, target }) {
+function depthAttachment({ texture, layer, target, clear }) {
     const { stencil } = target;
     return {
         view: layerOf(texture.gpu, layer, target.level),
-        depthClearValue: 1,
+        depthClearValue: clear[0],
         depthLoadOp: target.load,
         depthStoreOp: storeOp(target),
         ...(hasStencil(texture.gpu.format) && {

@@ -1,0 +1,94 @@
+"""The command line of ``burnish view``: options, and what is said on the terminal."""
+
+from __future__ import annotations
+
+import os
+import webbrowser
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import click
+
+from ..failures import fail, needed, told
+from ..options import file_argument, hoist_option, pass_option, rig_option, search_option
+from ..render import MESHES, pairs
+from .request import Request
+
+
+@click.command()
+@file_argument
+@click.option(
+    "--mesh", type=click.Choice(MESHES), default="sphere", show_default=True,
+    help="The mesh to begin with; the page can change it.",
+)  # fmt: skip
+@click.option(
+    "--scene", metavar="MODEL", type=click.Path(path_type=Path),
+    help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
+)  # fmt: skip
+@click.option(
+    "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
+    help="How often to draw the mesh, if the material distinguishes instances.",
+)  # fmt: skip
+@click.option(
+    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
+    help="A parameter or a texture to begin with; may be given many times.",
+)  # fmt: skip
+@click.option(
+    "--material", metavar="NAME", help="The material, kernel or frame to begin with.",
+)  # fmt: skip
+@click.option(
+    "--port", metavar="N", default=0, type=click.IntRange(0, 65535),
+    help="The port of the server, instead of any that is free.",
+)  # fmt: skip
+@click.option("--no-browser", is_flag=True, help="Print the address, and open no browser.")
+@rig_option
+@pass_option
+@search_option
+@hoist_option
+def view(port: int, no_browser: bool, **chosen: Any) -> None:
+    """Show FILE in a web page, and draw again whenever it is saved.
+
+    The page draws with WebGPU, or with WebGL 2 in browsers that have no WebGPU. Turn the camera by
+    dragging, move it with Shift or the right button, come closer by the wheel. Each parameter is a
+    slider, a colour or a field beside the picture, with the range and the comment of its
+    declaration. What you set stays when the file changes. Mistakes are shown in the page, over the
+    last good picture, and here.
+
+    The server listens on this computer only (127.0.0.1), and needs no network. Ctrl-C ends it.
+    Values of --set are written as for `burnish render`.
+
+    \b
+    Example:
+        burnish view plastic.burnish
+        burnish view deferred.burnish --mesh torus --set exposure=2
+        burnish view gltf_material.burnish --scene helmet.glb
+        burnish view plastic.burnish --port 8000 --no-browser
+    """
+    request = Request(**chosen)
+    if not request.file.is_file():
+        fail(f"there is no file `{request.file}`")
+    with told():
+        _serve(request, port, opens=not no_browser)
+
+
+def _serve(request: Request, port: int, *, opens: bool) -> None:
+    try:
+        import watchfiles  # noqa: F401
+
+        from .server import Server
+    except ModuleNotFoundError as error:
+        needed(error)
+    try:
+        server = Server(request, port)
+    except OSError as error:
+        fail(
+            f"port {port} cannot be used: {os.strerror(error.errno or 0)}\n"
+            "  = help: name another one, or leave `--port` out to get one that is free"
+        )
+    click.echo(f"{request.file} is shown at {server.address}")
+    click.echo("Only this computer can open it. Ctrl-C ends it.")
+    if opens:
+        # Some browsers of terminals return only when they are closed.
+        Thread(target=webbrowser.open, args=(server.address,), daemon=True).start()
+    server.run()

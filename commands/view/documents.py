@@ -1,0 +1,220 @@
+"""Makes what a page of ``burnish view`` gets: a package to draw, with its controls, or errors.
+
+The server asks for a document when a page is opened, when it chooses something else, and after
+every change to the file.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from threading import Lock
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ... import api
+from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
+from ...compiler.diagnostics.render import render_all
+from ...compiler.diagnostics.style import Style
+from ..console import remark, show
+from ..failures import drawing_errors
+from ..frames import scenery_of
+from ..render import BACKGROUND, MESHES
+from .request import Choice, Request
+
+if TYPE_CHECKING:
+    from ...targets.runner.frames.host import FrameHost, FrameSubject
+    from ...targets.runner.frames.scenery import Scenery
+
+PROFILES = ("wgsl:webgpu", "glsl:es300")
+"""The texts that a page can ask for."""
+_SIZE = (512, 512)
+"""Of the picture, until the page says how large it is."""
+
+
+class Documents:
+    """The documents of a file as it is now. Threads may share it."""
+
+    def __init__(self, request: Request) -> None:
+        self._request = request
+        self._lock = Lock()
+        self._changes = 0
+        self._made: dict[Choice, bytes] = {}
+        self._listed: dict[str, Any] = {"subjects": [], "rigs": [], "passes": []}
+        """What the file declares; of a file that cannot be read, what it did before."""
+        self._told = ""
+        """The version whose errors the terminal has been told."""
+
+    @property
+    def version(self) -> str:
+        """Tells apart what the file was before and after each change; and from any other server."""
+        return f"{os.getpid()}.{self._changes}"
+
+    @property
+    def others(self) -> tuple[Path, ...]:
+        """The files besides sources that are drawn, as far as they exist."""
+        named = (text.removeprefix("srgb:") for _name, text in self._request.values)
+        paths = [Path(part) for text in named for part in text.split(",")]
+        scene = self._request.scene
+        return tuple(path for path in (*paths, *([scene] if scene else [])) if _is_file(path))
+
+    def forget(self) -> None:
+        """The file has changed: make everything again."""
+        with self._lock:
+            self._changes += 1
+            self._made.clear()
+
+    def get(self, choice: Choice) -> bytes:
+        """The document of a choice, as JSON."""
+        with self._lock:
+            if choice not in self._made:
+                document = {"version": self.version, **self._document(choice)}
+                self._made[choice] = json.dumps(document, separators=(",", ":")).encode()
+                self._told = self.version
+            return self._made[choice]
+
+    # --- one document ----------------------------------------------------------------------------
+
+    def _document(self, choice: Choice) -> dict[str, Any]:
+        began = time.perf_counter()
+        try:
+            made = self._drawn(choice)
+        except CompileError as error:
+            self._tell(error.diagnostics)
+            return {**self._head(), "error": render_all(error.diagnostics, color=True)}
+        except drawing_errors() as error:
+            return {**self._head(), "error": self._refused(str(error))}
+        except MemoryError:
+            return {**self._head(), "error": self._refused("there is not enough memory for this")}
+        took = 1000 * (time.perf_counter() - began)
+        click.echo(f"{made['chosen']['subject']}: made in {took:.0f} ms")
+        return {**self._head(), **made}
+
+    def _tell(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        """Print what is wrong, once for each version of the file."""
+        if self._told != self.version:
+            show(diagnostics)
+
+    def _refused(self, text: str) -> str:
+        """What the page says of something that cannot be drawn; the terminal says it, too."""
+        if self._told != self.version:
+            remark("error", text)
+        return f"{Style(True).severity('error', 'error')}: {text}"
+
+    def _head(self) -> dict[str, Any]:
+        """What every document has."""
+        return {
+            "file": self._request.file.name,
+            **self._listed,
+            "meshes": [],
+        }
+
+    def _drawn(self, choice: Choice) -> dict[str, Any]:
+        from ...targets.web_host.package import frame_package
+        from ...targets.web_view.controls import controls
+        from ...targets.web_view.orbit import orbit
+
+        declared = self._declared()
+        chosen = self._chosen(choice, declared)
+        frame = self._compiled(chosen, declared)
+        host = self._host(frame, chosen.mesh or self._request.mesh)
+        has_mesh = self._request.scene is None and bool(frame.plan["models"])
+        return {
+            "chosen": {
+                "subject": chosen.subject, "rig": chosen.rig, "pass": chosen.pass_,
+                "mesh": chosen.mesh if has_mesh else None,
+            },
+            "meshes": list(MESHES) if has_mesh else [],
+            "doc": frame.plan["doc"],
+            "controls": controls(host),
+            "orbit": orbit(host.scenery),
+            "package": frame_package(host, (choice.profile,)),
+        }  # fmt: skip
+
+    def _declared(self) -> api.Declared:
+        request = self._request
+        declared = api.declared(request.file, search_path=request.search_path)
+        kinds = ("frame", declared.frames), ("material", declared.materials)
+        listed = [
+            {"name": name, "kind": kind}
+            for kind, names in (*kinds, ("kernel", declared.kernels))
+            for name in names
+        ]
+        self._listed = {
+            "subjects": listed, "rigs": list(declared.rigs), "passes": list(declared.passes),
+        }  # fmt: skip
+        return declared
+
+    def _chosen(self, choice: Choice, declared: api.Declared) -> Choice:
+        """The choice with everything filled in that it leaves open. What a page asks for and the
+        file has no longer is left open, too."""
+        request = self._request
+        names = (*declared.frames, *declared.materials, *declared.kernels)
+        subject = _first(choice.subject if choice.subject in names else None, request.material)
+        subject = _first(subject, *names)
+        rig = choice.rig if choice.rig in declared.rigs else None
+        pass_ = choice.pass_ if choice.pass_ in declared.passes else None
+        own = declared.passes if subject in declared.materials and not declared.frames else ()
+        return Choice(
+            subject,
+            _first(rig, request.rig, *declared.rigs),
+            None if subject in declared.frames else _first(pass_, request.pass_, *own),
+            choice.mesh if choice.mesh in MESHES else request.mesh,
+            choice.profile,
+        )
+
+    def _compiled(self, chosen: Choice, declared: api.Declared) -> FrameSubject:
+        """What is shown, as a frame."""
+        from ...targets.runner.frames.single import single_frame
+        from ...targets.runner.instances.literals import color_lanes
+
+        request = self._request
+        result = api.compile(
+            request.file, (chosen.profile,), material=chosen.subject, rig=chosen.rig,
+            pass_=chosen.pass_, search_path=request.search_path, hoist=request.hoist,
+        )  # fmt: skip
+        self._tell(result.diagnostics)
+        if chosen.subject in declared.frames:
+            return result.frames[0]
+        red, green, blue = color_lanes(BACKGROUND) or (0.0, 0.0, 0.0)
+        return single_frame(result.materials[0], (red, green, blue, 1.0))
+
+    def _host(self, frame: FrameSubject, mesh: str) -> FrameHost:
+        from ...targets.runner.frames.host import FrameHost
+
+        host = FrameHost(frame, self._scenery(frame, mesh), _SIZE)
+        for name, text in self._request.values:
+            host.set_text(name, text)
+        return host
+
+    def _scenery(self, frame: FrameSubject, mesh: str) -> Scenery:
+        """A mesh for a material; for a frame one of each of its materials; or a file's objects."""
+        from ...targets.runner.frames.single import SingleFrame, single_scenery
+
+        if isinstance(frame, SingleFrame) and self._request.scene is None:
+            return single_scenery(frame, mesh, self._request.instances)
+        return scenery_of(frame.plan, mesh, self._request.scene)
+
+
+def choice_of(query: Mapping[str, str]) -> Choice:
+    """What a page asks for, by the names in its address. What nobody can mean is left out."""
+    profile = query.get("profile", PROFILES[0])
+    return Choice(
+        query.get("subject"), query.get("rig"), query.get("pass"), query.get("mesh"),
+        profile if profile in PROFILES else PROFILES[0],
+    )  # fmt: skip
+
+
+def _first(*names: str | None) -> str | None:
+    return next((name for name in names if name), None)
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # No file has such a name.
+        return False

@@ -1,0 +1,151 @@
+"""The server of ``burnish view``: the page, what it draws, and word of every change.
+
+It listens on this computer only. All that it sends it has in memory, by names that it knows: no
+request becomes the path of a file.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import socket
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from threading import Event, Thread
+
+import uvicorn
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request as HttpRequest
+from starlette.responses import Response, StreamingResponse
+from starlette.routing import Route
+
+from ..watch import states
+from .documents import Documents, choice_of
+from .files import page_files
+from .guarding import Guarded
+from .request import Choice, Request
+
+HOST = "127.0.0.1"
+"""The loopback interface: no other computer reaches it."""
+_PATIENCE = 2
+"""How many seconds requests may still take when the server ends."""
+_PULSE = 15.0
+"""After how many seconds a page is told something, so that nobody takes it for dead."""
+
+
+class Server:
+    """Shows a file until it is interrupted."""
+
+    def __init__(self, request: Request, port: int = 0) -> None:
+        """Bind the port, or any that is free. Raises ``OSError`` if it cannot be had."""
+        self._request = request
+        self._documents = Documents(request)
+        self._socket = socket.create_server((HOST, port))
+        self._port: int = self._socket.getsockname()[1]
+        self._pages: set[asyncio.Queue[str | None]] = set()
+        """For each open page what it is still to be told: versions, and at last nothing more."""
+
+    @property
+    def address(self) -> str:
+        """What a browser opens."""
+        return f"http://{HOST}:{self._port}/"
+
+    def run(self) -> None:
+        """Serve until Ctrl-C, which is raised again as ``KeyboardInterrupt``."""
+        config = uvicorn.Config(
+            self._application(), log_level="warning", access_log=False, ws="none", http="h11",
+            loop="asyncio", server_header=False, timeout_graceful_shutdown=_PATIENCE,
+        )  # fmt: skip
+        _Ending(config, self._end_pages).run([self._socket])
+
+    # --- what is served --------------------------------------------------------------------------
+
+    def _application(self) -> Guarded:
+        routes = [
+            Route("/document", self._document),
+            Route("/changes", self._changes),
+            *(_route(path, *file) for path, file in page_files().items()),
+        ]
+        return Guarded(Starlette(routes=routes, lifespan=self._watching), self._port)
+
+    async def _document(self, request: HttpRequest) -> Response:
+        choice = choice_of(request.query_params)
+        content = await run_in_threadpool(self._documents.get, choice)
+        return Response(content, media_type="application/json")
+
+    async def _changes(self, _request: HttpRequest) -> Response:
+        return StreamingResponse(self._told(), media_type="text/event-stream")
+
+    async def _told(self) -> AsyncIterator[str]:
+        """The version now and after each change, as server-sent events."""
+        queue: asyncio.Queue[str | None] = asyncio.Queue()
+        queue.put_nowait(self._documents.version)
+        self._pages.add(queue)
+        try:
+            while event := await _next_event(queue):
+                yield event
+        finally:
+            self._pages.discard(queue)
+
+    def _end_pages(self) -> None:
+        for queue in self._pages:
+            queue.put_nowait(None)
+
+    # --- changes ---------------------------------------------------------------------------------
+
+    @asynccontextmanager
+    async def _watching(self, _application: Starlette) -> AsyncIterator[None]:
+        """Watch the file in a thread for as long as the server runs."""
+        loop, stop = asyncio.get_running_loop(), Event()
+        thread = Thread(target=self._watch, args=(loop, stop), daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            stop.set()
+            await run_in_threadpool(thread.join, _PATIENCE)
+
+    def _watch(self, loop: asyncio.AbstractEventLoop, stop: Event) -> None:
+        request = self._request
+        changes = states(request.file, request.search_path, self._documents.others, stop)
+        next(changes)
+        self._documents.get(Choice())  # Ready when the browser is, and the terminal knows.
+        for _ in changes:
+            self._documents.forget()
+            with suppress(RuntimeError):  # The loop has ended, and nobody is left to be told.
+                loop.call_soon_threadsafe(self._tell, self._documents.version)
+            if not self._pages:
+                self._documents.get(Choice())
+
+    def _tell(self, version: str) -> None:
+        for queue in self._pages:
+            queue.put_nowait(version)
+
+
+async def _next_event(queue: asyncio.Queue[str | None]) -> str:
+    """What a page is told next; empty if that is nothing more."""
+    try:
+        version = await asyncio.wait_for(queue.get(), _PULSE)
+    except TimeoutError:
+        return ": still here\n\n"
+    return "" if version is None else f"data: {json.dumps({'version': version})}\n\n"
+
+
+class _Ending(uvicorn.Server):
+    """Lets the pages go before it waits for open requests, which theirs would be for ever."""
+
+    def __init__(self, config: uvicorn.Config, end_pages: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._end_pages = end_pages
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self._end_pages()
+        await super().shutdown(sockets)
+
+
+def _route(path: str, content: bytes, media_type: str) -> Route:
+    async def answer(_request: HttpRequest) -> Response:
+        return Response(content, media_type=media_type)
+
+    return Route(path, answer)

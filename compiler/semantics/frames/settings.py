@@ -1,0 +1,138 @@
+"""What a step of a frame sets besides the inputs of its shaders: where it draws, and what is there.
+
+`with { viewport = …, clear.color = … }`: these are numbers that the host computes. ``steps.py``
+makes ``Settings`` of what stands behind `with` for each pass that a frame applies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ....frozen import fresh, record
+from ...diagnostics import rules
+from ...diagnostics.source import Span
+from ...ir import build
+from ...ir.blending import OF_CONSTANT, REPLACES
+from ...ir.frame import DEPTH
+from ...ir.node import Node
+from ...ir.shader import RenderTarget, Shader
+from ...ir.stages import TARGET
+from ...ir.types import FLOAT, IVEC4, VEC4, Type
+from ...syntax import ast
+from ..checking.unknown_names import unknown
+from ..declarations.fitting import typed
+from ..names.duplicates import check_once
+from ..shading.formats import cleared_depth, cleared_value
+from ..state.context import Context
+from ..state.scope import Failure, Scope
+from .inputs import Replacements
+from .values import Numbers, on_host
+
+VIEWPORT, SCISSOR, BLEND_CONSTANT = "viewport", "scissor", "blend_constant"
+AREAS: Mapping[str, tuple[Type, str]] = {
+    VIEWPORT: (IVEC4, "ivec4 of left, top, width and height"),
+    SCISSOR: (IVEC4, "ivec4 of left, top, width and height"),
+    BLEND_CONSTANT: (VEC4, "vec4"),
+}
+"""What can be set of a whole step, with its type."""
+FLOATS = "32f"
+"""What the names of formats end with that not every device blends."""
+CLEAR = "clear."
+"""What the names of clear values begin with."""
+
+
+@record
+class Settings:
+    """What one step is set to."""
+
+    ctx: Context
+    numbers: Numbers
+    written: Mapping[str, tuple[ast.Name, ast.Expression]]
+    scope: Scope
+    failed: bool = False
+    """Whether something is wrong, which has been reported."""
+    _cleared: set[str] = fresh(factory=set)
+    """The names of the clear values that belong to something."""
+
+    @classmethod
+    def parted(
+        cls, ctx: Context, numbers: Numbers, given: Replacements, scope: Scope
+    ) -> tuple[Settings, Replacements]:
+        """The settings among what stands behind `with`, and all else."""
+        own = [row for row in given if row[0].text in AREAS or row[0].text.startswith(CLEAR)]
+        check_once(ctx.report, (name for name, _ in own))
+        written = {name.text: (name, value) for name, value in own}
+        return cls(ctx, numbers, written, scope), [row for row in given if row not in own]
+
+    def number(self, name: str) -> int | None:
+        """The number of what the whole step is set to, if it is."""
+        if name not in self.written:
+            return None
+        _, value = self.written[name]
+        return self._numbered(typed(self.ctx, value, self.scope, *AREAS[name]), value.span)
+
+    def cleared(self, target: str, state: RenderTarget | float, over: Span | None) -> int | None:
+        """The number of what a target, or depths, are cleared to: what the step says or else the
+        pass, whose ``state`` this is; ``None`` for transparent black or a depth of 1.
+
+        ``over`` is where it is said that the step draws over something.
+        """
+        name = f"{CLEAR}{target}"
+        if name not in self.written:
+            return self._usual(state) if over is None else None
+        self._cleared.add(name)
+        written, value = self.written[name]
+        if over is not None:
+            self.failed = True
+            self.ctx.report.add(rules.NOT_CLEARED, written.span, name=target)
+            return None
+        node = (
+            cleared_value(self.ctx, state.format, value, self.scope)
+            if isinstance(state, RenderTarget)
+            else cleared_depth(self.ctx, value, self.scope)
+        )
+        return self._numbered(node, value.span)
+
+    def _usual(self, state: RenderTarget | float) -> int | None:
+        """What the pass says."""
+        tree = self.ctx.tree
+        if isinstance(state, RenderTarget):
+            if state.clear is None:
+                return None
+            return self._numbered(build.constant(tree, VEC4, state.clear), None)
+        return None if state == 1.0 else self._numbered(build.constant(tree, FLOAT, state), None)
+
+    def _numbered(self, node: Node | Failure, span: Span | None) -> int | None:
+        known = node if span is None else on_host(self.ctx, node, span)
+        number = self.numbers.number(known)
+        if isinstance(number, Failure):
+            self.failed = True
+            return None
+        return number
+
+    def check(self, shader: Shader, step: str, span: Span) -> bool:
+        """Whether everything is right that is said of the step; what is not is reported."""
+        self._check_blending(shader, step, span)
+        known = [result.name for result in shader.results_of(TARGET)]
+        for name, (written, _) in self.written.items():
+            if name.startswith(CLEAR) and name not in self._cleared:
+                self.failed = True
+                what, found = f"target of `{step}`", name.removeprefix(CLEAR)
+                unknown(self.ctx, what, found, written.span, [*known, DEPTH])
+        return not self.failed
+
+    def _check_blending(self, shader: Shader, step: str, span: Span) -> None:
+        """Report targets that cannot be blended, or are blended by what nobody has said."""
+        for result in shader.results_of(TARGET):
+            state, name = result.state, result.name
+            if state is None or state.blend == REPLACES:
+                continue
+            by_constant = not OF_CONSTANT.isdisjoint(state.blend.factors)
+            if by_constant and BLEND_CONSTANT not in self.written:
+                self.failed = True
+                self.ctx.report.add(rules.NO_BLEND_CONSTANT, span, step=step, target=name)
+            if state.format.endswith(FLOATS):
+                self.failed = True
+                self.ctx.report.add(
+                    rules.NOT_BLENDED, span, step=step, target=name, format=state.format
+                )

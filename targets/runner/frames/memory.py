@@ -1,0 +1,82 @@
+"""Which textures of a frame may lie in the same memory, although they differ in format and size.
+
+Results that are alike share a texture, as the plan says. Beyond this, two textures can take turns
+if no step needs both: the plan says from which step to which it needs each result. How large
+textures are is known only when the values of a frame are set, so hosts decide, here for Vulkan.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..binding import FORMATS
+from ..drivers.readback import TEXEL_LANES
+from .checks.rows import Row, is_rare, written
+from .sizes import Size, halved
+
+DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
+"""Of a texel."""
+
+
+def bytes_of(texture: Row, size: Size) -> int:
+    """How much memory a texture needs at least."""
+    width, height = size
+    texels = sum(halved(width, level) * halved(height, level) for level in range(texture["levels"]))
+    return texels * int(texture["layers"]) * _texel_bytes(texture["format"])
+
+
+def _texel_bytes(format_: str) -> int:
+    if format_ in DEPTH_BYTES:
+        return DEPTH_BYTES[format_]
+    lanes, kind = TEXEL_LANES[FORMATS[format_]]
+    return lanes * int(kind.itemsize)
+
+
+def taking_turns(plan: Row, needed: Mapping[int, int]) -> list[list[int]]:
+    """The textures of a plan in groups of which each needs the memory of its largest texture.
+
+    ``needed`` says how many bytes each takes; textures that it leaves out are alone, as those are
+    that later frames read.
+    """
+    spans, lasting = _spans(plan), _lasting(plan)
+    groups: list[list[int]] = []
+    for texture in sorted(needed, key=lambda each: -needed[each]):
+        if texture in lasting:
+            continue
+        for group in groups:
+            if not any(_meet(spans[texture], spans[other]) for other in group):
+                group.append(texture)
+                break
+        else:
+            groups.append([texture])
+    placed = {texture for group in groups for texture in group}
+    alone = [[number] for number in range(len(plan["textures"])) if number not in placed]
+    return [*groups, *alone]
+
+
+def total(groups: Sequence[Sequence[int]], needed: Mapping[int, int]) -> int:
+    """The bytes of all groups together."""
+    return sum(max(needed[texture] for texture in group) for group in groups)
+
+
+def _spans(plan: Row) -> dict[int, tuple[int, int]]:
+    """The first and the last step that need something of each texture."""
+    found: dict[int, tuple[int, int]] = {}
+    for row in plan["results"]:
+        if row["texture"] is not None:
+            first, last = found.get(row["texture"], (row["first"], row["last"]))
+            found[row["texture"]] = min(first, row["first"]), max(last, row["last"])
+    return found
+
+
+def _lasting(plan: Row) -> set[int | None]:
+    """The textures that have contents from frame to frame: those that are exchanged, and those that
+    only the first frame draws to."""
+    drawn_once = {
+        texture for step in plan["steps"] if is_rare(step) for _, texture in written(step)
+    }
+    return drawn_once | {number for number, row in enumerate(plan["textures"]) if row["kept"]}
+
+
+def _meet(one: tuple[int, int], other: tuple[int, int]) -> bool:
+    return one[0] <= other[1] and other[0] <= one[1]

@@ -1,0 +1,70 @@
+"""What a step sets for all that it draws: the part of its targets, what is cleared, and to what.
+
+``FrameHost`` asks for it, for the reference and for drivers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ....compiler.reference.picture.scene import Area
+from ..scene_state import CLEAR, Color
+from .checks.rows import Row, fail, step_name
+from .sizes import Size
+
+FAR: Color = (1.0, 0.0, 0.0, 0.0)
+"""What depths are cleared to, in the first number, where nothing else is said."""
+
+Number = Callable[[int], Any]
+"""The value of a plan that has a number."""
+
+
+@dataclass(frozen=True, slots=True)
+class StepState:
+    """What a step sets."""
+
+    viewport: Area | None
+    scissor: Area | None
+    """``None``: the whole of the targets."""
+    blend_constant: Color
+
+
+def step_state(plan: Row, step: Row, size: Size, number: Number) -> StepState:
+    """What a step sets that draws to targets of a size. Raises ``PlanError`` for a viewport that
+    is not within these."""
+    viewport, scissor = (
+        None if step[name] is None else _area(number(step[name]))
+        for name in ("viewport", "scissor")
+    )
+    if viewport is not None:
+        left, top, width, height = viewport
+        inside = left >= 0 and left + width <= size[0] and top >= 0 and top + height <= size[1]
+        if not inside or min(width, height) < 1:
+            fail(
+                plan, step_name(step),
+                f"the viewport of {width} x {height} texels at {left}, {top} is not within targets "
+                f"of {size[0]} x {size[1]} texels",
+            )  # fmt: skip
+    constant = step["blend_constant"]
+    return StepState(viewport, scissor, CLEAR if constant is None else _color(number(constant)))
+
+
+def cleared(plan: Row, target: Row, number: Number) -> Color:
+    """What a target is cleared to; of depths, the first number, which lies between 0 and 1."""
+    is_depth = plan["textures"][target["texture"]]["format"].startswith("depth")
+    if target["clear"] is None:
+        return FAR if is_depth else CLEAR
+    value = number(target["clear"])
+    return (min(max(float(value), 0.0), 1.0), 0.0, 0.0, 0.0) if is_depth else _color(value)
+
+
+def _area(lanes: Sequence[int]) -> Area:
+    left, top, width, height = (int(lane) for lane in lanes)
+    return left, top, width, height
+
+
+def _color(lanes: Sequence[float]) -> Color:
+    red, green, blue, alpha = (float(lane) for lane in lanes)
+    return red, green, blue, alpha

@@ -1,0 +1,24 @@
+// Colours as people pick them, `#rrggbb` in sRGB, and as shaders take them, in linear light.
+
+/** How bright a colour is that no picker has: as a factor of one that it has. */
+export function strengthOf(color: readonly number[]): number {
+  return Math.max(1, ...color.slice(0, 3));
+}
+
+export function toHex(color: readonly number[], strength: number): string {
+  const lanes = color.slice(0, 3).map((lane) => Math.round(255 * encoded(lane / strength)));
+  return `#${lanes.map((lane) => lane.toString(16).padStart(2, "0")).join("")}`;
+}
+
+export function fromHex(hex: string, strength: number): number[] {
+  return [1, 3, 5].map((at) => strength * decoded(parseInt(hex.slice(at, at + 2), 16) / 255));
+}
+
+function encoded(linear: number): number {
+  const lane = Math.min(Math.max(linear, 0), 1);
+  return lane <= 0.0031308 ? 12.92 * lane : 1.055 * lane ** (1 / 2.4) - 0.055;
+}
+
+function decoded(lane: number): number {
+  return lane <= 0.04045 ? lane / 12.92 : ((lane + 0.055) / 1.055) ** 2.4;
+}

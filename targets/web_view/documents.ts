@@ -1,0 +1,76 @@
+// What the server tells the page: the documents of `burnish view`, and word of every change.
+
+import type { FramePackage, Value } from "../web_host/host.js";
+import type { OrbitRow } from "./orbit.js";
+
+/** What somebody can set: a row of `controls.py`. */
+export interface Control {
+  name: string;
+  section: string;
+  doc: string;
+  kind:
+    | "number" | "angle" | "vector" | "direction" | "matrix"
+    | "color" | "checkbox" | "checkboxes" | "texture";
+  type: string;
+  is_light: boolean;
+  /** Of a light in an array: its number, and the parameter that says how many shine. */
+  element: { count: string | null; index: number } | null;
+  value: Value;
+  lanes?: number;
+  columns?: number;
+  whole?: boolean;
+  range?: [number, number] | null;
+  /** Whether it is a number that changes from frame to frame, such as a time. */
+  is_timed?: boolean;
+}
+
+/** What a page shows of the file. */
+export interface Choice {
+  subject: string | null;
+  rig: string | null;
+  pass: string | null;
+  mesh: string | null;
+}
+
+/** What every document has. */
+export interface Head {
+  version: string;
+  file: string;
+  subjects: { name: string; kind: "frame" | "material" | "kernel" }[];
+  rigs: string[];
+  passes: string[];
+  meshes: string[];
+}
+
+/** What is wrong, as the compiler shows it on a terminal. */
+export interface Broken extends Head {
+  error: string;
+}
+
+export interface Drawable extends Head {
+  error?: undefined;
+  chosen: Choice;
+  doc: string;
+  controls: Control[];
+  orbit: OrbitRow;
+  package: FramePackage;
+}
+
+export type Document = Broken | Drawable;
+
+export async function fetchDocument(choice: Choice, profile: string): Promise<Document> {
+  const asked = new URLSearchParams({ profile });
+  for (const [name, value] of Object.entries(choice)) if (value) asked.set(name, value);
+  const answer = await fetch(`/document?${asked}`);
+  if (!answer.ok) throw new Error(`The server answered: ${answer.status} ${await answer.text()}`);
+  return (await answer.json()) as Document;
+}
+
+/** Calls `changed` with the file's version, now and after each change; `connected` is told whether
+ * the server is there. */
+export function listen(changed: (version: string) => void, connected: (is: boolean) => void): void {
+  const source = new EventSource("/changes");
+  source.onopen = () => connected(true);
+  source.onerror = () => connected(false);
+  source.onmessage = (event) => changed((JSON.parse(event.data) as { version: string }).version);
+}

@@ -1,0 +1,213 @@
+// The page of `burnish view`: puts together what the server tells, the controls and the picture.
+
+import { chosenApi, NO_API, type Api } from "./apis.js";
+import {
+  fetchDocument, listen, type Choice, type Document, type Drawable,
+} from "./documents.js";
+import { element, make } from "./elements.js";
+import { follow } from "./gestures.js";
+import { showIn } from "./messages.js";
+import { Panel } from "./panel.js";
+import { Screen } from "./screen.js";
+
+const canvas = element("picture", HTMLCanvasElement);
+const problem = element("problem", HTMLElement);
+const selects = {
+  subject: element("subject", HTMLSelectElement),
+  rig: element("rig", HTMLSelectElement),
+  pass: element("pass", HTMLSelectElement),
+  mesh: element("mesh", HTMLSelectElement),
+};
+const outputs = element("output", HTMLSelectElement);
+const play = element("play", HTMLButtonElement);
+
+/** What the page shows; its address says it too, so that a bookmark leads to the same. */
+const choice: Choice = { subject: null, rig: null, pass: null, mesh: null };
+let shown: Drawable | null = null;
+/** Why the source cannot be drawn, and why the picture cannot. */
+const problems = { source: "", picture: "" };
+
+function tellProblems(): void {
+  const text = problems.source || problems.picture;
+  problem.hidden = !text;
+  showIn(element("message", HTMLPreElement), text);
+}
+
+function view(api: Api): void {
+  const screen = new Screen(canvas, api.name, {
+    problem(text) {
+      if (text === problems.picture) return;
+      problems.picture = text;
+      tellProblems();
+    },
+    drawn({ width, height, rate }) {
+      element("size", HTMLElement).textContent = `${width} × ${height}`;
+      const fps = element("rate", HTMLElement);
+      fps.textContent = rate === null ? "" : `${Math.round(rate)} fps`;
+      canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);
+    },
+    elapsed(seconds) {
+      if (!panel?.runs) return false;
+      panel.advance(seconds);
+      return true;
+    },
+  });
+  let panel: Panel | null = null;
+
+  async function showDocument(found: Document): Promise<void> {
+    fillSelects(found);
+    problems.source = found.error ?? "";
+    if (found.error === undefined) {
+      panel ??= new Panel(
+        element("controls", HTMLElement), found.file,
+        (name, value) => screen.set(name, value), () => screen.request(),
+      );
+      const before = shown;
+      shown = found;
+      Object.assign(choice, found.chosen);
+      const values = panel.show(found.chosen.subject ?? "", found.controls);
+      fillOutputs(found);
+      screen.show(outputs.value);
+      try {
+        await screen.open(found.package, found.orbit, values);
+        problems.picture = "";
+      } catch (error) {
+        problems.picture = (error as Error).message;
+      }
+      if (before?.chosen.subject !== found.chosen.subject) describe(found);
+      element("time", HTMLElement).hidden = !(
+        screen.evolves || found.controls.some((control) => control.is_timed)
+      );
+    }
+    tellProblems();
+    document.body.dataset.version = found.version;
+    document.body.dataset.ready = problems.source || problems.picture ? "no" : "yes";
+  }
+
+  // One document is loaded at a time; what was asked for meanwhile is loaded then.
+  let loading = false;
+  let again = false;
+  async function load(): Promise<void> {
+    again = true;
+    if (loading) return;
+    loading = true;
+    try {
+      while (again) {
+        again = false;
+        const found = await fetchDocument(choice, api.profile);
+        if (!again) await showDocument(found);
+      }
+    } catch (error) {
+      problems.source = (error as Error).message;
+      tellProblems();
+    } finally {
+      loading = false;
+    }
+  }
+
+  listen(
+    (version) => {
+      if (version !== document.body.dataset.version) void load();
+    },
+    (isConnected) => { element("gone", HTMLElement).hidden = isConnected; },
+  );
+  follow(canvas, () => screen.orbit, () => screen.request());
+
+  for (const [name, select] of Object.entries(selects)) {
+    select.addEventListener("change", () => {
+      choice[name as keyof Choice] = select.value;
+      // Another subject begins with the rig and the pass of its own.
+      if (name === "subject") choice.pass = null;
+      const asked = Object.entries(choice).filter(([, value]) => value) as [string, string][];
+      history.replaceState(null, "", `?${new URLSearchParams(asked)}`);
+      void load();
+    });
+  }
+  outputs.addEventListener("change", () => screen.show(outputs.value));
+  element("scale", HTMLSelectElement).addEventListener("change", (event) => {
+    screen.scale = Number((event.target as HTMLSelectElement).value);
+    screen.request();
+  });
+
+  const acts: Record<string, () => void> = {
+    home: () => screen.resetCamera(),
+    play: () => {
+      screen.playing = !screen.playing;
+      play.setAttribute("aria-pressed", String(!screen.playing));
+      screen.request();
+    },
+    step: () => screen.step(),
+    restart: () => {
+      if (shown) void showDocument(shown);
+    },
+    save: () => void saved(screen),
+    defaults: () => panel?.resetAll(),
+    copy: () => void navigator.clipboard.writeText(panel?.options ?? ""),
+  };
+  for (const [id, act] of Object.entries(acts)) {
+    element(id, HTMLButtonElement).addEventListener("click", act);
+  }
+  const keys: Record<string, string> = { h: "home", " ": "play", ".": "step", r: "restart", s: "save" };
+  canvas.addEventListener("keydown", (event) => {
+    const name = keys[event.key.toLowerCase()];
+    if (!name || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    acts[name]!();
+  });
+}
+
+/** Offer what the file has to choose from. */
+function fillSelects(found: Document): void {
+  document.title = `${found.file} · Burnish`;
+  element("file", HTMLElement).textContent = found.file;
+  const chosen = found.error === undefined ? found.chosen : choice;
+  fill(selects.subject, found.subjects.map(({ name }) => name), chosen.subject);
+  fill(selects.rig, found.rigs, chosen.rig);
+  const isFrame = found.subjects.find(({ name }) => name === chosen.subject)?.kind === "frame";
+  fill(selects.pass, isFrame ? [] : found.passes, chosen.pass);
+  fill(selects.mesh, found.meshes, chosen.mesh);
+}
+
+function fillOutputs(found: Drawable): void {
+  const rows = found.package.plan.outputs.filter(({ texture }) => texture !== null);
+  const names = rows.map(({ name }) => name);
+  fill(outputs, names, names.includes(outputs.value) ? outputs.value : (names[0] ?? null));
+}
+
+/** The options of a list, which is hidden where there is nothing to choose. */
+function fill(select: HTMLSelectElement, names: string[], chosen: string | null): void {
+  const known = [...select.options].map(({ value }) => value);
+  if (known.join("\n") !== names.join("\n")) {
+    select.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
+  }
+  if (chosen !== null) select.value = chosen;
+  select.closest("label")!.hidden = names.length < 2;
+}
+
+function describe(found: Drawable): void {
+  element("title", HTMLElement).textContent = found.chosen.subject;
+  const doc = element("doc", HTMLElement);
+  doc.textContent = found.doc;
+  doc.hidden = !found.doc;
+  canvas.setAttribute("aria-label", `${found.chosen.subject}: drag or press arrow keys to turn`);
+}
+
+/** Offer the picture as a file to keep. */
+async function saved(screen: Screen): Promise<void> {
+  const link = make("a", { download: `${choice.subject ?? "picture"}.png` });
+  link.href = URL.createObjectURL(await screen.picture());
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+for (const [name, value] of new URLSearchParams(location.search)) {
+  if (name in choice) choice[name as keyof Choice] = value;
+}
+const api = await chosenApi();
+if (api) {
+  element("api", HTMLElement).textContent = api.title;
+  view(api);
+} else {
+  problems.picture = NO_API;
+  tellProblems();
+}

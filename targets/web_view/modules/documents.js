@@ -1,0 +1,19 @@
+// What the server tells the page: the documents of `burnish view`, and word of every change.
+export async function fetchDocument(choice, profile) {
+    const asked = new URLSearchParams({ profile });
+    for (const [name, value] of Object.entries(choice))
+        if (value)
+            asked.set(name, value);
+    const answer = await fetch(`/document?${asked}`);
+    if (!answer.ok)
+        throw new Error(`The server answered: ${answer.status} ${await answer.text()}`);
+    return (await answer.json());
+}
+/** Calls `changed` with the file's version, now and after each change; `connected` is told whether
+ * the server is there. */
+export function listen(changed, connected) {
+    const source = new EventSource("/changes");
+    source.onopen = () => connected(true);
+    source.onerror = () => connected(false);
+    source.onmessage = (event) => changed(JSON.parse(event.data).version);
+}

@@ -1,0 +1,228 @@
+// The fields by which a person sets values: sliders, numbers, colours, directions, switches.
+import { fromHex, strengthOf, toHex } from "./colors.js";
+import { make } from "./elements.js";
+const DEGREES = 180 / Math.PI;
+/** From this ratio of the ends of a range on, a slider goes by factors. */
+const WIDE = 500;
+/** A slider has so many steps. */
+const STEPS = 1000;
+const LANES = ["x", "y", "z", "w"];
+/** The field of a control. `label` is the id of the element with its name. */
+export function fieldOf(control, label, changed) {
+    return makers[control.kind](control, label, changed);
+}
+const makers = {
+    number: (control, label, changed) => numberField(numbers(control), { label }, changed),
+    angle: (control, label, changed) => angleField(control, label, changed),
+    vector: (control, label, changed) => vectorField(control, label, changed),
+    direction: (_control, label, changed) => directionField(label, changed),
+    matrix: (control, label, changed) => matrixField(control, label, changed),
+    color: (control, label, changed) => colorField(control, label, changed),
+    checkbox: (_control, label, changed) => checkbox({ label }, changed),
+    checkboxes: (control, label, changed) => checkboxes(control, label, changed),
+    texture: (control) => textureField(control),
+};
+function naming({ label, word }) {
+    return word ? { "aria-label": word, "aria-describedby": label } : { "aria-labelledby": label };
+}
+function numbers(control) {
+    return { range: control.range ?? null, whole: control.whole ?? false };
+}
+function numberField(of, named, changed) {
+    const { range, whole } = of;
+    const box = make("input", {
+        type: "number", class: "number", step: whole ? 1 : "any",
+        ...(range ? { min: range[0], max: range[1] } : {}), ...naming(named),
+    });
+    const inner = make("div", { class: range ? "slider" : "plain" }, box);
+    if (named.word)
+        inner.prepend(make("span", { class: "lane", "aria-hidden": true }, named.word));
+    const slider = range ? sliderOf(range, whole, named) : null;
+    if (slider)
+        box.before(slider.element);
+    const show = (value) => {
+        box.value = value === null ? "" : shown(value, whole);
+        slider?.show(value);
+    };
+    box.addEventListener("input", () => {
+        const value = box.valueAsNumber;
+        if (Number.isNaN(value))
+            return;
+        const taken = range ? Math.min(Math.max(value, range[0]), range[1]) : value;
+        slider?.show(taken);
+        changed(whole ? Math.round(taken) : taken);
+    });
+    slider?.element.addEventListener("input", () => {
+        const value = slider.value();
+        box.value = shown(value, whole);
+        changed(value);
+    });
+    // What was typed beyond the range is set to its end when the field is left.
+    box.addEventListener("change", () => {
+        const value = box.valueAsNumber;
+        if (Number.isNaN(value) || (range && (value < range[0] || value > range[1]))) {
+            show(range ? Math.min(Math.max(value || 0, range[0]), range[1]) : 0);
+            box.dispatchEvent(new Event("input"));
+        }
+    });
+    return { element: inner, show };
+}
+/** A slider; over a wide range of positive numbers it goes by factors. */
+function sliderOf([low, high], whole, named) {
+    const wide = low > 0 && high / low >= WIDE;
+    const few = whole && high - low <= STEPS;
+    const element = make("input", {
+        type: "range", min: 0, max: few ? high - low : STEPS, step: few ? 1 : "any", ...naming(named),
+    });
+    const share = () => element.valueAsNumber / Number(element.max);
+    const value = () => {
+        const exact = wide ? low * (high / low) ** share() : low + share() * (high - low);
+        return whole ? Math.round(exact) : rounded(exact, high - low);
+    };
+    const show = (given) => {
+        const within = Math.min(Math.max(given ?? low, low), high);
+        const at = wide ? Math.log(within / low) / Math.log(high / low) : (within - low) / (high - low);
+        element.value = String((at || 0) * Number(element.max));
+        element.style.setProperty("--share", `${100 * (at || 0)}%`);
+        element.setAttribute("aria-valuetext", shown(given, whole));
+    };
+    element.addEventListener("input", () => {
+        element.style.setProperty("--share", `${100 * share()}%`);
+        element.setAttribute("aria-valuetext", shown(value(), whole));
+    });
+    return { element, value, show };
+}
+/** A number that a slider gives, without more digits than anybody can tell apart. */
+function rounded(value, width) {
+    const digits = Math.max(0, 4 - Math.floor(Math.log10(width || 1)));
+    return Number(value.toFixed(Math.min(digits, 12)));
+}
+function shown(value, whole) {
+    return value === null ? "" : whole ? String(value) : String(Number(value.toPrecision(5)));
+}
+function angleField(control, label, changed) {
+    const range = control.range?.map((end) => end * DEGREES);
+    const of = { range: range ?? [-180, 180], whole: false };
+    const field = numberField(of, { label }, (degrees) => changed(degrees / DEGREES));
+    field.element.classList.add("degrees");
+    return { element: field.element, show: (value) => field.show(value * DEGREES) };
+}
+/** Several numbers below each other. */
+function severalOf(words, of, label, changed) {
+    let values = words.map(() => 0);
+    const fields = words.map((word, lane) => numberField(of, { label, word }, (value) => {
+        values = values.map((old, at) => (at === lane ? value : old));
+        changed(values);
+    }));
+    const element = make("div", { class: of.range ? "several" : "beside" });
+    element.append(...fields.map((field) => field.element));
+    const show = (given) => {
+        values = given ? [...given] : words.map(() => 0);
+        fields.forEach((field, lane) => field.show(values[lane]));
+    };
+    return { element, show };
+}
+function vectorField(control, label, changed) {
+    return severalOf(LANES.slice(0, control.lanes), numbers(control), label, changed);
+}
+/** A direction as two angles: around the vertical, and above the horizon. */
+function directionField(label, changed) {
+    const around = { range: [-180, 180], whole: false };
+    const above = { range: [-90, 90], whole: false };
+    let [yaw, pitch] = [0, 0];
+    const tell = () => {
+        const [a, b] = [yaw / DEGREES, pitch / DEGREES];
+        changed([Math.sin(a) * Math.cos(b), Math.sin(b), Math.cos(a) * Math.cos(b)]);
+    };
+    const fields = [
+        numberField(around, { label, word: "around" }, (value) => { yaw = value; tell(); }),
+        numberField(above, { label, word: "up" }, (value) => { pitch = value; tell(); }),
+    ];
+    const element = make("div", { class: "several degrees" }, ...fields.map((each) => each.element));
+    const show = (given) => {
+        const [x, y, z] = (given ?? [0, 0, 1]);
+        yaw = Math.atan2(x, z) * DEGREES;
+        pitch = Math.asin(Math.min(Math.max(y, -1), 1)) * DEGREES;
+        fields[0].show(yaw);
+        fields[1].show(pitch);
+    };
+    return { element, show };
+}
+/** A matrix, of which each field is a row. */
+function matrixField(control, label, changed) {
+    const [rows, columns] = [control.lanes, control.columns];
+    let values = [];
+    const of = { range: control.range ?? null, whole: false };
+    const fields = Array.from({ length: rows }, (_, row) => Array.from({ length: columns }, (_, column) => numberField({ ...of, range: null }, { label, word: `${row + 1},${column + 1}` }, (value) => {
+        values = values.map((lanes, c) => c === column ? lanes.map((old, r) => (r === row ? value : old)) : lanes);
+        changed(values);
+    })));
+    const element = make("div", { class: "matrix" });
+    element.style.setProperty("--columns", String(columns));
+    element.append(...fields.flat().map((field) => field.element));
+    const show = (given) => {
+        values = given ?? Array.from({ length: columns }, () => Array(rows).fill(0));
+        fields.forEach((line, row) => line.forEach((field, c) => field.show(values[c][row])));
+    };
+    return { element, show };
+}
+// --- colours, switches, textures -----------------------------------------------------------------
+/** A colour; with a strength where it may be brighter than any picker's, and with an alpha where it
+ * has one. */
+function colorField(control, label, changed) {
+    const picker = make("input", { type: "color", "aria-labelledby": label });
+    const code = make("output", { class: "code" });
+    const element = make("div", { class: "color" }, make("div", { class: "pick" }, picker, code));
+    const given = (control.value ?? [0, 0, 0]);
+    let [strength, alpha] = [1, 1];
+    const tell = () => {
+        code.value = picker.value;
+        const color = fromHex(picker.value, strength);
+        changed(control.lanes === 4 ? [...color, alpha] : color);
+    };
+    picker.addEventListener("input", tell);
+    const bright = control.is_light || strengthOf(given) > 1;
+    const strong = numberField({ range: bright ? [0, 16] : null, whole: false }, { label, word: "strength" }, (value) => { strength = value; tell(); });
+    if (bright)
+        element.append(strong.element);
+    const clear = numberField({ range: [0, 1], whole: false }, { label, word: "alpha" }, (value) => { alpha = value; tell(); });
+    if (control.lanes === 4)
+        element.append(clear.element);
+    const show = (value) => {
+        const color = value ?? [0, 0, 0];
+        strength = strengthOf(color);
+        alpha = color[3] ?? 1;
+        picker.value = toHex(color, strength);
+        code.value = picker.value;
+        strong.show(strength);
+        clear.show(alpha);
+    };
+    return { element, show };
+}
+function checkbox(named, changed) {
+    const element = make("input", { type: "checkbox", class: "switch", ...naming(named) });
+    element.addEventListener("change", () => changed(element.checked));
+    return { element, show: (value) => { element.checked = Boolean(value); } };
+}
+function checkboxes(control, label, changed) {
+    let values = [];
+    const fields = LANES.slice(0, control.lanes).map((word, lane) => checkbox({ label, word }, (value) => {
+        values = values.map((old, at) => (at === lane ? value : old));
+        changed(values);
+    }));
+    const element = make("div", { class: "beside" }, ...fields.map((field) => field.element));
+    const show = (given) => {
+        values = given ?? fields.map(() => false);
+        fields.forEach((field, lane) => field.show(values[lane]));
+    };
+    return { element, show };
+}
+/** Textures are set on the command line. */
+function textureField(control) {
+    const element = make("p", { class: "texture" });
+    const show = () => {
+        const set = make("code", {}, `--set ${control.name}=FILE`);
+        element.replaceChildren(`${String(control.value)}; `, set);
+    };
+    return { element, show };
+}

@@ -1,0 +1,204 @@
+// The controls beside the picture, in sections, with what somebody has set.
+import { make } from "./elements.js";
+import { fieldOf } from "./fields.js";
+export class Panel {
+    root;
+    file;
+    changed;
+    animated;
+    rows = new Map();
+    kept = {};
+    built = "";
+    subject = "";
+    timed = new Set();
+    /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
+    constructor(root, file, changed, animated) {
+        this.root = root;
+        this.file = file;
+        this.changed = changed;
+        this.animated = animated;
+    }
+    /** Show the controls of a subject; values that were set stay, where the control still takes
+     * them. Returns these values. */
+    show(subject, controls) {
+        if (subject !== this.subject)
+            this.kept = load(`${this.file}/${subject}`);
+        this.subject = subject;
+        const known = JSON.stringify(controls);
+        if (known !== this.built)
+            this.build(controls);
+        this.built = known;
+        const values = new Map();
+        for (const { control } of this.rows.values()) {
+            const kept = this.kept[control.name];
+            if (!kept || kept.type !== control.type)
+                continue;
+            values.set(control.name, within(kept.value, control.range));
+        }
+        for (const [name, row] of this.rows)
+            this.refresh(row, values.get(name));
+        return values;
+    }
+    /** Whether some number runs with the time. */
+    get runs() {
+        return [...this.timed].some((name) => this.rows.has(name));
+    }
+    /** Let the time go on, in seconds. */
+    advance(seconds) {
+        for (const name of this.timed) {
+            const row = this.rows.get(name);
+            if (!row)
+                continue;
+            const value = Number(this.value(row) ?? 0) + seconds;
+            this.set(row, row.control.whole ? Math.floor(value) : value);
+            row.field.show(value);
+        }
+    }
+    resetAll() {
+        for (const row of this.rows.values())
+            if (this.kept[row.control.name])
+                this.reset(row);
+    }
+    /** What was set, as options of the command line. */
+    get options() {
+        return Object.entries(this.kept)
+            .filter(([name]) => this.rows.has(name))
+            .map(([name, { value }]) => `--set '${name}=${written(value)}'`)
+            .join(" ");
+    }
+    // --- building ----------------------------------------------------------------------------------
+    build(controls) {
+        const open = new Map();
+        for (const each of this.root.querySelectorAll("details")) {
+            open.set(each.dataset.section ?? "", each.open);
+        }
+        const focused = document.activeElement?.closest("[data-name]")?.dataset.name;
+        this.rows.clear();
+        const sections = new Map();
+        for (const control of controls) {
+            let section = sections.get(control.section);
+            if (!section) {
+                const begins = open.get(control.section) ?? !control.is_light;
+                section = this.section(control.section, begins);
+                sections.set(control.section, section);
+            }
+            section.append(this.row(control).element);
+        }
+        const nothing = make("p", { class: "nothing" }, "Nothing to set: no parameters are declared.");
+        this.root.replaceChildren(...(sections.size
+            ? [...sections.values()].map((each) => each.parentElement) : [nothing]));
+        if (focused) {
+            this.rows.get(focused)?.element.querySelector("input")?.focus();
+        }
+    }
+    section(title, open) {
+        const inside = make("div", { class: "controls" });
+        const details = make("details", { open }, make("summary", {}, title), inside);
+        details.dataset.section = title;
+        return inside;
+    }
+    row(control) {
+        const id = `label-${control.name}`;
+        const label = make("span", { class: "name", id }, shortName(control));
+        label.title = `${control.name} : ${control.type}`;
+        const reset = make("button", {
+            type: "button", class: "reset", title: "Back to the default",
+            "aria-label": `${control.name}: back to the default`,
+        }, "↺");
+        const field = fieldOf(control, id, (value) => this.set(row, value));
+        const head = make("div", { class: "head" }, label);
+        if (control.is_timed)
+            head.append(this.clock(control.name));
+        head.append(reset);
+        const element = make("div", { class: "control" }, head);
+        if (control.doc)
+            element.append(make("p", { class: "doc" }, control.doc));
+        element.append(field.element);
+        element.dataset.name = control.name;
+        element.dataset.kind = control.kind;
+        const row = { control, element, field, reset };
+        reset.addEventListener("click", () => this.reset(row));
+        this.rows.set(control.name, row);
+        return row;
+    }
+    /** A button that lets a number run with the time. */
+    clock(name) {
+        const button = make("button", {
+            type: "button", class: "clock", title: "Let it run with the time, in seconds",
+            "aria-label": `${name}: let it run with the time`,
+            "aria-pressed": String(this.timed.has(name)),
+        }, "▶");
+        button.addEventListener("click", () => {
+            if (!this.timed.delete(name))
+                this.timed.add(name);
+            button.setAttribute("aria-pressed", String(this.timed.has(name)));
+            this.animated();
+        });
+        return button;
+    }
+    // --- values ------------------------------------------------------------------------------------
+    value(row) {
+        return this.kept[row.control.name]?.value ?? row.control.value;
+    }
+    set(row, value) {
+        const { name, type } = row.control;
+        this.kept[name] = { type, value };
+        row.reset.hidden = false;
+        save(`${this.file}/${this.subject}`, this.kept);
+        this.changed(name, value);
+        this.hideUncounted();
+    }
+    reset(row) {
+        delete this.kept[row.control.name];
+        save(`${this.file}/${this.subject}`, this.kept);
+        this.refresh(row);
+        this.changed(row.control.name, row.control.value);
+    }
+    refresh(row, value) {
+        row.field.show(value ?? row.control.value);
+        row.reset.hidden = value === undefined;
+        this.hideUncounted();
+    }
+    /** Of an array of lights, show those that shine. */
+    hideUncounted() {
+        for (const { control, element } of this.rows.values()) {
+            const count = control.element?.count;
+            const counting = count ? this.rows.get(count) : undefined;
+            if (counting)
+                element.hidden = control.element.index >= Number(this.value(counting));
+        }
+    }
+}
+/** The name without that of its section: `[2].place` of `lamps[2].place`. */
+function shortName(control) {
+    const { name, section } = control;
+    return name.startsWith(section) && name !== section
+        ? name.slice(section.length).replace(/^\./, "") : name;
+}
+function within(value, range) {
+    if (!range)
+        return value;
+    if (Array.isArray(value))
+        return value.map((each) => within(each, range));
+    return typeof value === "number" ? Math.min(Math.max(value, range[0]), range[1]) : value;
+}
+/** A value as the command line takes it. */
+function written(value) {
+    return Array.isArray(value) ? value.flat().join(",") : String(value);
+}
+function load(key) {
+    try {
+        return JSON.parse(sessionStorage.getItem(key) ?? "{}");
+    }
+    catch {
+        return {}; // The browser keeps nothing, or somebody else has written there.
+    }
+}
+function save(key, kept) {
+    try {
+        sessionStorage.setItem(key, JSON.stringify(kept));
+    }
+    catch {
+        // The browser keeps nothing: then values last as long as the page.
+    }
+}

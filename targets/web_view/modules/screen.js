@@ -1,0 +1,141 @@
+// The picture: a frame of the host on the canvas, drawn when something has changed, or again and
+// again while time goes on.
+import { openFrame } from "../web_host/host.js";
+import { Orbit } from "./orbit.js";
+/** How much of the last measurements counts for the number of frames per second. */
+const SMOOTHING = 0.9;
+/** The longest time between two frames that counts as such, in seconds. */
+const LONGEST = 0.5;
+/** A picture has no more pixels on a side than this. */
+const LARGEST = 4096;
+export class Screen {
+    canvas;
+    api;
+    watcher;
+    orbit = null;
+    playing = true;
+    /** The share of the screen's pixels that a picture has on each side. */
+    scale = 1;
+    frame = null;
+    package = null;
+    start = null;
+    output = "";
+    waiting = 0;
+    before = 0;
+    rate = null;
+    constructor(canvas, api, watcher) {
+        this.canvas = canvas;
+        this.api = api;
+        this.watcher = watcher;
+        new ResizeObserver(() => this.request()).observe(canvas);
+    }
+    /** Whether each picture goes on from the last one. */
+    get evolves() {
+        return (this.package?.plan.kept.length ?? 0) > 0;
+    }
+    /** Show another package. What was shown before stays until it is ready, and for good if it cannot
+     * be opened. The camera stays where it is, unless `start` is another one than before. */
+    async open(opened, start, values) {
+        const frame = await openFrame(this.canvas, opened, this.api);
+        for (const [name, value] of values)
+            frame.set(name, value);
+        this.frame?.dispose();
+        this.frame = frame;
+        this.package = opened;
+        if (JSON.stringify(start) !== JSON.stringify(this.start))
+            this.orbit = new Orbit(start);
+        this.start = start;
+        this.draw();
+        this.request();
+    }
+    set(name, value) {
+        this.attempt(() => this.frame?.set(name, value));
+        this.request();
+    }
+    show(output) {
+        this.output = output;
+        this.request();
+    }
+    resetCamera() {
+        if (this.start)
+            this.orbit = new Orbit(this.start);
+        this.request();
+    }
+    /** Draw soon. */
+    request() {
+        this.waiting ||= requestAnimationFrame((now) => this.tick(now));
+    }
+    /** Draw one picture now, also while time stands still. */
+    step() {
+        this.draw();
+    }
+    /** The picture as a file. */
+    async picture() {
+        // What is on a canvas can be read until the browser shows it.
+        this.present();
+        const found = await new Promise((done) => this.canvas.toBlob(done, "image/png"));
+        if (!found)
+            throw new Error("The browser made no picture of the canvas.");
+        return found;
+    }
+    // --- drawing -----------------------------------------------------------------------------------
+    tick(now) {
+        this.waiting = 0;
+        const seconds = (now - this.before) / 1000;
+        const follows = this.before > 0 && seconds < LONGEST;
+        this.before = now;
+        const runs = this.playing && this.watcher.elapsed(follows ? seconds : 0);
+        const goesOn = this.playing && (runs || this.evolves);
+        if (goesOn && follows && seconds > 0) {
+            const rate = 1 / seconds;
+            this.rate = this.rate === null ? rate : SMOOTHING * this.rate + (1 - SMOOTHING) * rate;
+        }
+        if (!goesOn)
+            this.rate = null;
+        if (!this.playing && this.evolves)
+            this.present();
+        else
+            this.draw();
+        if (goesOn && !document.hidden)
+            this.request();
+    }
+    draw() {
+        this.attempt(() => {
+            if (!this.frame || !this.fit())
+                return;
+            this.frame.draw();
+            this.present();
+        });
+    }
+    present() {
+        const { frame, canvas } = this;
+        if (!frame)
+            return;
+        frame.show(this.output);
+        this.watcher.drawn({ width: canvas.width, height: canvas.height, rate: this.rate });
+    }
+    /** Give the frame its size and camera. Returns whether there is anything to see. */
+    fit() {
+        const { canvas, frame, orbit } = this;
+        const factor = this.scale * devicePixelRatio;
+        const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.min(Math.round(side * factor), LARGEST));
+        if (!frame || !orbit || width < 1 || height < 1)
+            return false;
+        if (canvas.width !== width || canvas.height !== height) {
+            [canvas.width, canvas.height] = [width, height];
+        }
+        frame.resize(width, height);
+        const widening = Math.max(1, height / width);
+        frame.setCamera({ view_projection: orbit.viewProjection(widening), eye: orbit.eye });
+        return true;
+    }
+    attempt(act) {
+        try {
+            act();
+            this.watcher.problem("");
+        }
+        catch (error) {
+            this.watcher.problem(error instanceof Error ? error.message : String(error));
+        }
+    }
+}

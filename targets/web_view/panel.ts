@@ -1,0 +1,224 @@
+// The controls beside the picture, in sections, with what somebody has set.
+
+import type { Value } from "../web_host/host.js";
+import type { Control } from "./documents.js";
+import { make } from "./elements.js";
+import { fieldOf, type Field } from "./fields.js";
+
+/** A value that somebody has set, and the type that it had then. */
+interface Kept {
+  type: string;
+  value: Value;
+}
+
+interface Row {
+  control: Control;
+  element: HTMLElement;
+  field: Field<Value>;
+  reset: HTMLButtonElement;
+}
+
+export class Panel {
+  private rows = new Map<string, Row>();
+  private kept: Record<string, Kept> = {};
+  private built = "";
+  private subject = "";
+  private timed = new Set<string>();
+
+  /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly file: string,
+    private readonly changed: (name: string, value: Value) => void,
+    private readonly animated: () => void,
+  ) {}
+
+  /** Show the controls of a subject; values that were set stay, where the control still takes
+   * them. Returns these values. */
+  show(subject: string, controls: Control[]): Map<string, Value> {
+    if (subject !== this.subject) this.kept = load(`${this.file}/${subject}`);
+    this.subject = subject;
+    const known = JSON.stringify(controls);
+    if (known !== this.built) this.build(controls);
+    this.built = known;
+    const values = new Map<string, Value>();
+    for (const { control } of this.rows.values()) {
+      const kept = this.kept[control.name];
+      if (!kept || kept.type !== control.type) continue;
+      values.set(control.name, within(kept.value, control.range));
+    }
+    for (const [name, row] of this.rows) this.refresh(row, values.get(name));
+    return values;
+  }
+
+  /** Whether some number runs with the time. */
+  get runs(): boolean {
+    return [...this.timed].some((name) => this.rows.has(name));
+  }
+
+  /** Let the time go on, in seconds. */
+  advance(seconds: number): void {
+    for (const name of this.timed) {
+      const row = this.rows.get(name);
+      if (!row) continue;
+      const value = Number(this.value(row) ?? 0) + seconds;
+      this.set(row, row.control.whole ? Math.floor(value) : value);
+      row.field.show(value);
+    }
+  }
+
+  resetAll(): void {
+    for (const row of this.rows.values()) if (this.kept[row.control.name]) this.reset(row);
+  }
+
+  /** What was set, as options of the command line. */
+  get options(): string {
+    return Object.entries(this.kept)
+      .filter(([name]) => this.rows.has(name))
+      .map(([name, { value }]) => `--set '${name}=${written(value)}'`)
+      .join(" ");
+  }
+
+  // --- building ----------------------------------------------------------------------------------
+
+  private build(controls: Control[]): void {
+    const open = new Map<string, boolean>();
+    for (const each of this.root.querySelectorAll("details")) {
+      open.set(each.dataset.section ?? "", each.open);
+    }
+    const focused = document.activeElement?.closest<HTMLElement>("[data-name]")?.dataset.name;
+    this.rows.clear();
+    const sections = new Map<string, HTMLElement>();
+    for (const control of controls) {
+      let section = sections.get(control.section);
+      if (!section) {
+        const begins = open.get(control.section) ?? !control.is_light;
+        section = this.section(control.section, begins);
+        sections.set(control.section, section);
+      }
+      section.append(this.row(control).element);
+    }
+    const nothing = make("p", { class: "nothing" }, "Nothing to set: no parameters are declared.");
+    this.root.replaceChildren(...(sections.size
+      ? [...sections.values()].map((each) => each.parentElement!) : [nothing]));
+    if (focused) {
+      this.rows.get(focused)?.element.querySelector<HTMLElement>("input")?.focus();
+    }
+  }
+
+  private section(title: string, open: boolean): HTMLElement {
+    const inside = make("div", { class: "controls" });
+    const details = make("details", { open }, make("summary", {}, title), inside);
+    details.dataset.section = title;
+    return inside;
+  }
+
+  private row(control: Control): Row {
+    const id = `label-${control.name}`;
+    const label = make("span", { class: "name", id }, shortName(control));
+    label.title = `${control.name} : ${control.type}`;
+    const reset = make("button", {
+      type: "button", class: "reset", title: "Back to the default",
+      "aria-label": `${control.name}: back to the default`,
+    }, "↺");
+    const field = fieldOf(control, id, (value) => this.set(row, value));
+    const head = make("div", { class: "head" }, label);
+    if (control.is_timed) head.append(this.clock(control.name));
+    head.append(reset);
+    const element = make("div", { class: "control" }, head);
+    if (control.doc) element.append(make("p", { class: "doc" }, control.doc));
+    element.append(field.element);
+    element.dataset.name = control.name;
+    element.dataset.kind = control.kind;
+    const row: Row = { control, element, field, reset };
+    reset.addEventListener("click", () => this.reset(row));
+    this.rows.set(control.name, row);
+    return row;
+  }
+
+  /** A button that lets a number run with the time. */
+  private clock(name: string): HTMLElement {
+    const button = make("button", {
+      type: "button", class: "clock", title: "Let it run with the time, in seconds",
+      "aria-label": `${name}: let it run with the time`,
+      "aria-pressed": String(this.timed.has(name)),
+    }, "▶");
+    button.addEventListener("click", () => {
+      if (!this.timed.delete(name)) this.timed.add(name);
+      button.setAttribute("aria-pressed", String(this.timed.has(name)));
+      this.animated();
+    });
+    return button;
+  }
+
+  // --- values ------------------------------------------------------------------------------------
+
+  private value(row: Row): Value {
+    return this.kept[row.control.name]?.value ?? row.control.value;
+  }
+
+  private set(row: Row, value: Value): void {
+    const { name, type } = row.control;
+    this.kept[name] = { type, value };
+    row.reset.hidden = false;
+    save(`${this.file}/${this.subject}`, this.kept);
+    this.changed(name, value);
+    this.hideUncounted();
+  }
+
+  private reset(row: Row): void {
+    delete this.kept[row.control.name];
+    save(`${this.file}/${this.subject}`, this.kept);
+    this.refresh(row);
+    this.changed(row.control.name, row.control.value);
+  }
+
+  private refresh(row: Row, value?: Value): void {
+    row.field.show(value ?? row.control.value);
+    row.reset.hidden = value === undefined;
+    this.hideUncounted();
+  }
+
+  /** Of an array of lights, show those that shine. */
+  private hideUncounted(): void {
+    for (const { control, element } of this.rows.values()) {
+      const count = control.element?.count;
+      const counting = count ? this.rows.get(count) : undefined;
+      if (counting) element.hidden = control.element!.index >= Number(this.value(counting));
+    }
+  }
+}
+
+/** The name without that of its section: `[2].place` of `lamps[2].place`. */
+function shortName(control: Control): string {
+  const { name, section } = control;
+  return name.startsWith(section) && name !== section
+    ? name.slice(section.length).replace(/^\./, "") : name;
+}
+
+function within(value: Value, range: Control["range"]): Value {
+  if (!range) return value;
+  if (Array.isArray(value)) return value.map((each) => within(each, range));
+  return typeof value === "number" ? Math.min(Math.max(value, range[0]), range[1]) : value;
+}
+
+/** A value as the command line takes it. */
+function written(value: Value): string {
+  return Array.isArray(value) ? value.flat().join(",") : String(value);
+}
+
+function load(key: string): Record<string, Kept> {
+  try {
+    return JSON.parse(sessionStorage.getItem(key) ?? "{}") as Record<string, Kept>;
+  } catch {
+    return {}; // The browser keeps nothing, or somebody else has written there.
+  }
+}
+
+function save(key: string, kept: Record<string, Kept>): void {
+  try {
+    sessionStorage.setItem(key, JSON.stringify(kept));
+  } catch {
+    // The browser keeps nothing: then values last as long as the page.
+  }
+}

@@ -1,0 +1,156 @@
+// The picture: a frame of the host on the canvas, drawn when something has changed, or again and
+// again while time goes on.
+
+import { openFrame, type Api, type Frame, type FramePackage, type Value } from "../web_host/host.js";
+import { Orbit, type OrbitRow } from "./orbit.js";
+
+/** How much of the last measurements counts for the number of frames per second. */
+const SMOOTHING = 0.9;
+/** The longest time between two frames that counts as such, in seconds. */
+const LONGEST = 0.5;
+/** A picture has no more pixels on a side than this. */
+const LARGEST = 4096;
+
+export interface Watcher {
+  /** Something could not be drawn; an empty text if it can be again. */
+  problem(text: string): void;
+  /** A picture was drawn. */
+  drawn(status: { width: number; height: number; rate: number | null }): void;
+  /** So many seconds have gone by; returns whether anything runs with the time. */
+  elapsed(seconds: number): boolean;
+}
+
+export class Screen {
+  orbit: Orbit | null = null;
+  playing = true;
+  /** The share of the screen's pixels that a picture has on each side. */
+  scale = 1;
+  private frame: Frame | null = null;
+  private package: FramePackage | null = null;
+  private start: OrbitRow | null = null;
+  private output = "";
+  private waiting = 0;
+  private before = 0;
+  private rate: number | null = null;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly api: Api,
+    private readonly watcher: Watcher,
+  ) {
+    new ResizeObserver(() => this.request()).observe(canvas);
+  }
+
+  /** Whether each picture goes on from the last one. */
+  get evolves(): boolean {
+    return (this.package?.plan.kept.length ?? 0) > 0;
+  }
+
+  /** Show another package. What was shown before stays until it is ready, and for good if it cannot
+   * be opened. The camera stays where it is, unless `start` is another one than before. */
+  async open(opened: FramePackage, start: OrbitRow, values: Map<string, Value>): Promise<void> {
+    const frame = await openFrame(this.canvas, opened, this.api);
+    for (const [name, value] of values) frame.set(name, value);
+    this.frame?.dispose();
+    this.frame = frame;
+    this.package = opened;
+    if (JSON.stringify(start) !== JSON.stringify(this.start)) this.orbit = new Orbit(start);
+    this.start = start;
+    this.draw();
+    this.request();
+  }
+
+  set(name: string, value: Value): void {
+    this.attempt(() => this.frame?.set(name, value));
+    this.request();
+  }
+
+  show(output: string): void {
+    this.output = output;
+    this.request();
+  }
+
+  resetCamera(): void {
+    if (this.start) this.orbit = new Orbit(this.start);
+    this.request();
+  }
+
+  /** Draw soon. */
+  request(): void {
+    this.waiting ||= requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** Draw one picture now, also while time stands still. */
+  step(): void {
+    this.draw();
+  }
+
+  /** The picture as a file. */
+  async picture(): Promise<Blob> {
+    // What is on a canvas can be read until the browser shows it.
+    this.present();
+    const found = await new Promise<Blob | null>((done) => this.canvas.toBlob(done, "image/png"));
+    if (!found) throw new Error("The browser made no picture of the canvas.");
+    return found;
+  }
+
+  // --- drawing -----------------------------------------------------------------------------------
+
+  private tick(now: number): void {
+    this.waiting = 0;
+    const seconds = (now - this.before) / 1000;
+    const follows = this.before > 0 && seconds < LONGEST;
+    this.before = now;
+    const runs = this.playing && this.watcher.elapsed(follows ? seconds : 0);
+    const goesOn = this.playing && (runs || this.evolves);
+    if (goesOn && follows && seconds > 0) {
+      const rate = 1 / seconds;
+      this.rate = this.rate === null ? rate : SMOOTHING * this.rate + (1 - SMOOTHING) * rate;
+    }
+    if (!goesOn) this.rate = null;
+    if (!this.playing && this.evolves) this.present();
+    else this.draw();
+    if (goesOn && !document.hidden) this.request();
+  }
+
+  private draw(): void {
+    this.attempt(() => {
+      if (!this.frame || !this.fit()) return;
+      this.frame.draw();
+      this.present();
+    });
+  }
+
+  private present(): void {
+    const { frame, canvas } = this;
+    if (!frame) return;
+    frame.show(this.output);
+    this.watcher.drawn({ width: canvas.width, height: canvas.height, rate: this.rate });
+  }
+
+  /** Give the frame its size and camera. Returns whether there is anything to see. */
+  private fit(): boolean {
+    const { canvas, frame, orbit } = this;
+    const factor = this.scale * devicePixelRatio;
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) =>
+      Math.min(Math.round(side * factor), LARGEST),
+    ) as [number, number];
+    if (!frame || !orbit || width < 1 || height < 1) return false;
+    if (canvas.width !== width || canvas.height !== height) {
+      [canvas.width, canvas.height] = [width, height];
+    }
+    frame.resize(width, height);
+    const widening = Math.max(1, height / width);
+    frame.setCamera({ view_projection: orbit.viewProjection(widening), eye: orbit.eye });
+    return true;
+  }
+
+  private attempt(act: () => void): void {
+    try {
+      act();
+      this.watcher.problem("");
+    } catch (error) {
+      this.watcher.problem(error instanceof Error ? error.message : String(error));
+    }
+  }
+}

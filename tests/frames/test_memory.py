@@ -1,0 +1,72 @@
+"""Which textures take turns in the same memory, by hand and for the examples."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.drivers.frame_job import (
+    Attachment,
+    Barrier,
+    FrameJob,
+    FrameStep,
+    FrameTexture,
+)
+from burnish.targets.runner.drivers.frame_order import check_order
+from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total
+
+from .kit import EXAMPLES, compiled, memory_share
+
+
+def planned(*spans: tuple[int, int], kept: int = -1, once: int | None = None) -> dict[str, Any]:
+    """A plan with a texture for each result, which is needed from one step to another; one is kept
+    for the next frame, and one is drawn once."""
+    drawn = {"kind": "draw", "only_first": True, "targets": [{"result": "a", "texture": once}]}
+    return {
+        "steps": [] if once is None else [drawn],
+        "textures": [{"kept": number == kept} for number in range(len(spans))],
+        "results": [
+            {"texture": number, "first": first, "last": last}
+            for number, (first, last) in enumerate(spans)
+        ],
+    }
+
+
+def test_textures_take_turns_that_no_step_needs_together() -> None:
+    plan = planned((0, 1), (1, 2), (2, 3), (3, 4))
+    needed = {0: 100, 1: 60, 2: 80, 3: 10}
+    groups = taking_turns(plan, needed)
+    assert groups == [[0, 2], [1, 3]]
+    assert total(groups, needed) == 160
+
+
+def test_what_is_kept_takes_no_turns() -> None:
+    assert taking_turns(planned((0, 1), (2, 3), kept=0), {0: 4, 1: 4}) == [[1], [0]]
+    assert taking_turns(planned((0, 1), (2, 3), once=0), {0: 4, 1: 4}) == [[1], [0]]
+
+
+def test_bytes_are_those_of_all_levels_and_layers() -> None:
+    cube = {"format": "rgba16f", "levels": 3, "layers": 6}
+    assert bytes_of(cube, (8, 8)) == 8 * 6 * (64 + 16 + 4)
+    assert bytes_of({"format": "depth32f", "levels": 1, "layers": 1}, (5, 3)) == 60
+    assert bytes_of({"format": "r8", "levels": 2, "layers": 1}, (5, 1)) == 7
+
+
+def test_the_example_with_the_most_steps_needs_at_most_60_percent() -> None:
+    frame = max(map(compiled, EXAMPLES), key=lambda frame: len(frame.plan["steps"]))
+    assert memory_share(frame) <= 0.6
+
+
+def test_what_took_turns_is_gone() -> None:
+    """A job in which the second texture gets the memory of the first, which is then read."""
+    first, second = (FrameTexture("rgba8unorm", 4, 4, memory=0) for _ in range(2))
+    drawn = [
+        FrameStep((Barrier(number, "undefined", "target"),), (Attachment(number),))
+        for number in (0, 1)
+    ]
+    read = FrameStep((Barrier(0, "target", "copied_from"),), read=(0,))
+    check_order(FrameJob((first, second), (), (), (drawn[0], read, drawn[1])))
+    with pytest.raises(DriverError, match="step 2: a barrier takes texture 0 from 'target'"):
+        check_order(FrameJob((first, second), (), (), (*drawn, read)))
