@@ -224,5 +224,6 @@ PLANTED = [
     Planted("clamped no more", "pipeline: Biased", HLSL,
             job(_states(depth_bias=DepthBias(400000, -1.5, 0.0)))),
     Planted("fronts as usual", "pipeline: Clockwise", WGSL, job(_states(front_face="ccw"))),
+    Planted("whole triangles", "pipeline: Edges", GLSL, job(_states(fill="faces"))),
     Planted("added instead of blended", "pipeline: Veil", GLSL, job(_blended)),
 ]  # fmt: skip
