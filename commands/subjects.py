@@ -191,7 +191,7 @@ def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float])
             f"no mesh here has {', '.join(made_up)}: {reflection['material']} is drawn with "
             "smooth waves in place of them"
         ))  # fmt: skip
-    blends = any(row["blend"] != "none" for row in reflection["targets"])
+    blends = any(row["blend"] is not None for row in reflection["targets"])
     return farthest_first(whole, eye) if blends else whole
 
 

@@ -23,7 +23,7 @@ from ...compiler.diagnostics.style import Style
 from ..console import remark, show
 from ..failures import drawing_errors
 from ..frames import scenery_of
-from ..render import MESHES
+from ..render import BACKGROUND, MESHES
 from .request import Choice, Request
 
 if TYPE_CHECKING:
@@ -170,6 +170,7 @@ class Documents:
     def _compiled(self, chosen: Choice, declared: api.Declared) -> FrameSubject:
         """What is shown, as a frame."""
         from ...targets.runner.frames.single import single_frame
+        from ...targets.runner.instances.literals import color_lanes
 
         request = self._request
         result = api.compile(
@@ -179,7 +180,8 @@ class Documents:
         self._tell(result.diagnostics)
         if chosen.subject in declared.frames:
             return result.frames[0]
-        return single_frame(result.materials[0])
+        red, green, blue = color_lanes(BACKGROUND) or (0.0, 0.0, 0.0)
+        return single_frame(result.materials[0], (red, green, blue, 1.0))
 
     def _host(self, frame: FrameSubject, mesh: str) -> FrameHost:
         from ...targets.runner.frames.host import FrameHost

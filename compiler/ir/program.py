@@ -18,6 +18,7 @@ from .kernel import WorkGroup
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
 from .operations import NATIVE, builtin_of
+from .render_state import Fill
 from .scattering import Scattered, scattered
 from .shader import Store
 from .stages import (
@@ -470,6 +471,8 @@ class Program:
     """Which invocations of a kernel run together."""
     corner_buffer: Buffer | None = None
     """What the first stage reads the corners of primitives of, if vertex inputs do not suffice."""
+    fill: Fill = "faces"
+    """What is drawn of triangles."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""

@@ -93,7 +93,7 @@ def split_stages(
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
         shader.expansion, shader.tessellation, shader.capture, shader.work_group,
-        _corner_buffer(shader),
+        _corner_buffer(shader), shader.render_state.fill,
     )  # fmt: skip
 
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from typing import Literal
 
-from ...frozen import fresh, frozen, record
-from ..ir.frame import Attachment, Frame, Image, KernelStep, Step
+from ...frozen import changed, fresh, frozen, record
+from ..ir.frame import Attachment, Frame, Image, KernelStep, RenderStep, Step
 from .lifetimes import (
     ALWAYS,
     Left,
@@ -88,6 +88,14 @@ class PlannedStep:
     only_first: bool = False
     """Whether the first frame is enough: it leaves the same in every frame, or only the first frame
     needs it."""
+    continues: bool = False
+    """Whether it draws on where the step before has drawn, and nothing happens in between."""
+
+    @property
+    def places(self) -> list[tuple[int, int | None, int]]:
+        """The textures, layers and levels that it draws to, its depths last."""
+        every = self.targets if self.depth is None else (*self.targets, self.depth)
+        return [(each.texture, each.attachment.layer, each.attachment.level) for each in every]
 
 
 @frozen(eq=False)
@@ -143,7 +151,10 @@ class _Planning:
         for number, step in enumerate(self._frame.steps):
             copies = list(self._placed(number, step))
             steps += [self._copied(copy) for copy in copies]
-            steps.append(self._planned(number, step))
+            planned = self._planned(number, step)
+            if steps and _draws_on(steps[-1], planned):
+                planned = changed(planned, continues=True)
+            steps.append(planned)
             self._release(number, step)
         return Plan(
             self._frame,
@@ -297,3 +308,20 @@ class _Planning:
                 found.append(Barrier(texture, before, state, texture in self._rare_textures))
             self._states[texture] = state
         return tuple(found)
+
+
+def _draws_on(before: PlannedStep, planned: PlannedStep) -> bool:
+    """Whether both steps can be one render pass: they draw to the same places, one of them over
+    what the other leaves, and the second one waits for nothing else."""
+    if not isinstance(before.step, RenderStep) or not isinstance(planned.step, RenderStep):
+        return False
+    places = planned.places
+    every = (*planned.targets, *(() if planned.depth is None else (planned.depth,)))
+    return (
+        before.places == places
+        and (before.depth is None) == (planned.depth is None)
+        and before.only_first == planned.only_first
+        and all(layer is not None for _, layer, _ in places)
+        and all(each.loads for each in every)
+        and {barrier.texture for barrier in planned.barriers} <= {texture for texture, *_ in places}
+    )

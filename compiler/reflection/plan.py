@@ -176,6 +176,7 @@ class _Document:
                     "pass": step.pass_name,
                     "barriers": barriers,
                     "only_first": planned.only_first,
+                    "continues": planned.continues,
                     "targets": [self._target_row(target) for target in planned.targets],
                     "depth": planned.depth and self._target_row(planned.depth),
                     "viewport": self._optional(step.viewport),

@@ -37,6 +37,7 @@ NUMBERED_CAPTURES = Need(
     lambda profile: profile.stream_output is None or profile.stream_output.indexed,
 )
 IMAGES = Need("images that kernels write", lambda profile: bool(profile.image_formats))
+EDGES = Need("edges of triangles instead of them", lambda profile: profile.draws_edges)
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
 
 BIT_COUNTS = ("count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit")
@@ -153,6 +154,13 @@ CAPABILITIES: tuple[Capability, ...] = (
         "By their own means profiles write at most four images, of the formats "
         f"{', '.join(f'`{name}`' for name in sorted(STORABLE))}.",
         (Way((a_stage(COMPUTE), IMAGES)), Way((), "the kernel is drawn as a full-screen pass")),
+    ),
+    Capability(
+        "edges",
+        "A pass draws the edges of triangles instead of them: `raster { fill = lines }`.",
+        (Way((EDGES,)),),
+        "have the material turn its triangles into lines: "
+        "`expand triangle { line of 4 as i like corner[i mod 3] {} }`",
     ),
     Capability(
         "storage buffers at fragments",

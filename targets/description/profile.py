@@ -167,6 +167,8 @@ class Profile:
     them is a full-screen pass."""
     most_images: int = 4
     """How many images a kernel can write; one that has more is drawn, too."""
+    draws_edges: bool = True
+    """Whether a host can have the edges of triangles drawn instead of them."""
     single_file: bool = False
     """All stages can stand in one text."""
     samplers: Samplers = Samplers()

@@ -274,6 +274,7 @@ ES = Profile(
     stream_output=StreamOutput("names", indexed=False),
     preamble=("#version 300 es", *ES_PRECISIONS),
     explicit_bindings=False,
+    draws_edges=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
@@ -294,6 +295,7 @@ ES_31 = Profile(
     preamble=("#version 310 es", *ES_PRECISIONS),
     numbering="kind",
     numbers_storage_apart=True,
+    draws_edges=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     # Only kernels are guaranteed to have storage buffers.

@@ -19,6 +19,7 @@ from ...frozen import frozen
 from ..description.capabilities import (
     CAPTURES,
     DIVIDED_CAPTURES,
+    EDGES,
     EMITTED_CAPTURES,
     NUMBERED_CAPTURES,
     SEPARATE_SAMPLERS,
@@ -199,6 +200,8 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         stage = missing[0]
         of_primitives = bool(stage.emitted) or stage.row == CONTROL
         yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
+    if program.fill == "lines" and not EDGES.is_met(profile):
+        yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
     for stage in program.stages:
         need = buffers_of(stage.row)
         buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]

@@ -30,6 +30,10 @@ export async function apiFor(from: FramePackage): Promise<Api> {
   );
 }
 
+/** The device of each canvas: frames that are opened on it one after the other share what it has
+ * compiled. */
+const devices = new WeakMap<HTMLCanvasElement | OffscreenCanvas, Device>();
+
 /** A frame that draws to a canvas; without one it cannot be shown, but read. A canvas keeps the API
  * with which it was opened first. */
 export async function openFrame(canvas: Canvas, from: FramePackage, api?: Api): Promise<Frame> {
@@ -37,11 +41,13 @@ export async function openFrame(canvas: Canvas, from: FramePackage, api?: Api): 
   if ((api ?? (await apiFor(from))) === "webgl2") {
     return new PlanFrame(from, WebGl2Renderer.open(from, canvas));
   }
-  const device = await Device.open();
+  const known = canvas && devices.get(canvas);
+  const device = known && !known.isLost ? known : await Device.open();
+  if (canvas) devices.set(canvas, device);
   try {
     return new PlanFrame(from, await WebGpuRenderer.open(device, from, canvas));
   } catch (error) {
-    device.gpu.destroy();
+    if (!canvas) device.gpu.destroy();
     throw error;
   }
 }

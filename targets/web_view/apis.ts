@@ -1,6 +1,9 @@
 // The APIs of browsers that the host draws with, the better ones first.
 
-interface Api {
+import type { Api as Name } from "../web_host/host.js";
+
+export interface Api {
+  name: Name;
   title: string;
   /** The texts that it takes. */
   profile: string;
@@ -9,9 +12,16 @@ interface Api {
 
 const APIS: Api[] = [
   {
+    name: "webgpu",
     title: "WebGPU",
     profile: "wgsl:webgpu",
     isThere: async () => Boolean(await navigator.gpu?.requestAdapter()),
+  },
+  {
+    name: "webgl2",
+    title: "WebGL 2",
+    profile: "glsl:es300",
+    isThere: async () => Boolean(document.createElement("canvas").getContext("webgl2")),
   },
 ];
 

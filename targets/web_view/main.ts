@@ -1,6 +1,6 @@
 // The page of `burnish view`: puts together what the server tells, the controls and the picture.
 
-import { chosenApi, NO_API } from "./apis.js";
+import { chosenApi, NO_API, type Api } from "./apis.js";
 import {
   fetchDocument, listen, type Choice, type Document, type Drawable,
 } from "./documents.js";
@@ -33,8 +33,8 @@ function tellProblems(): void {
   showIn(element("message", HTMLPreElement), text);
 }
 
-function view(profile: string): void {
-  const screen = new Screen(canvas, {
+function view(api: Api): void {
+  const screen = new Screen(canvas, api.name, {
     problem(text) {
       if (text === problems.picture) return;
       problems.picture = text;
@@ -94,7 +94,7 @@ function view(profile: string): void {
     try {
       while (again) {
         again = false;
-        const found = await fetchDocument(choice, profile);
+        const found = await fetchDocument(choice, api.profile);
         if (!again) await showDocument(found);
       }
     } catch (error) {
@@ -206,7 +206,7 @@ for (const [name, value] of new URLSearchParams(location.search)) {
 const api = await chosenApi();
 if (api) {
   element("api", HTMLElement).textContent = api.title;
-  view(api.profile);
+  view(api);
 } else {
   problems.picture = NO_API;
   tellProblems();

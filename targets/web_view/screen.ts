@@ -1,7 +1,7 @@
 // The picture: a frame of the host on the canvas, drawn when something has changed, or again and
 // again while time goes on.
 
-import { openFrame, type Frame, type FramePackage, type Value } from "../web_host/host.js";
+import { openFrame, type Api, type Frame, type FramePackage, type Value } from "../web_host/host.js";
 import { Orbit, type OrbitRow } from "./orbit.js";
 
 /** How much of the last measurements counts for the number of frames per second. */
@@ -35,6 +35,7 @@ export class Screen {
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
+    private readonly api: Api,
     private readonly watcher: Watcher,
   ) {
     new ResizeObserver(() => this.request()).observe(canvas);
@@ -48,7 +49,7 @@ export class Screen {
   /** Show another package. What was shown before stays until it is ready, and for good if it cannot
    * be opened. The camera stays where it is, unless `start` is another one than before. */
   async open(opened: FramePackage, start: OrbitRow, values: Map<string, Value>): Promise<void> {
-    const frame = await openFrame(this.canvas, opened);
+    const frame = await openFrame(this.canvas, opened, this.api);
     for (const [name, value] of values) frame.set(name, value);
     this.frame?.dispose();
     this.frame = frame;

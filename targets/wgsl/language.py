@@ -152,6 +152,7 @@ WEBGPU = Profile(
     image_formats=STORABLE,
     doc="WGSL as browsers and wgpu take it.",
     agrees=AGREES,
+    draws_edges=False,
     single_file=True,
     # Tint takes 127 nested statements, of which each loop and each branch is two.
     limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),

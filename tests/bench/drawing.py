@@ -9,6 +9,7 @@ import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from resource import RUSAGE_CHILDREN, getrusage
 
 from burnish.targets.toolchain.tools import cache_folder
 
@@ -46,11 +47,18 @@ def _row(what: str, taken: float, limit: float) -> Row:
 
 
 def _seconds(cache: Path, *arguments: str) -> float:
-    """Of one command in a fresh process, whose caches start in an own folder."""
+    """By the clock, of one command in a fresh process, whose caches start in an own folder."""
+    return command_times(cache, *arguments)[1]
+
+
+def command_times(cache: Path, *arguments: str) -> tuple[float, float]:
+    """Seconds of CPU of one command, with all processes that it starts, and by the clock."""
     moved = {"BURNISH_CACHE": str(cache), "BURNISH_TOOLS": str(cache_folder())}
     command = [sys.executable, "-m", "burnish", *arguments]
-    started = time.perf_counter()
+    before, started = getrusage(RUSAGE_CHILDREN), time.perf_counter()
     subprocess.run(
         command, check=True, timeout=PATIENCE, stdout=subprocess.DEVNULL, env=os.environ | moved
     )
-    return time.perf_counter() - started
+    after, taken = getrusage(RUSAGE_CHILDREN), time.perf_counter() - started
+    user, system = after.ru_utime - before.ru_utime, after.ru_stime - before.ru_stime
+    return user + system, taken

@@ -36,6 +36,7 @@ _NEEDING = {
     "gathered: Depths": ("gathering comparisons",),
     "gathered: Levels": ("number of levels",),
     "gathered: Varying": ("gathering texels", "number of levels"),
+    "pipeline: Edges": ("edges",),
     "buffers: Scaled": ("storage buffers at vertices",),
     "buffers: Shapes": ("storage buffers at vertices",),
 }

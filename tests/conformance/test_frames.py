@@ -106,6 +106,21 @@ def test_drawing_over_leaves_what_was_there_to_others(studio: Studio, where: str
 
 
 @EVERYWHERE
+def test_steps_that_draw_on_are_one_render_pass(studio: Studio, where: str) -> None:
+    text = f"""{NUMBERS}
+    frame F {{
+        one = Numbered(screen)
+        two = Added(screen) with {{ source = one.value }}
+        three = Added(screen, two) with {{ source = one.value, times = 2 }}
+        output value = three.value
+    }}"""
+    (frame,) = burnish.compile(text, ("wgsl",)).frames
+    assert [step["continues"] for step in frame.plan["steps"]] == [False, False, True]
+    (found,) = outputs(text, where, studio)
+    assert found["value"][0][..., :2] == pytest.approx(3 * RAMP)
+
+
+@EVERYWHERE
 def test_steps_draw_into_a_part_over_what_they_say(studio: Studio, where: str) -> None:
     """The clip volume is drawn into the viewport, where `uv` goes from 0 to 1, and places are
     counted from the corner of the whole. Blending by a constant is told by hand."""

@@ -18,11 +18,11 @@ Floats = NDArray[np.float64]
 class Drawn:
     """An example, drawn once."""
 
-    def __init__(self, name: str, **values: str) -> None:
+    def __init__(self, name: str, size: int = 16, **values: str) -> None:
         frame = compiled(FOLDER / f"{name}.burnish")
         tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
         materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-        self.host = FrameHost(frame, in_a_row(materials, tags, "sphere"), (16, 16))
+        self.host = FrameHost(frame, in_a_row(materials, tags, "sphere"), (size, size))
         for each, text in values.items():
             self.host.set_text(each.replace("__", "."), text)
         self._drawing = ReferenceFrames(self.host)
@@ -104,3 +104,49 @@ def test_virtual_lights_lie_where_light_of_others_arrives() -> None:
         assert ((from_there * front).sum(axis=-1) > 0).all()
         light, sent = (drawn.left(f"{name}.light")[0, :, :3] for name in (step, before))
         assert (light < sent).all()
+
+
+def is_hit(start: Floats, way: Floats, middle: Floats) -> NDArray[np.bool_]:
+    """Whether a ball with radius 1 lies on a way from a place."""
+    unit = way / np.linalg.norm(way, axis=-1, keepdims=True)
+    along = ((middle - start) * unit).sum(axis=-1)
+    aside = np.linalg.norm(start + along[..., None] * unit - middle, axis=-1)
+    return np.asarray((along > 0) & (aside < 1))
+
+
+def mistaken(split: str) -> tuple[int, int]:
+    """How many pixels of the floor are lit or not otherwise than by a ray to the lamp, and how many
+    are in the shadow."""
+    side = 128
+    drawn = Drawn("silhouettes", side, split=split)
+    camera = drawn.host.scenery.scene.camera
+    at = (np.arange(side) + 0.5) / side * 2 - 1
+    across, down = np.meshgrid(at, at)
+    clip = np.stack([across, -down, np.ones_like(at * down), np.ones_like(at * down)], axis=-1)
+    far = clip @ np.linalg.inv(camera.world_to_clip(1.0)).T
+    eye = np.array(camera.eye)
+    way = far[..., :3] / far[..., 3:] - eye
+    place = eye + ((-1 - eye[1]) / way[..., 1])[..., None] * way
+    balls = [np.array([x, 0.0, 0.0]) for x in (-1.1, 1.1)]
+    lamp = np.array([-1.6, 6.5, -3.0])
+    to_lamp = lamp - place
+    axis = np.array([1.7, -7.0, 3.0])
+    cosine = -(to_lamp @ axis) / np.linalg.norm(to_lamp, axis=-1) / np.linalg.norm(axis)
+    seen = (way[..., 1] < 0) & (cosine > np.cos(np.radians(27)))
+    for ball in balls:
+        # Rounder than the mesh, so that no pixel of a ball is taken for one of the floor.
+        seen &= ~is_hit(np.broadcast_to(eye, way.shape), way, ball)
+    shadow = np.logical_or.reduce([is_hit(place, to_lamp, ball) for ball in balls])
+    dark = np.array([0x9F, 0xB0, 0xBC]) / 255
+    dark = np.where(dark <= 0.04045, dark / 12.92, ((dark + 0.055) / 1.055) ** 2.4)
+    dark *= [0.28, 0.32, 0.38]
+    is_dark = (np.abs(drawn.left("lit.color")[..., :3] - dark) < 0.01).all(axis=-1)
+    return int((seen & (is_dark != shadow)).sum()), int((seen & shadow).sum())
+
+
+def test_silhouettes_are_nearer_to_the_true_shadow_than_texels() -> None:
+    plain, inside = mistaken("1")
+    better, _ = mistaken("0")
+    assert inside > 500
+    assert plain > 0.03 * inside
+    assert better < 0.4 * plain

@@ -4,25 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import get_args
+
+from burnish.compiler.ir.render_state import StencilOperation
 
 from .expressions import FUEL, Writer
 from .scope import Scope, variable
 from .tree import Node, listed, walk
 
-FACES = ("none", "front", "back")
 COMPARISONS = ("less", "less_equal", "greater", "always")
+OPERATIONS = get_args(StencilOperation)
+_RASTER = {"cull": ("none", "front", "back"), "front": ("clockwise", "counter_clockwise")}
+_DEPTH = {
+    "compare": COMPARISONS, "write": ("true", "false"), "bias": ("-3", "0", "1000"),
+    "slope_bias": ("-0.5", "2"), "bias_clamp": ("0.001", "-0.1"),
+}  # fmt: skip
+_STENCIL = {
+    "compare": COMPARISONS, "reference": ("0", "1", "255"), "read_mask": ("1", "255"),
+    "write_mask": ("0", "3", "255"), "fail": OPERATIONS, "depth_fail": OPERATIONS,
+    "front.pass": OPERATIONS, "back.pass": OPERATIONS, "back.compare": ("not_equal", "never"),
+}  # fmt: skip
 _NUMBERS = Scope((variable("amount", "float"), variable("float(many)", "float")))
 """What a frame computes numbers of."""
 
 
 def render_states(writer: Writer) -> list[Node]:
-    """Which faces the pass of a program draws, and what it does with depths."""
+    """Which faces the pass of a program draws, and what it does with depths and stencil values."""
     found = []
-    if writer.maybe(0.2):
-        found.append(f"raster {{{{ cull = {writer.chance.choice(FACES)} }}}}")
-    if writer.maybe(0.2):
-        compare = f"compare = {writer.chance.choice(COMPARISONS)}"
-        found.append(f"depth {{{{ {compare}{writer.chance.choice(('', ', write = false'))} }}}}")
+    for kind, settings in (("raster", _RASTER), ("depth", _DEPTH), ("stencil", _STENCIL)):
+        if writer.maybe(0.2):
+            chosen = [name for name in settings if writer.maybe(0.5)]
+            said = ", ".join(f"{name} = {writer.chance.choice(settings[name])}" for name in chosen)
+            found.append(f"{kind} {{{{ {said} }}}}")
     return [Node(text, optional=True) for text in found]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import os
 import random
@@ -9,6 +10,7 @@ import struct
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from zlib import compress, crc32
 
 import numpy as np
 import pytest
@@ -386,3 +388,35 @@ def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:
         except SceneError:
             refusals += 1
     assert refusals > 200
+
+
+def test_too_many_primitives_are_refused_before_any_is_made(tmp_path: Path) -> None:
+    """One primitive is a few bytes in the file, and a mesh in memory."""
+    made = triangle()
+    made.whole["meshes"][0]["primitives"] *= 2**16 + 1
+    made.whole["accessors"] = []  # whoever made the first mesh would miss this
+    assert refused(made.save(tmp_path)) == "the scene has more than 65536 objects"
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "message"),
+    [
+        (0, 0, "image 0 is not a picture of a known format"),
+        (60_000, 60_000, "image 0 is too large: no side may have over 8192"),
+        (20_000, 1, "image 0 has 20000 x 1 texels, and no side may have more than 8192"),
+    ],
+)
+def test_pictures_that_claim_another_size_than_they_have(
+    width: int, height: int, message: str, tmp_path: Path
+) -> None:
+    def chunk(name: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", crc32(name + data))
+
+    header = struct.pack(">2I5B", width, height, 8, 6, 0, 0, 0)
+    parts = (b"IHDR", header), (b"IDAT", compress(bytes(1000))), (b"IEND", b"")
+    picture = b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
+    uri = "data:image/png;base64," + base64.b64encode(picture).decode()
+    made = triangle(material=0)
+    texture = made.add("textures", source=made.add("images", uri=uri))
+    made.add("materials", pbrMetallicRoughness={"baseColorTexture": {"index": texture}})
+    assert refused(made.save(tmp_path)) == message

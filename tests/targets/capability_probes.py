@@ -149,6 +149,10 @@ PROBES: Mapping[str, Probe] = {
         "kernel K { result i : image2d<rgba8>[ivec2(8, 8)] = vec4(vec2(texel), 0, 1) / 8 }",
         is_native=writes_images,
     ),
+    "edges": Probe(
+        "material M { color = vec3(uv, 0) } pass P : Forward { raster { fill = lines } }",
+        options={"pass_": "P"},
+    ),
     "storage buffers at fragments": Probe(
         "material M { buffer tints : rgb[]  color = tints[int(uv.x * 4)] }"
     ),

@@ -11,15 +11,15 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
 
-from burnish.targets.runner.drivers.browser.chromium import FLAGS, START_LIMIT
+from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, FLAGS, START_LIMIT
 from burnish.targets.toolchain.tools import tool_named
 
 from ..suite.processes import LIMIT, until
 from .kit import FLAT, Viewer, viewing
 
-CANVAS = ("--enable-features=Vulkan", "--use-vulkan=swiftshader")
-"""Without these, a canvas of WebGPU is lost where there is no GPU."""
 SIZE = ViewportSize(width=900, height=500)
+BEHIND = (0x1B, 0x1D, 0x21)
+"""The colour behind a material."""
 NEAR = 3
 """How far a lane of a pixel may be off, of 255."""
 
@@ -55,7 +55,10 @@ def browser() -> Iterator[Browser]:
     assert paths is not None
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
-            executable_path=paths[0], headless=True, args=(*FLAGS, *CANVAS), timeout=START_LIMIT
+            executable_path=paths[0],
+            headless=True,
+            args=(*FLAGS, *CANVAS_FLAGS),
+            timeout=START_LIMIT,
         )
         yield browser
         browser.close()
@@ -222,16 +225,16 @@ def test_the_camera(page: Page, viewer: Viewer) -> None:
     canvas.press("h")
     _shows(page, _of_normal(yaw, pitch))
 
-    assert _pixel(page, 0.5, 0.06) != (0, 0, 0)
+    assert _pixel(page, 0.5, 0.06) != BEHIND
     page.mouse.wheel(0, 800)
-    _shows(page, (0, 0, 0), 0.5, 0.06)
+    _shows(page, BEHIND, 0.5, 0.06)
     _shows(page, _of_normal(yaw, pitch))
     page.keyboard.down("Shift")
     page.mouse.down()
     page.mouse.move(x, y + box["height"] / 2.2)
     page.mouse.up()
     page.keyboard.up("Shift")
-    _shows(page, (0, 0, 0))
+    _shows(page, BEHIND)
 
 
 def test_frames_evolve_step_by_step(page: Page, viewer: Viewer) -> None:
@@ -265,19 +268,34 @@ def test_choices_are_in_the_address(browser: Browser, page: Page, viewer: Viewer
         _shows(page, _of_normal(0, 0))
 
 
+NO_WEBGPU = "delete Navigator.prototype.gpu;"
+
+
+def test_browsers_without_webgpu_draw_with_webgl_2(browser: Browser, viewer: Viewer) -> None:
+    _write(viewer, FLAT)
+    with browser.new_context(viewport=SIZE) as context:
+        page = context.new_page()
+        page.add_init_script(NO_WEBGPU)
+        _opened(page, viewer)
+        assert page.locator("#api").inner_text() == "WebGL 2"
+        _shows(page, (0xB5, 0x65, 0x1D))
+        page.locator("[data-name=level] [type=number]").fill("0.25")
+        _shows(page, (_srgb(0.25 * 0.46208), _srgb(0.25 * 0.13014), _srgb(0.25 * 0.01229)))
+        _write(viewer, FLAT.replace("#b5651d", "#ffffff"))
+        _shows(page, (_srgb(0.25),) * 3)
+
+
 def test_a_browser_that_cannot_draw(browser: Browser, viewer: Viewer) -> None:
     _write(viewer, FLAT)
     with browser.new_context(viewport=SIZE) as context:
         page = context.new_page()
-        page.add_init_script(
-            "delete Navigator.prototype.gpu; HTMLCanvasElement.prototype.getContext = () => null"
-        )
+        page.add_init_script(f"{NO_WEBGPU} HTMLCanvasElement.prototype.getContext = () => null")
         page.goto(viewer.address)
         page.locator("#problem").wait_for(state="visible")
         said = page.locator("#problem").inner_text()
     assert said == (
-        "This browser offers nothing that this page can draw with: WebGPU. A newer one may, such "
-        "as Chrome 113, Edge 113, Safari 26 or Firefox 141."
+        "This browser offers nothing that this page can draw with: WebGPU, WebGL 2. A newer one "
+        "may, such as Chrome 113, Edge 113, Safari 26 or Firefox 141."
     )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...ir.render_state import RenderState
 from .bias import biased
+from .edges import edges_of
 from .faces import Faces, culled, triangles_of
 from .lines import lines_of
 from .scene import Floats, Ints, RasterRules
@@ -29,10 +30,14 @@ def faces_of(
     """The faces of triangles or lines whose vertices have these clip positions, (vertices, 4).
 
     ``off`` says by how much a device's positions may differ. Triangles are culled and moved away
-    from the eye as the pass asks for; a line has no back, and stays where it is.
+    from the eye as the pass asks for, and their edges are drawn or all of them; a line has no back,
+    and stays where it is.
     """
     known = np.zeros_like(positions) if off is None else off
     if primitives.shape[1] == LINE:
         return lines_of(positions, primitives, rules, known)
     triangles = triangles_of(positions, primitives, rules, known, state.front)
-    return culled(biased(triangles, state.depth), state.cull)
+    moved = culled(biased(triangles, state.depth), state.cull)
+    if state.fill == "lines":
+        return edges_of(moved, culled(triangles, state.cull), positions, rules, known)
+    return moved

@@ -27,6 +27,8 @@ class Faces:
     interpolated over is a plane through three corners.
     """
 
+    primitive: Ints
+    """(faces,): the number of the triangle or line that each is a part of."""
     corners: Ints
     """(faces, 3): the vertices of the triangle that each is a part of; of a line its first end, the
     other one, and the first one again."""
@@ -96,7 +98,12 @@ class CulledFaces(Faces):
     ) -> tuple[Bools, Bools]:
         del place
         drawn: Bools = covered & ~self.hidden[face]
-        return drawn, close | (covered & _may_turn(self)[face])
+        return drawn, close | (covered & self.may_turn[face])
+
+    @property
+    def may_turn(self) -> Bools:
+        """(faces,): those that are so thin."""
+        return _may_turn(self)
 
 
 def culled(faces: Faces, cull: Cull) -> Faces:
@@ -161,6 +168,7 @@ def triangles_of(
         own = moved_by(positions[corners], of_vertices[corners], rules)
         moved = moved + unsure_corners(*whole, own + far, rules)
     faces = Faces(
+        primitive=clipped.primitive,
         corners=corners,
         weights=clipped.weights,
         whole=np.asarray(~clipped.made.any(axis=1)),

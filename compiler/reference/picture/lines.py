@@ -129,6 +129,7 @@ def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Fl
     plane = _plane(ends, whole, shares, rules)
     z_off, per_w_off = depths_off(places, off)
     faces = LineFaces(
+        primitive=clipped.primitive,
         corners=lines[clipped.primitive][:, _CORNERS],
         weights=_with_third(clipped.weights, clipped.weights[:, 0]),
         whole=np.asarray(~clipped.made.any(axis=1)),

@@ -245,6 +245,9 @@ class _Job:
                     state.blend_constant,
                 )
             )
+        if step.get("continues", False):
+            (alone,) = found
+            return _drawn_on(self._steps.pop(), alone)
         return found
 
     def _attachment(self, target: Row, layer: int) -> Attachment:
@@ -349,6 +352,22 @@ class _Job:
         """A kernel over images where these are drawn."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+
+
+def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
+    """Two steps that draw to the same attachments, as one render pass: it begins as the first one
+    does, and leaves what the second one leaves. They stay two if their settings differ."""
+    settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
+    if settings[0] != settings[1]:
+        return [before, step]
+
+    def joined(first: Attachment, second: Attachment) -> Attachment:
+        return replace(second, loads=first.loads, clear=first.clear)
+
+    depth = step.depth and before.depth and joined(before.depth, step.depth)
+    targets = tuple(map(joined, before.targets, step.targets))
+    draws = (*before.draws, *step.draws)
+    return [replace(before, targets=targets, depth=depth, draws=draws)]
 
 
 def _shared_memory(host: FrameHost) -> dict[int, int]:

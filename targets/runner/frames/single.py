@@ -15,6 +15,7 @@ from ..codes import ShaderFile
 from ..kernels import has_images
 from ..meshes import MESHES, farthest_first
 from ..scene import Scene, declared_as, with_inputs
+from ..scene_state import CLEAR, Color
 from ..subject import Subject
 from .checks.rows import PlanError
 from .host import VERSION, Row
@@ -75,9 +76,10 @@ class _Renamed:
         return self.subject.emitted(profile)
 
 
-def single_frame(subject: Subject) -> SingleFrame:
+def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
     """The frame that shows a material on all models of the scene, or what a kernel writes; it has
-    an output for each render target.
+    an output for each render target. ``background`` is what its first one is cleared to, unless its
+    pass says so.
 
     Raises ``PlanError`` for what has no picture: a pass that captures vertices, and a kernel over
     buffers.
@@ -111,7 +113,7 @@ def single_frame(subject: Subject) -> SingleFrame:
         "outputs": [],
     }
     _add_images(plan, reflection, is_kernel=is_kernel)
-    plan["steps"] = [_run(plan) if is_kernel else _draw(plan, subject)]
+    plan["steps"] = [_run(plan) if is_kernel else _draw(plan, subject, background)]
     return SingleFrame(subject.name, plan, (shader,))
 
 
@@ -205,14 +207,21 @@ def _result_row(name: str, texture: int, doc: str) -> Row:
     }  # fmt: skip
 
 
-def _draw(plan: dict[str, Any], subject: Subject) -> Row:
-    reflection, targets = subject.reflection, list(plan["outputs"])
+def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
+    reflection, outputs = subject.reflection, list(plan["outputs"])
     layers = reflection["draw"]["layers"]
+    targets = [_target(row["name"], row["texture"], layers, store=True) for row in outputs]
+    targets[0]["clear"] = _value(plan, background) if any(background) else None
+    for target, row in zip(targets, reflection["targets"], strict=True):
+        if row["clear"] is not None:
+            target["clear"] = _value(plan, row["clear"])
     depth = None
     state = reflection["render_state"]
     stencil = state["stencil"] is not None
     if state[_DEPTH]["write"] or state[_DEPTH]["compare"] != "always":
         depth = _target(_DEPTH, len(plan["textures"]), layers, store=False)
+        if state[_DEPTH]["clear"] is not None:
+            depth["clear"] = _value(plan, [state[_DEPTH]["clear"]])
         if stencil:
             depth["stencil"] = {"load": "clear", "store": False, "clear": 0}
         plan["textures"].append({
@@ -228,8 +237,9 @@ def _draw(plan: dict[str, Any], subject: Subject) -> Row:
             *(_barrier(row["texture"], "target") for row in targets),
             *([_barrier(depth["texture"], _DEPTH)] if depth else []),
         ],
-        "targets": [_target(row["name"], row["texture"], layers, store=True) for row in targets],
+        "targets": targets,
         "depth": depth,
+        "viewport": None, "scissor": None, "blend_constant": None,
         "draws": [{
             "models": WHOLE, "vertices": None, "light": None,
             "uses": [{"material": subject.name, "shader": 0, "inputs": []}],
@@ -241,8 +251,21 @@ def _draw(plan: dict[str, Any], subject: Subject) -> Row:
 def _target(name: str, texture: int, layers: Row | None, *, store: bool) -> dict[str, Any]:
     return {
         "name": name, "result": f"{STEP}.{name}", "texture": texture,
-        "layer": None if layers else 0, "level": 0, "load": "clear", "store": store, "over": None,
+        "layer": None if layers else 0, "level": 0, "load": "clear", "clear": None, "store": store,
+        "over": None,
     }  # fmt: skip
+
+
+def _value(plan: dict[str, Any], lanes: Sequence[float]) -> int:
+    """The number of a new value of the plan: a constant."""
+    steps: list[Row] = [
+        {"op": "constant", "type": "float", "value": float(lane), "args": []} for lane in lanes
+    ]
+    if len(lanes) > 1:
+        type_ = f"vec{len(lanes)}"
+        steps.append({"op": "vector", "type": type_, "args": list(range(len(lanes)))})
+    plan["values"].append({"representation": steps[-1]["type"], "steps": steps})
+    return len(plan["values"]) - 1
 
 
 def _run(plan: dict[str, Any]) -> Row:
@@ -267,6 +290,6 @@ def single_scenery(frame: SingleFrame, mesh: str, instances: int) -> Scenery:
         return Scenery(())
     scene = Scene()
     whole = with_inputs(reflection, MESHES[mesh](), instances)
-    if any(row["blend"] != "none" for row in reflection["targets"]):
+    if any(row["blend"] is not None for row in reflection["targets"]):
         whole = farthest_first(whole, scene.camera.eye)
     return Scenery((Model(whole, frame.name, scene.object_to_world),), scene)

@@ -19,6 +19,9 @@ export async function apiFor(from) {
         ? `this browser offers no WebGPU adapter, and ${frame} has no texts for WebGL 2`
         : `the package of ${frame} has no texts for a browser`);
 }
+/** The device of each canvas: frames that are opened on it one after the other share what it has
+ * compiled. */
+const devices = new WeakMap();
 /** A frame that draws to a canvas; without one it cannot be shown, but read. A canvas keeps the API
  * with which it was opened first. */
 export async function openFrame(canvas, from, api) {
@@ -26,12 +29,16 @@ export async function openFrame(canvas, from, api) {
     if ((api ?? (await apiFor(from))) === "webgl2") {
         return new PlanFrame(from, WebGl2Renderer.open(from, canvas));
     }
-    const device = await Device.open();
+    const known = canvas && devices.get(canvas);
+    const device = known && !known.isLost ? known : await Device.open();
+    if (canvas)
+        devices.set(canvas, device);
     try {
         return new PlanFrame(from, await WebGpuRenderer.open(device, from, canvas));
     }
     catch (error) {
-        device.gpu.destroy();
+        if (!canvas)
+            device.gpu.destroy();
         throw error;
     }
 }

@@ -21,12 +21,16 @@ const LIMITS = [
 ] as const;
 
 export class Device {
+  isLost = false;
   private readonly complaints: string[] = [];
 
   private constructor(readonly gpu: GPUDevice) {
     const complain = (message: string) => this.complaints.push(message);
     gpu.addEventListener("uncapturederror", ({ error }) => complain(error.message));
-    void gpu.lost.then(({ message }) => complain(`the WebGPU device was lost: ${message}`));
+    void gpu.lost.then(({ message }) => {
+      this.isLost = true;
+      complain(`the WebGPU device was lost: ${message}`);
+    });
   }
 
   static async open(): Promise<Device> {

@@ -1,6 +1,6 @@
 // Draws frames with WebGPU.
 
-import { areasOf, type DrawSettings } from "../areas.js";
+import type { DrawSettings } from "../areas.js";
 import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved, type Geometry } from "../geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
@@ -45,8 +45,10 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   static async open(device: Device, from: FramePackage, canvas: Canvas | null) {
+    const pipelines = await Pipelines.of(device, from);
+    // Until here, the canvas shows what it did before.
     const presenter = canvas && new Presenter(device, canvas);
-    return new WebGpuRenderer(device, await Pipelines.of(device, from), presenter, from.shaders);
+    return new WebGpuRenderer(device, pipelines, presenter, from.shaders);
   }
 
   // --- resources ---
@@ -85,7 +87,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   dispose(): void {
     this.owned.forEach((each) => each.destroy());
     this.arena.free();
-    this.device.gpu.destroy();
+    if (!this.presenter) this.device.gpu.destroy();
   }
 
   private own(texture: Texture): Texture {
@@ -107,7 +109,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   draw(
-    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[], settings: DrawSettings,
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[],
+    { viewport, scissor, blendConstant }: DrawSettings,
   ): void {
     const pass = this.encoder.beginRenderPass({
       colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
@@ -118,14 +121,9 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
       })),
       ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
     });
-    const first = targets[0] ?? depth!;
-    const { width, height } = first.texture.gpu;
-    const [viewport, drawn] = areasOf(
-      settings, Math.max(width >> first.target.level, 1), Math.max(height >> first.target.level, 1),
-    );
     pass.setViewport(...viewport, 0, 1);
-    pass.setScissorRect(...drawn);
-    pass.setBlendConstant(settings.blendConstant);
+    pass.setScissorRect(...scissor);
+    pass.setBlendConstant(blendConstant);
     const formats = targets.map(({ texture }) => texture.gpu.format);
     for (const call of calls) {
       const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);

@@ -1,9 +1,16 @@
 // The APIs of browsers that the host draws with, the better ones first.
 const APIS = [
     {
+        name: "webgpu",
         title: "WebGPU",
         profile: "wgsl:webgpu",
         isThere: async () => Boolean(await navigator.gpu?.requestAdapter()),
+    },
+    {
+        name: "webgl2",
+        title: "WebGL 2",
+        profile: "glsl:es300",
+        isThere: async () => Boolean(document.createElement("canvas").getContext("webgl2")),
     },
 ];
 /** The first API that the browser has; null if it has none of them. */

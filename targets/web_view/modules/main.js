@@ -26,8 +26,8 @@ function tellProblems() {
     problem.hidden = !text;
     showIn(element("message", HTMLPreElement), text);
 }
-function view(profile) {
-    const screen = new Screen(canvas, {
+function view(api) {
+    const screen = new Screen(canvas, api.name, {
         problem(text) {
             if (text === problems.picture)
                 return;
@@ -85,7 +85,7 @@ function view(profile) {
         try {
             while (again) {
                 again = false;
-                const found = await fetchDocument(choice, profile);
+                const found = await fetchDocument(choice, api.profile);
                 if (!again)
                     await showDocument(found);
             }
@@ -194,7 +194,7 @@ for (const [name, value] of new URLSearchParams(location.search)) {
 const api = await chosenApi();
 if (api) {
     element("api", HTMLElement).textContent = api.title;
-    view(api.profile);
+    view(api);
 }
 else {
     problems.picture = NO_API;

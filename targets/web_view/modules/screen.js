@@ -10,6 +10,7 @@ const LONGEST = 0.5;
 const LARGEST = 4096;
 export class Screen {
     canvas;
+    api;
     watcher;
     orbit = null;
     playing = true;
@@ -22,8 +23,9 @@ export class Screen {
     waiting = 0;
     before = 0;
     rate = null;
-    constructor(canvas, watcher) {
+    constructor(canvas, api, watcher) {
         this.canvas = canvas;
+        this.api = api;
         this.watcher = watcher;
         new ResizeObserver(() => this.request()).observe(canvas);
     }
@@ -34,7 +36,7 @@ export class Screen {
     /** Show another package. What was shown before stays until it is ready, and for good if it cannot
      * be opened. The camera stays where it is, unless `start` is another one than before. */
     async open(opened, start, values) {
-        const frame = await openFrame(this.canvas, opened);
+        const frame = await openFrame(this.canvas, opened, this.api);
         for (const [name, value] of values)
             frame.set(name, value);
         this.frame?.dispose();

@@ -122,6 +122,8 @@ class _Needs:
                     fail(self._plan, where,
                          "whether later frames wait for texture "
                          f"{barrier['texture']} is said wrongly")  # fmt: skip
+            if "continues" in step:
+                self._check_continued(number, step)
             for row in attachments(step):
                 if row["store"] != self._is_needed(number, row["result"]):
                     said = "stored" if row["store"] else "dropped"
@@ -132,6 +134,21 @@ class _Needs:
             places = {(row["layer"], row["level"]) for row in attachments(step)}
             if len(places) > 1:
                 fail(self._plan, where, "its targets are different layers or levels")
+
+    def _check_continued(self, number: int, step: Row) -> None:
+        """Whether a step draws on in the render pass of the one before is said rightly."""
+        before = self._steps[number - 1] if number else {"kind": "copy"}
+        here, there = _places(step), _places(before)
+        continues = (
+            before["kind"] == "draw"
+            and here == there
+            and (step["depth"] is None) == (before["depth"] is None)
+            and is_rare(step) == is_rare(before)
+            and all(row["load"] == "load" and row["layer"] is not None for row in attachments(step))
+            and {row["texture"] for row in step["barriers"]} <= {texture for texture, *_ in here}
+        )
+        if step["continues"] != continues:
+            fail(self._plan, step_name(step), "whether it draws on is said wrongly")
 
     def _is_needed(self, number: int, result: str) -> bool:
         """Whether anybody needs behind a step what it draws."""
@@ -153,6 +170,10 @@ class _Needs:
             for number, step in enumerate(self._steps)
             for result in (*(each for each, _ in read_now(step, is_first=True)), *drawn_over(step))
         }
+
+
+def _places(step: Row) -> list[tuple[int, int | None, int]]:
+    return [(row["texture"], row["layer"], row["level"]) for row in attachments(step)]
 
 
 def _listed(names: Iterable[str]) -> str:

@@ -56,16 +56,20 @@ class _Reader:
         self._notes = self._left_out()
 
     def scene(self) -> SceneFile:
-        objects: list[SceneObject] = []
-        for placed in self._nodes:
-            for found in self._objects(placed):
-                objects.append(found)
-                if len(objects) > MAX_OBJECTS:
-                    raise SceneError(f"the scene has more than {MAX_OBJECTS} objects")
+        self._check_count()
+        objects = [found for placed in self._nodes for found in self._objects(placed)]
         cameras = [self._camera(placed) for placed in self._nodes if placed.node.camera is not None]
         lamps = [self._lamp(placed) for placed in self._nodes if placed.node.extensions.light]
         notes = dict.fromkeys([*self._notes, *self._looks.notes])
         return SceneFile(tuple(objects), tuple(cameras), tuple(lamps), tuple(notes))
+
+    def _check_count(self) -> None:
+        """Refuse more objects than anybody means, before any of them is made."""
+        meshes = self._file.meshes
+        drawn = (each.node.mesh for each in self._nodes if each.node.mesh is not None)
+        count = sum(len(meshes[number].primitives) for number in drawn if number < len(meshes))
+        if count > MAX_OBJECTS:
+            raise SceneError(f"the scene has more than {MAX_OBJECTS} objects")
 
     def _left_out(self) -> list[str]:
         """What the file has, and the scene has not."""

@@ -19,12 +19,16 @@ const LIMITS = [
 ];
 export class Device {
     gpu;
+    isLost = false;
     complaints = [];
     constructor(gpu) {
         this.gpu = gpu;
         const complain = (message) => this.complaints.push(message);
         gpu.addEventListener("uncapturederror", ({ error }) => complain(error.message));
-        void gpu.lost.then(({ message }) => complain(`the WebGPU device was lost: ${message}`));
+        void gpu.lost.then(({ message }) => {
+            this.isLost = true;
+            complain(`the WebGPU device was lost: ${message}`);
+        });
     }
     static async open() {
         const adapter = await navigator.gpu?.requestAdapter();

@@ -1,0 +1,112 @@
+"""What a person can set in the page of ``burnish view``, and what is left out."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import burnish
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.scenery import in_a_row
+from burnish.targets.runner.frames.single import single_frame, single_scenery
+from burnish.targets.web_view.controls import controls
+
+from ..frames.kit import FOLDER, compiled
+
+CLAY = """
+import std.lights.{Directional, Point}
+import std.terms.{lambert}
+
+struct Grain { size : float, tint : rgb }
+
+/// Clay
+material Clay {
+    param base    : rgb = #b5651d            /// Of the clay
+    param clear   : rgba = #ffffff80
+    param bumps   : float in 0..2 = 0.5
+    param turn    : angle in 0deg..90deg = 45deg
+    param along   : direction<world> = direction(0, 1, 0)
+    param parts   : int in 1..8 = 2
+    param is_wet  : bool = true
+    param grain   : Grain = Grain(0.25, #ffffff)
+    param weights : float[3] = [0.5, 0.25, 0.125]
+    param many    : float[64]
+    param moved   : vec2 = vec2(0.5, 0.25)
+    param frame   : mat2 = mat2(vec2(1, 0), vec2(0, 1))
+    param time    : float per frame = 0
+    map dirt : texture2d = white             /// On the clay
+
+    scale = float(parts) * bumps * cos(turn) * grain.size * weights[1] * many[0] * sin(time)
+    tint  = base * clear.rgb * dirt(uv).rgb * grain.tint
+    color = lambert(tint) * scale * (frame * moved).x * (if is_wet then along.y else 0.5)
+}
+
+rig Studio { sun : Directional, lamps : Point[<= 2] }
+"""
+
+
+def test_a_material() -> None:
+    (material,) = burnish.compile(CLAY, ("wgsl",)).materials
+    frame = single_frame(material)
+    host = FrameHost(frame, single_scenery(frame, "sphere", 1), (8, 8))
+    host.set_text("bumps", "1.5")
+    rows = {row["name"]: row for row in controls(host)}
+    own = {name: (row["kind"], row["value"]) for name, row in rows.items() if not row["is_light"]}
+    base = own.pop("base")
+    assert (base[0], base[1]) == ("color", pytest.approx((0.46208, 0.13014, 0.01229), abs=1e-5))
+    assert own == {
+        "clear": ("color", (1.0, 1.0, 1.0, pytest.approx(128 / 255))),
+        "bumps": ("number", 1.5),
+        "turn": ("angle", pytest.approx(math.pi / 4)),
+        "along": ("direction", (0.0, 1.0, 0.0)),
+        "parts": ("number", 2),
+        "is_wet": ("checkbox", True),
+        "grain.size": ("number", 0.25),
+        "grain.tint": ("color", (1.0, 1.0, 1.0)),
+        "weights[0]": ("number", 0.5),
+        "weights[1]": ("number", 0.25),
+        "weights[2]": ("number", 0.125),
+        "moved": ("vector", (0.5, 0.25)),
+        "frame": ("matrix", ((1.0, 0.0), (0.0, 1.0))),
+        "time": ("number", 0.0),
+        "dirt": ("texture", "white"),
+        "ambient_light": ("color", pytest.approx((0.1, 0.1, 0.1))),
+    }
+    assert (rows["bumps"]["range"], rows["parts"]["whole"]) == ((0.0, 2.0), True)
+    assert [name for name, row in rows.items() if row.get("is_timed")] == ["time"]
+    assert (rows["base"]["doc"], rows["dirt"]["doc"]) == ("Of the clay", "On the clay")
+    assert (rows["base"]["section"], rows["ambient_light"]["section"]) == ("Clay", "Studio")
+
+
+def test_lights_come_last_and_arrays_say_how_many_shine() -> None:
+    (material,) = burnish.compile(CLAY, ("wgsl",)).materials
+    frame = single_frame(material)
+    found = controls(FrameHost(frame, single_scenery(frame, "sphere", 1), (8, 8)))
+    lights = [row for row in found if row["is_light"]]
+    assert found[-len(lights) :] == lights
+    assert [(row["name"], row["section"]) for row in lights] == [
+        ("sun.diffuse_color", "sun"),
+        ("sun.specular_color", "sun"),
+        ("sun.direction", "sun"),
+        ("lamps.count", "lamps"),
+        ("lamps[0].diffuse_color", "lamps"),
+        ("lamps[0].specular_color", "lamps"),
+        ("lamps[0].place", "lamps"),
+        ("lamps[1].diffuse_color", "lamps"),
+        ("lamps[1].specular_color", "lamps"),
+        ("lamps[1].place", "lamps"),
+    ]
+    last = lights[-1]
+    assert last["element"] == {"count": "lamps.count", "index": 1}
+    assert lights[0]["element"] is None
+
+
+def test_a_frame_sets_some_of_its_passes() -> None:
+    frame = compiled(FOLDER / "deferred.burnish")
+    host = FrameHost(frame, in_a_row(["Clay", "Jade"], {}, "sphere"), (8, 8))
+    found = [(row["name"], row["section"]) for row in controls(host) if not row["is_light"]]
+    # Both materials have a `base`; what the passes read of each other is none of the person's.
+    assert found == [
+        ("exposure", "Deferred"), ("base", "Clay, Jade"), ("ambient_light", "Studio"),
+    ]  # fmt: skip

@@ -1,0 +1,72 @@
+"""Single materials as frames: the plan is one by the schema, and draws what the material draws."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+from referencing import Registry, Resource
+
+import burnish
+from burnish.targets.runner.frames.by_reference import ReferenceFrames
+from burnish.targets.runner.frames.checking import PlanError
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.single import SIZE, single_frame, single_scenery
+from burnish.targets.runner.meshes import MESHES
+from burnish.targets.runner.render import by_reference
+from burnish.targets.runner.scene import Scene, with_inputs
+from burnish.targets.runner.scene_state import set_up
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+WIDTH, HEIGHT = 24, 16
+
+SCHEMAS = {
+    name: json.loads((files("burnish.compiler.reflection") / name).read_text())
+    for name in ("plan.schema.json", "reflection.schema.json")
+}
+
+
+@pytest.mark.parametrize("name", ["plastic", "sprites", "cube_map", "level_of_detail"])
+def test_it_draws_the_same(name: str) -> None:
+    """Lights of a rig, a parameter called `size`, layers, and patches that are divided."""
+    material = burnish.compile(EXAMPLES / f"{name}.burnish", ("wgsl",)).materials[0]
+    frame = single_frame(material)
+    registry: Any = Registry().with_resources(
+        (key, Resource.from_contents(schema)) for key, schema in SCHEMAS.items()
+    )
+    plan = json.loads(json.dumps(frame.plan))
+    schema = SCHEMAS["plan.schema.json"]
+    jsonschema.Draft202012Validator(schema, registry=registry).validate(plan)
+
+    host = FrameHost(frame, single_scenery(frame, "sphere", 2), (WIDTH, HEIGHT))
+    assert host.values.get(SIZE) == (WIDTH, HEIGHT)
+    drawing = ReferenceFrames(host)
+    drawing.draw()
+    found = drawing.output(material.reflection["targets"][0]["name"]).levels[0][0]
+
+    mesh = with_inputs(material.reflection, MESHES["sphere"](), 2)
+    state = set_up(material.instance(), mesh, Scene(), (WIDTH, HEIGHT))
+    (wanted, *_others), _broken = by_reference(material, state)
+    layers = wanted if wanted.ndim == 4 else wanted[np.newaxis]
+    assert found.shape == layers.shape
+    assert np.abs(found - layers).max() <= 1 / 255  # One of them is rounded to the format.
+    assert len(np.unique(found)) > 10
+
+
+def test_a_kernel_over_images_is_run() -> None:
+    (kernel,) = burnish.compile(EXAMPLES / "ray_tracer.burnish", ("wgsl",)).materials
+    plan = single_frame(kernel).plan
+    assert [step["kind"] for step in plan["steps"]] == ["run"]
+    assert plan["textures"][0]["size"] == {"value": None, "extent_of": "shown", "level": 0}
+    assert plan["models"] == []
+
+
+def test_what_draws_nothing_has_no_frame() -> None:
+    kernel = burnish.compile(EXAMPLES / "cloth.burnish", ("wgsl",))["Cloth"]
+    with pytest.raises(PlanError, match="Cloth draws no picture"):
+        single_frame(kernel)
