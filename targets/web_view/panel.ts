@@ -62,8 +62,11 @@ export class Panel {
       const row = this.rows.get(name);
       if (!row) continue;
       const value = Number(this.value(row) ?? 0) + seconds;
-      this.set(row, row.control.whole ? Math.floor(value) : value);
-      row.field.show(value);
+      const given = row.control.whole ? Math.floor(value) : value;
+      this.kept[name] = { type: row.control.type, value: given };
+      row.field.show(given);
+      row.reset.hidden = false;
+      this.changed(name, given);
     }
   }
 
