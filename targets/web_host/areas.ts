@@ -5,31 +5,37 @@
 export type Area = [number, number, number, number];
 
 export interface DrawSettings {
-  /** Into which part of the targets the clip volume is drawn; null: into all of it. */
-  viewport: Area | null;
-  /** To which part of the targets is drawn; null: to all of it. */
-  scissor: Area | null;
+  /** Into which part of the targets the clip volume is drawn. */
+  viewport: Area;
+  /** To which part of the targets is drawn: nothing outside of the viewport. */
+  scissor: Area;
   /** What the factor `constant` means where targets are blended. */
-  blendConstant: number[];
+  blendConstant: [number, number, number, number];
 }
 
-export const USUAL: DrawSettings = { viewport: null, scissor: null, blendConstant: [0, 0, 0, 0] };
-
-/** The viewport in targets of a size, and all that is drawn to: nothing is drawn outside of it. */
-export function areasOf(settings: DrawSettings, width: number, height: number): [Area, Area] {
+/** The settings for targets of a size; what is null is not set. */
+export function settingsOf(
+  width: number, height: number, viewport: number[] | null, scissor: number[] | null,
+  constant: number[] | null,
+): DrawSettings {
   const whole: Area = [0, 0, width, height];
-  const viewport = settings.viewport ?? whole;
-  const [left, top, wide, high] = viewport;
-  if (left < 0 || top < 0 || left + wide > width || top + high > height || Math.min(wide, high) < 1) {
-    throw new Error(
-      `the viewport of ${wide} x ${high} texels at ${left}, ${top} is not within targets of ${width} x ${height}`,
-    );
+  const seen = (viewport ?? whole) as Area;
+  const [left, top, wide, high] = seen;
+  const isInside = left >= 0 && top >= 0 && left + wide <= width && top + high <= height;
+  if (!isInside || Math.min(wide, high) < 1) {
+    const wrong = `the viewport of ${wide} x ${high} texels at ${left}, ${top}`;
+    throw new Error(`${wrong} is not within targets of ${width} x ${height}`);
   }
-  return [viewport, common(viewport, settings.scissor ?? whole)];
+  return {
+    viewport: seen,
+    scissor: common(seen, (scissor ?? whole) as Area),
+    blendConstant: (constant ?? [0, 0, 0, 0]) as Area,
+  };
 }
 
 function common(one: Area, other: Area): Area {
+  const end = (area: Area, side: number) => area[side] + area[side + 2];
   const [left, top] = [0, 1].map((side) => Math.max(one[side], other[side]));
-  const [right, bottom] = [0, 1].map((side) => Math.min(one[side] + one[side + 2], other[side] + other[side + 2]));
+  const [right, bottom] = [0, 1].map((side) => Math.min(end(one, side), end(other, side)));
   return right > left && bottom > top ? [left, top, right - left, bottom - top] : [0, 0, 0, 0];
 }

@@ -102,13 +102,14 @@ def package() -> dict[str, Any]:
     def drawn(name: str, shader: int, texture: int, inputs: list[dict[str, Any]]) -> dict[str, Any]:
         target = {
             "name": "color", "texture": texture, "layer": 0, "level": 0, "load": "clear",
-            "store": True,
+            "clear": None, "store": True,
         }  # fmt: skip
         use = {"material": None, "shader": shader, "inputs": inputs}
         draw = {"models": None, "vertices": 1, "light": None, "uses": [use]}
         return {
             "kind": "draw", "name": name, "only_first": False, "targets": [target],
-            "depth": None, "draws": [draw],
+            "depth": None, "viewport": None, "scissor": None, "blend_constant": None,
+            "draws": [draw],
         }  # fmt: skip
 
     def texture() -> dict[str, Any]:
@@ -165,9 +166,9 @@ def package() -> dict[str, Any]:
     )  # fmt: skip
     return {
         "package": 1, "plan": plan, "shaders": [filled, doubled, added], "size": [WIDTH, HEIGHT],
-        "camera": {"view_projection": [], "eye": [0, 0, 0]}, "values": {"glow": 3}, "roles": {},
-        "scene": {"models": [], "meshes": []}, "given": [], "textures": {}, "buffers": {},
-        "pictures": [],
+        "camera": {"view_projection": [], "eye": [0, 0, 0]}, "values": {"glow": 3},
+        "roles": {"size": "size"}, "scene": {"models": [], "meshes": []}, "given": [],
+        "textures": {}, "buffers": {}, "pictures": [],
     }  # fmt: skip
 
 

@@ -1,18 +1,24 @@
 // What a step sets for all that it draws: see `viewport`, `scissor` and `blend_constant` in
 // docs/plans.md.
-export const USUAL = { viewport: null, scissor: null, blendConstant: [0, 0, 0, 0] };
-/** The viewport in targets of a size, and all that is drawn to: nothing is drawn outside of it. */
-export function areasOf(settings, width, height) {
+/** The settings for targets of a size; what is null is not set. */
+export function settingsOf(width, height, viewport, scissor, constant) {
     const whole = [0, 0, width, height];
-    const viewport = settings.viewport ?? whole;
-    const [left, top, wide, high] = viewport;
-    if (left < 0 || top < 0 || left + wide > width || top + high > height || Math.min(wide, high) < 1) {
-        throw new Error(`the viewport of ${wide} x ${high} texels at ${left}, ${top} is not within targets of ${width} x ${height}`);
+    const seen = (viewport ?? whole);
+    const [left, top, wide, high] = seen;
+    const isInside = left >= 0 && top >= 0 && left + wide <= width && top + high <= height;
+    if (!isInside || Math.min(wide, high) < 1) {
+        const wrong = `the viewport of ${wide} x ${high} texels at ${left}, ${top}`;
+        throw new Error(`${wrong} is not within targets of ${width} x ${height}`);
     }
-    return [viewport, common(viewport, settings.scissor ?? whole)];
+    return {
+        viewport: seen,
+        scissor: common(seen, (scissor ?? whole)),
+        blendConstant: (constant ?? [0, 0, 0, 0]),
+    };
 }
 function common(one, other) {
+    const end = (area, side) => area[side] + area[side + 2];
     const [left, top] = [0, 1].map((side) => Math.max(one[side], other[side]));
-    const [right, bottom] = [0, 1].map((side) => Math.min(one[side] + one[side + 2], other[side] + other[side + 2]));
+    const [right, bottom] = [0, 1].map((side) => Math.min(end(one, side), end(other, side)));
     return right > left && bottom > top ? [left, top, right - left, bottom - top] : [0, 0, 0, 0];
 }

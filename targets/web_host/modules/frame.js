@@ -1,5 +1,5 @@
 // Executes the plan of a frame, step by step, with the renderer of an API: see docs/plans.md.
-import { areasOf, USUAL } from "./areas.js";
+import { settingsOf } from "./areas.js";
 import { bytesOf } from "./bytes.js";
 import { bareGeometry, checkLevels, geometryOf } from "./geometry.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
@@ -148,8 +148,8 @@ export class PlanFrame {
         const first = step.targets[0] ?? step.depth;
         const sides = this.resources.sizeOf(first.texture);
         const [width, height] = sides.map((side) => Math.max(side >> first.level, 1));
-        const settings = this.settings(step);
-        const [[, , wide, high]] = areasOf(settings, width, height);
+        const settings = this.settings(step, width, height);
+        const [, , wide, high] = settings.viewport;
         const calls = step.draws.flatMap((drawn) => this.calls(drawn, wide / high));
         const layers = first.layer === null ? this.plan.textures[first.texture].layers : 1;
         for (let layer = 0; layer < layers; layer++) {
@@ -161,16 +161,14 @@ export class PlanFrame {
                 layer: target.layer ?? layer,
                 clear: this.cleared(target),
             });
-            this.renderer.draw(step.targets.map(attachment), step.depth && attachment(step.depth), calls, settings);
+            const depth = step.depth && attachment(step.depth);
+            this.renderer.draw(step.targets.map(attachment), depth, calls, settings);
         }
     }
-    settings(step) {
-        const area = (value) => (value === null ? null : this.resources.number(value));
-        return {
-            viewport: area(step.viewport),
-            scissor: area(step.scissor),
-            blendConstant: step.blend_constant === null ? USUAL.blendConstant : this.resources.number(step.blend_constant),
-        };
+    settings(step, width, height) {
+        const { viewport, scissor, blend_constant } = step;
+        const [seen, drawn, constant] = [viewport, scissor, blend_constant].map((value) => value === null ? null : this.resources.number(value));
+        return settingsOf(width, height, seen, drawn, constant);
     }
     /** What a target is cleared to, or a depth, which is within 0 and 1. */
     cleared({ texture, clear }) {
@@ -329,7 +327,9 @@ export class PlanFrame {
             const target = { level: 0, load: "clear", store: true };
             const targets = images.map((texture) => ({ target, texture, layer: 0, clear: [0, 0, 0, 0] }));
             const geometry = bareGeometry(this.from.shaders[step.shader], 3);
-            this.renderer.draw(targets, null, [{ ...bound, geometry }], USUAL);
+            const [width, height] = this.resources.sizeOf(step.images[0].texture);
+            const settings = settingsOf(width, height, null, null, null);
+            this.renderer.draw(targets, null, [{ ...bound, geometry }], settings);
             return;
         }
         this.resources.giveWritten(step, bound);

@@ -1,6 +1,6 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
 
-import { areasOf, type DrawSettings } from "../areas.js";
+import type { DrawSettings } from "../areas.js";
 import { hasStencil, isDepth, toFloats } from "../bytes.js";
 import { interleaved, type Geometry } from "../geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
@@ -103,7 +103,8 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
   }
 
   draw(
-    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[], settings: DrawSettings,
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[],
+    { viewport, scissor, blendConstant }: DrawSettings,
   ): void {
     const { gl } = this;
     const first = (targets[0] ?? depth!);
@@ -116,11 +117,10 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
       throw new Error(`WebGL cannot draw ${width} x ${height} pixels to ${formats.join(", ")}`);
     }
     this.clear(targets, depth);
-    const [viewport, drawn] = areasOf(settings, width, height);
     gl.viewport(...viewport);
-    gl.scissor(...drawn);
+    gl.scissor(...scissor);
     gl.enable(gl.SCISSOR_TEST);
-    gl.blendColor(...(settings.blendConstant as [number, number, number, number]));
+    gl.blendColor(...blendConstant);
     for (const call of calls) this.drawCall(call, depth, height);
     gl.disable(gl.SCISSOR_TEST);
     const dropped = [...targets, ...(depth ? [depth] : [])].flatMap(({ target }, at) => (target.store ? [] : points[at]));

@@ -1,6 +1,6 @@
 // Draws frames with WebGPU.
 
-import { areasOf, type DrawSettings } from "../areas.js";
+import type { DrawSettings } from "../areas.js";
 import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved, type Geometry } from "../geometry.js";
 import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
@@ -109,7 +109,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   draw(
-    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[], settings: DrawSettings,
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null, calls: Call[],
+    { viewport, scissor, blendConstant }: DrawSettings,
   ): void {
     const pass = this.encoder.beginRenderPass({
       colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
@@ -120,14 +121,9 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
       })),
       ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
     });
-    const first = targets[0] ?? depth!;
-    const { width, height } = first.texture.gpu;
-    const [viewport, drawn] = areasOf(
-      settings, Math.max(width >> first.target.level, 1), Math.max(height >> first.target.level, 1),
-    );
     pass.setViewport(...viewport, 0, 1);
-    pass.setScissorRect(...drawn);
-    pass.setBlendConstant(settings.blendConstant);
+    pass.setScissorRect(...scissor);
+    pass.setBlendConstant(blendConstant);
     const formats = targets.map(({ texture }) => texture.gpu.format);
     for (const call of calls) {
       const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);

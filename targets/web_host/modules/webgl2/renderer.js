@@ -1,5 +1,4 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
-import { areasOf } from "../areas.js";
 import { hasStencil, isDepth, toFloats } from "../bytes.js";
 import { interleaved } from "../geometry.js";
 import { Presenter } from "./canvas.js";
@@ -77,7 +76,7 @@ export class WebGl2Renderer {
     end() {
         this.gl.flush();
     }
-    draw(targets, depth, calls, settings) {
+    draw(targets, depth, calls, { viewport, scissor, blendConstant }) {
         const { gl } = this;
         const first = (targets[0] ?? depth);
         const width = halved(first.texture.width, first.target.level);
@@ -89,11 +88,10 @@ export class WebGl2Renderer {
             throw new Error(`WebGL cannot draw ${width} x ${height} pixels to ${formats.join(", ")}`);
         }
         this.clear(targets, depth);
-        const [viewport, drawn] = areasOf(settings, width, height);
         gl.viewport(...viewport);
-        gl.scissor(...drawn);
+        gl.scissor(...scissor);
         gl.enable(gl.SCISSOR_TEST);
-        gl.blendColor(...settings.blendConstant);
+        gl.blendColor(...blendConstant);
         for (const call of calls)
             this.drawCall(call, depth, height);
         gl.disable(gl.SCISSOR_TEST);

@@ -1,5 +1,4 @@
 // Draws frames with WebGPU.
-import { areasOf } from "../areas.js";
 import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { interleaved } from "../geometry.js";
 import { Presenter } from "./canvas.js";
@@ -80,7 +79,7 @@ export class WebGpuRenderer {
         this.arena.flush();
         this.device.gpu.queue.submit([this.encoder.finish()]);
     }
-    draw(targets, depth, calls, settings) {
+    draw(targets, depth, calls, { viewport, scissor, blendConstant }) {
         const pass = this.encoder.beginRenderPass({
             colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
                 view: layerOf(texture.gpu, layer, target.level),
@@ -90,12 +89,9 @@ export class WebGpuRenderer {
             })),
             ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
         });
-        const first = targets[0] ?? depth;
-        const { width, height } = first.texture.gpu;
-        const [viewport, drawn] = areasOf(settings, Math.max(width >> first.target.level, 1), Math.max(height >> first.target.level, 1));
         pass.setViewport(...viewport, 0, 1);
-        pass.setScissorRect(...drawn);
-        pass.setBlendConstant(settings.blendConstant);
+        pass.setScissorRect(...scissor);
+        pass.setBlendConstant(blendConstant);
         const formats = targets.map(({ texture }) => texture.gpu.format);
         for (const call of calls) {
             const pipeline = this.pipelines.get(call.shader, formats, depth && depth.texture.gpu.format);
