@@ -17,7 +17,7 @@ from ..suite.processes import run
 from .kit import ROOT, files
 
 DATA = {
-    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".ts", ".js", ".html", ".css", ".svg",
+    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".ts", ".js", ".css", ".html", ".svg",
     ".burnish", ".typed",
 }  # fmt: skip
 GENERATED = ("__init__", "grammar", "library", "skeletons")
