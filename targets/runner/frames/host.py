@@ -14,7 +14,7 @@ import numpy as np
 
 from ....compiler.diagnostics.nearest import suggestion
 from ....compiler.ir.primitives import CORNERS
-from ..instances.instance import FORMAT, Instance
+from ..instances.instance import FORMAT, Instance, MissingValuesError
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
 from ..scene import value_roles
@@ -22,6 +22,7 @@ from ..scene_state import Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
 from .checks.rows import attachments
+from .numbers import is_of
 from .scenery import Model, Scenery
 from .settings import StepState, cleared, step_state
 from .sizes import Size, checked_size, drawn_size
@@ -191,8 +192,19 @@ class FrameHost:
     # --- numbers ---------------------------------------------------------------------------------
 
     def number(self, value: int) -> Any:
-        """One of the plan's values, in the form in which an instance takes it."""
-        return self.values.evaluated(self.plan["values"][value]["steps"])
+        """One of the plan's values, in the form in which an instance takes it. Raises
+        ``MissingValuesError``, and ``PlanError`` for steps that compute nothing of its type."""
+        row, where = self.plan["values"][value], f"{self.plan['frame']}, value {value}"
+        try:
+            found = self.values.evaluated(row["steps"])
+        except MissingValuesError:
+            raise
+        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError,
+                StopIteration) as error:  # fmt: skip
+            raise PlanError(f"{where}: its steps cannot be computed") from error
+        if not is_of(found, row["representation"]):
+            raise PlanError(f"{where}: its steps compute no {row['representation']}")
+        return found
 
     def size_of(self, texture: int) -> tuple[int, int]:
         """The width and the height of a texture's first level."""
