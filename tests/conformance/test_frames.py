@@ -540,3 +540,29 @@ def test_faces_own_the_pixels_on_a_level_edge_as_the_reference_says(
     (frame,) = burnish.compile(LEVEL_EDGE, PROFILES, partial=True).frames
     (row,) = conform([("F", frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE)
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
+
+
+@EVERYWHERE
+def test_depths_and_stencil_values_are_empty_before_the_first_frame(
+    studio: Studio, where: str
+) -> None:
+    """The second frame finds what the first one has left, but for stencil values."""
+    text = f"""{HEAD}{BARS}
+    pass Wall : FullScreen {{
+        clip_position = @vertex (vec4(across, above, 0.25, 1) as point<clip>)
+        depth   {{ write = true }}
+        stencil {{ compare = equal, pass = increment_wrap }}
+        target value : rgba32f = vec4(1)
+    }}
+    pass Shown : FullScreen {{
+        map before : depth2d with {{ filter = nearest }}
+        stencil {{ compare = equal, reference = 1 }}
+        target value : rgba32f = vec4(2 + before(uv, 0.5), 0, 0, 1)
+    }}
+    frame F {{
+        wall  = Wall(screen)
+        shown = Shown(screen, wall) with {{ before = previous(wall.depth) }}
+        output value = shown.value
+    }}"""
+    found = outputs(text, where, studio, count=2)
+    assert [frame["value"][0][0, 0, 0] for frame in found] == [3, 2]

@@ -43,8 +43,8 @@ pass Read : FullScreen {
 frame F {
     param small : int in 1..64 = 8
     a = Filled(screen, small) with { one = 3, two = 5 }
-    b = Filled(screen, 2 * small) with { one = 7, two = 11 }
-    c = Filled(screen, a) with { one = 1, two = 1 }
+    b = Filled(screen, 2 * small) with { one = 7, two = 11, clear.value = vec4(2) }
+    c = Filled(screen, a) with { one = 1, two = 1, viewport = ivec4(0, 0, small / 2, small) }
     read = Read(screen) with { first = c.value, other = b.value }
     output value = read.value
     output filled = b.value
@@ -92,6 +92,24 @@ def _other_constant(plan: Plan) -> None:
     value["steps"][-1]["value"] += 1
 
 
+def _step(plan: Plan, name: str) -> dict[str, Any]:
+    found: dict[str, Any] = next(row for row in plan["steps"] if row.get("name") == name)
+    return found
+
+
+def _cleared_to_black(plan: Plan) -> None:
+    _step(plan, "b")["targets"][0]["clear"] = None
+
+
+def _all_over(plan: Plan) -> None:
+    _step(plan, "c")["viewport"] = None
+
+
+def _cut_instead(plan: Plan) -> None:
+    row = _step(plan, "c")
+    row["viewport"], row["scissor"] = None, row["viewport"]
+
+
 def _nothing(_plan: Plan) -> None:
     pass
 
@@ -123,7 +141,7 @@ def test_the_frame_itself_agrees(studio: Studio) -> None:
     "change",
     [
         _swapped_textures, _swapped_numbers, _swapped_names, _drawn_twice, _without_a_number,
-        _other_constant,
+        _other_constant, _cleared_to_black, _all_over, _cut_instead,
     ],
 )  # fmt: skip
 def test_another_meaning_is_found(studio: Studio, change: Callable[[Plan], None]) -> None:
