@@ -161,7 +161,7 @@ function fillSelects(found: Document): void {
   fill(selects.rig, found.rigs, chosen.rig);
   const isFrame = found.subjects.find(({ name }) => name === chosen.subject)?.kind === "frame";
   fill(selects.pass, isFrame ? [] : found.passes, chosen.pass);
-  fill(selects.mesh, found.meshes, chosen.mesh);
+  if (found.error === undefined) fill(selects.mesh, found.meshes, chosen.mesh);
 }
 
 function fillOutputs(found: Drawable): void {

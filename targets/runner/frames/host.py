@@ -12,6 +12,7 @@ from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
+from ....compiler.diagnostics.nearest import suggestion
 from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance, MissingValuesError
 from ..instances.values import UnknownParameterError
@@ -152,17 +153,31 @@ class FrameHost:
         """Set something of the frame; or else of all shaders that have it, such as a material's
         parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
         self.given |= {name}
-        unknown = []
+        is_known = False
         for instance in (self.values, *self.instances):
             try:
                 instance.set_text(name, text)
-            except UnknownParameterError as error:
-                unknown.append(error)
-            else:
-                if instance is self.values:
-                    return
-        if len(unknown) == len(self.instances) + 1:
-            raise unknown[0]
+            except UnknownParameterError:
+                continue
+            if instance is self.values:
+                return
+            is_known = True
+        if not is_known:
+            raise UnknownParameterError(name, self._unknown(name))
+
+    def _unknown(self, name: str) -> str:
+        """What to say of a name that neither the frame nor a shader has."""
+        reflections = [each.reflection for each in (self.values, *self.instances)]
+        names = [
+            row["name"]
+            for reflection in reflections
+            for kind in ("parameters", "textures", "buffers")
+            for row in reflection[kind]
+        ]
+        roots = list(dict.fromkeys(known.partition(".")[0] for known in names))
+        root = name.partition(".")[0].partition("[")[0]
+        hint = suggestion(name, names) or suggestion(root, roots) or f"there are {', '.join(roots)}"
+        return f"there is no parameter `{name}`: {hint}"
 
     def begin(self, drawn: int) -> None:
         """Tell the frame how many were drawn before it. To be called before its first step."""

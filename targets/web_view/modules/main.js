@@ -151,7 +151,8 @@ function fillSelects(found) {
     fill(selects.rig, found.rigs, chosen.rig);
     const isFrame = found.subjects.find(({ name }) => name === chosen.subject)?.kind === "frame";
     fill(selects.pass, isFrame ? [] : found.passes, chosen.pass);
-    fill(selects.mesh, found.meshes, chosen.mesh);
+    if (found.error === undefined)
+        fill(selects.mesh, found.meshes, chosen.mesh);
 }
 function fillOutputs(found) {
     const rows = found.package.plan.outputs.filter(({ texture }) => texture !== null);
