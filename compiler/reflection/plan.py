@@ -166,6 +166,7 @@ class _Document:
                 return {
                     "kind": "copy",
                     "barriers": barriers,
+                    "only_first": planned.only_first,
                     "from": {"result": copy.image.name, "texture": self._texture(copy.image)},
                     "to": {"result": copy.into.name, "texture": self._texture(copy.into)},
                 }

@@ -13,8 +13,9 @@ import pytest
 from burnish.targets.runner.frames import plan_files
 from burnish.targets.runner.frames.checking import PlanError
 from burnish.targets.runner.frames.host import FrameHost
-from burnish.targets.runner.frames.plan_files import read_frame
+from burnish.targets.runner.frames.plan_files import read_frame, told_contradictions
 from burnish.targets.runner.frames.scenery import in_a_row
+from burnish.targets.runner.instances.instance import Instance
 
 from .kit import FOLDER, compiled
 
@@ -220,3 +221,21 @@ def test_steps_of_values_follow_the_schema(folder: Path) -> None:
         "`Deferred.plan.json` does not follow plan.schema.json:",
         "  $.values[2].steps[0].args: [0] is too short",
     ]
+
+
+def test_reflections_that_say_what_cannot_be(folder: Path) -> None:
+    """Their schema knows no types; and what fails of one's own frames is a bug, and stays one."""
+
+    def add_a_matrix(reflection: Any) -> None:
+        steps = reflection["derived"][0]["steps"]
+        (matrix,) = [n for n, step in enumerate(steps) if step["op"] == "parameter"]
+        steps.append({"op": "swizzle", "type": "vec3", "args": [matrix], "lanes": [0, 1, 2]})
+        steps.append({"op": "index", "type": "vec3", "args": [matrix, matrix]})
+
+    edit(folder / f"{CLAY}.json", add_a_matrix)
+    frame = read_frame(folder / "Deferred.plan.json", PROFILES)
+    with pytest.raises(PlanError) as raised, told_contradictions(frame):
+        Instance(frame.shaders[0].reflection).blocks()
+    assert str(raised.value).startswith("Deferred: its files contradict each other: ")
+    with pytest.raises(KeyError), told_contradictions(FRAME):
+        raise KeyError

@@ -7,6 +7,7 @@ that would leave the same in every frame.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from .rows import (
     Row,
@@ -30,8 +31,12 @@ def check_repeats(plan: Row, reflections: Sequence[Row] | None) -> None:
     """Raise ``PlanError`` for a step that would be missing in later frames."""
     repeats = _Repeats(plan, reflections)
     unneeded = repeats.only_first()
-    for step in plan["steps"]:
+    for step, following in pairwise((*plan["steps"], {"kind": "end"})):
         where = step_name(step)
+        if step["kind"] == "copy":
+            if is_rare(step) != is_rare(following):
+                fail(plan, where, "it is for the step behind it, and not done as often")
+            continue
         if is_rare(step) != (where in unneeded) and not (
             is_rare(step) and repeats.leaves_the_same(step)
         ):
