@@ -47,6 +47,7 @@ def _is_known(frame: Frame, step: Step) -> bool:
             return False
         numbers.append(left.size.value)
     if isinstance(step, RenderStep):
+        numbers += step.settings
         for drawn in step.draws:
             if drawn.vertices is None or drawn.light:
                 return False
