@@ -30,6 +30,7 @@ from ..state.scope import OUTERMOST, Failure, Instance
 from .around import Around, Owner
 from .shaders import Shaders
 from .steps import ModelsOf, Steps
+from .values import report_not_left
 
 
 @frozen
@@ -165,7 +166,7 @@ class _Checking:
             if isinstance(made, Image | Elements):
                 yield Output(member.name.text, made, member.doc, member.name.span)
             elif not isinstance(made, Failure):
-                self._ctx.report.add(rules.NOT_LEFT, member.value.span, what="result of a step")
+                report_not_left(self._ctx, made, member.value.span, "result of a step")
 
     def _check_rest(self, needed: tuple[Step, ...]) -> None:
         """Check what no output needs: other steps, and numbers."""

@@ -37,7 +37,8 @@ from ...ir.shader import RenderTarget
 from ...ir.stages import EXTENT, IMAGE, TARGET
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
-from ..checking.step_needs import PREVIOUS, Key, Need, applied, is_previous
+from ..checking.slots import slot
+from ..checking.step_needs import PREVIOUS, SCREEN, Key, Need, applied, is_previous
 from ..checking.unknown_names import unknown
 from ..declarations.fitting import fit
 from ..names.modules import Symbol
@@ -50,10 +51,8 @@ from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .settings import AREAS, Settings
 from .shaders import Shaders, required_of
-from .values import Made, Numbers, StepValue, on_host
+from .values import Made, Numbers, StepValue, on_host, report_not_left
 
-SCREEN = "screen"
-"""One triangle over everything."""
 CORNERS = 3
 """Its vertices."""
 VERTICES = "vertices"
@@ -173,7 +172,8 @@ class Steps:
         if key[0] in definitions and owner.dependencies.is_step(key):
             return FAILURE  # It needs itself, which has been reported.
         if key[0] in definitions:
-            return self._no_step(span)
+            number = slot(self._ctx, owner.instance, key[0], span, key[1])
+            return FAILURE if isinstance(number, Failure) else self._no_step(span)
         unknown(self._ctx, "step", key[0], span, [*definitions, *self._models])
         return FAILURE
 
@@ -222,7 +222,7 @@ class Steps:
     def _no_result(self, found: Made, span: Span) -> Failure:
         """Report that something is no result of a step, unless more has been said about it."""
         if not isinstance(found, Failure):
-            self._ctx.report.add(rules.NOT_LEFT, span, what="result of a step")
+            report_not_left(self._ctx, found, span, "result of a step")
         return FAILURE
 
     def _chosen(self, e: ast.Conditional, around: Around) -> Made:
@@ -433,7 +433,7 @@ class Steps:
         if not 1 <= len(e.arguments) <= 2:
             self._ctx.report.add(
                 rules.STEP_ARGUMENTS, e.span, name=symbol.name, expected="one or two arguments",
-                hint=f"write `{symbol.name}({SCREEN})` for one triangle over everything",
+                hint=f"write `{symbol.name}({next(iter(self._models), SCREEN)})`",
             )  # fmt: skip
             return FAILURE
         what = self._what(e.arguments[0], around.scope)
@@ -475,9 +475,10 @@ class Steps:
                     number = fit(self._ctx, node, INT, "int", count.span)
                     return self._vertices(on_host(self._ctx, number, count.span))
         known = [*self._models, SCREEN, f"{VERTICES}(n)"]
-        self._ctx.report.add(
-            rules.NOT_DRAWN, e.span, hint=f"there is {', '.join(f'`{each}`' for each in known)}"
-        )
+        hint = f"there is {', '.join(f'`{each}`' for each in known)}"
+        if name and not self._models:
+            hint += f"; models of the host's scene are declared by `models {name}`"
+        self._ctx.report.add(rules.NOT_DRAWN, e.span, hint=hint)
         return None
 
     def _vertices(self, count: Node | Failure) -> What | None:
@@ -552,9 +553,7 @@ class Steps:
     ) -> Use | None:
         """A shader with what it is given; ``None`` after reporting what it lacks."""
         found = inputs.of(shader.shader)
-        missing = [
-            name for name in required_of(self._ctx.records.of(symbol)) if not inputs.sets(name.text)
-        ]
+        missing = inputs.lacks(required_of(self._ctx.records.of(symbol)))
         for name in missing:
             self._ctx.report.add(
                 rules.INPUT_MISSING, e.span, step=symbol.name, name=name.text,

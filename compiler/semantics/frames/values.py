@@ -54,3 +54,11 @@ def on_host(ctx: Context, node: Node | Failure, written: Span) -> Node | Failure
             ctx.report.add(rules.NOT_ON_HOST, span, what=what)
             return FAILURE
     return node
+
+
+def report_not_left(ctx: Context, made: Made, span: Span, what: str) -> None:
+    """Report that something is not what a step leaves; of a whole step, say what it does leave."""
+    hint = ""
+    if isinstance(made, StepValue):
+        hint = f"a step leaves its results: {', '.join(f'`.{name}`' for name in made.left)}"
+    ctx.report.add(rules.NOT_LEFT, span, what=what, hint=hint)
