@@ -286,6 +286,9 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
     this.flat(texture, 0, (found) => this.presenter.show(found));
   }
 
+  /** WebGL tells of errors when it is called. */
+  async finished(): Promise<void> {}
+
   async read(texture: Texture): Promise<Pixels> {
     const { width, height, layers } = texture;
     const size = width * height * 4;

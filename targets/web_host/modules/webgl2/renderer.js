@@ -254,6 +254,8 @@ export class WebGl2Renderer {
             throw new Error("this frame was opened without a canvas");
         this.flat(texture, 0, (found) => this.presenter.show(found));
     }
+    /** WebGL tells of errors when it is called. */
+    async finished() { }
     async read(texture) {
         const { width, height, layers } = texture;
         const size = width * height * 4;
