@@ -19,7 +19,7 @@ ROOTS = ("commands", "compiler", "targets", "stdlib")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
 DATA = ("h", "j2", "txt", "json", "lark", "mjs", "ts", "css", "js", "html", "svg")
-"""The endings of files that belong to a sub-package besides its code."""
+"""The endings of files that belong to the package besides its code."""
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
 
@@ -65,11 +65,10 @@ setup(
     package_data={
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],
-        "burnish.targets.web_host": ["webgpu/*.ts", "modules/*.js", "modules/webgpu/*.js"],
+        # Not every folder below these is a package.
         **{
-            f"burnish.{name}": [f"*.{ending}" for ending in DATA]
-            for name in sub_packages
-            if name.startswith(("commands", "compiler", "targets"))
+            f"burnish.{root}": [f"**/*.{ending}" for ending in DATA]
+            for root in ("commands", "compiler", "targets")
         },
     },
 )

@@ -173,6 +173,7 @@ class _Making:
             # With everything, what a route lacks is no error.
             whole = {**chosen, "file": self._file, "on": (subjects.EVERYTHING,)}
             request = subjects.Request(**whole)
+            self._entry["inputs"] |= _digests_of_files(request.values)
             drawn = [subject for _label, subject in found if isinstance(subject, CompiledFrame)]
             for frame in drawn:
                 self._draw_frame(frame, request, routes)
@@ -313,6 +314,13 @@ def _digests(read: Sequence[Inputs]) -> dict[str, str]:
     """The digests of all files that were read, by their paths."""
     contents = {path: content for inputs in read for path, content in inputs.contents.items()}
     return {path: digest_of(content) for path, content in contents.items()}
+
+
+def _digests_of_files(values: Sequence[tuple[str, str]]) -> dict[str, str]:
+    """The digests of the files that values are read of: pictures, and elements of buffers."""
+    texts = (part.rpartition(":")[2] for _name, text in values for part in text.split(","))
+    paths = (Path(text.strip()) for text in texts)
+    return {str(p.resolve()): digest_of(p.read_bytes()) for p in paths if p.is_file()}
 
 
 def digest_of(content: bytes | None) -> str:

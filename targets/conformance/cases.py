@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -38,6 +38,8 @@ IMAGE_CASES = ("first", "second")
 
 BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 """The clear colour for blending."""
+BLEND_CONSTANT: Color = (0.75, 0.5, 0.25, 0.375)
+"""By what is blended where targets are blended by a constant."""
 
 FEW_TRIANGLES = 1
 """Into so many a patch may be divided before meshes get fewer patches."""
@@ -94,9 +96,9 @@ def series_of(
         _inside(reflection, seed + 2, size),
     ))  # fmt: skip
     if any(keeps_something(row) for row in reflection["targets"]):
-        yield Series(
-            exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size, form),)
-        )
+        case = _stretched("blended", reflection, seed, BACKDROP, size, form)
+        state = replace(case.state, blend_constant=BLEND_CONSTANT)
+        yield Series(exact=False, cases=(replace(case, state=state),))
 
 
 def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:

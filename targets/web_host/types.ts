@@ -41,10 +41,7 @@ export interface PackagedShader {
   pattern: Pattern | null;
 }
 
-export interface ShaderText {
-  text: string;
-  entry: string;
-}
+export interface ShaderText { text: string; entry: string }
 
 /** What looks at the scene. Both are values of the scene, by their roles. */
 export interface Camera {
@@ -55,10 +52,7 @@ export interface Camera {
   [role: string]: Value;
 }
 
-export interface Scene {
-  models: Model[];
-  meshes: Mesh[];
-}
+export interface Scene { models: Model[]; meshes: Mesh[] }
 
 export interface Model {
   material: string;
@@ -83,17 +77,10 @@ export interface Mesh {
 }
 
 /** Numbers of vertices, so many for each primitive: little-endian uint32 in base64. */
-export interface Primitives {
-  corners: number;
-  indices: string;
-}
+export interface Primitives { corners: number; indices: string }
 
 /** Little-endian numbers of 32 bits in base64. */
-export interface Stream {
-  type: "float" | "int" | "uint";
-  lanes: number;
-  data: string;
-}
+export interface Stream { type: "float" | "int" | "uint"; lanes: number; data: string }
 
 /** What is drawn of each patch. */
 export interface Pattern {
@@ -177,10 +164,7 @@ export interface Drawn {
   uses: (Use & { material: string | null })[];
 }
 
-export interface Use {
-  shader: number;
-  inputs: Input[];
-}
+export interface Use { shader: number; inputs: Input[] }
 
 export interface Source {
   value?: number;
@@ -190,10 +174,7 @@ export interface Source {
   previous?: string;
 }
 
-export interface Input extends Source {
-  name: string;
-  initially?: Source | null;
-}
+export interface Input extends Source { name: string; initially?: Source | null }
 
 export interface RunStep extends Use {
   kind: "run";
@@ -210,17 +191,9 @@ export interface CopyStep {
   to: { texture: number };
 }
 
-export interface Kept {
-  result: string;
-  texture: number | null;
-  previous: number | null;
-}
+export interface Kept { result: string; texture: number | null; previous: number | null }
 
-export interface Output {
-  name: string;
-  result: string;
-  texture: number | null;
-}
+export interface Output { name: string; result: string; texture: number | null }
 
 // --- reflections ---------------------------------------------------------------------------------
 
@@ -273,11 +246,7 @@ export interface Parameter extends Placed {
   count: string | null;
 }
 
-export interface Derived extends Placed {
-  block: string;
-  offset: number;
-  steps: Operation[];
-}
+export interface Derived extends Placed { block: string; offset: number; steps: Operation[] }
 
 /** One step of a computation: see "Derived values" in docs/reflection.md. */
 export interface Operation {
@@ -302,11 +271,7 @@ export interface LightRow {
   parameters: string[];
 }
 
-export interface BufferRow extends Placed {
-  stride: number;
-  count: string;
-  stages: string[];
-}
+export interface BufferRow extends Placed { stride: number; count: string; stages: string[] }
 
 export interface ResultRow extends Placed {
   stride: number;
@@ -368,16 +333,9 @@ export interface TargetRow {
 }
 
 /** How a target is blended: words of WebGPU, with `_` for `-`. */
-export interface Blend {
-  color: BlendEquation;
-  alpha: BlendEquation;
-}
+export interface Blend { color: BlendEquation; alpha: BlendEquation }
 
-export interface BlendEquation {
-  source: string;
-  destination: string;
-  operation: string;
-}
+export interface BlendEquation { source: string; destination: string; operation: string }
 
 export interface RenderState {
   cull: "none" | "front" | "back";
@@ -396,18 +354,9 @@ export interface RenderState {
   } | null;
 }
 
-export interface StencilSide {
-  compare: string;
-  fail: string;
-  depth_fail: string;
-  pass: string;
-}
+export interface StencilSide { compare: string; fail: string; depth_fail: string; pass: string }
 
-export interface Place {
-  identifier: string;
-  group: number;
-  binding: number;
-}
+export interface Place { identifier: string; group: number; binding: number }
 
 export interface Backend {
   front_face: "ccw" | "cw";
@@ -446,9 +395,4 @@ export interface Frame {
 
 /** Layer by layer and row by row from the top, four linear numbers a pixel. Lanes that the format
  * lacks are 0, 0, 1; depths are in the first lane. */
-export interface Pixels {
-  width: number;
-  height: number;
-  layers: number;
-  texels: Float32Array;
-}
+export interface Pixels { width: number; height: number; layers: number; texels: Float32Array }

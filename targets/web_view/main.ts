@@ -46,11 +46,8 @@ function view(api: Api): void {
       fps.textContent = rate === null ? "" : `${Math.round(rate)} fps`;
       canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);
     },
-    elapsed(seconds) {
-      if (!panel?.runs) return false;
-      panel.advance(seconds);
-      return true;
-    },
+    runs: () => panel?.runs ?? false,
+    elapsed: (seconds) => panel?.advance(seconds),
   });
   let panel: Panel | null = null;
 
@@ -67,9 +64,8 @@ function view(api: Api): void {
       Object.assign(choice, found.chosen);
       const values = panel.show(found.chosen.subject ?? "", found.controls);
       fillOutputs(found);
-      screen.show(outputs.value);
       try {
-        await screen.open(found.package, found.orbit, values);
+        await screen.open(found.package, found.orbit, values, outputs.value);
         problems.picture = "";
       } catch (error) {
         problems.picture = (error as Error).message;

@@ -23,7 +23,8 @@ export class Panel {
   private kept: Record<string, Kept> = {};
   private built = "";
   private subject = "";
-  private timed = new Set<string>();
+  /** The numbers that run with the time, each with what it is exactly. */
+  private timed = new Map<string, number>();
 
   /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
   constructor(
@@ -53,17 +54,20 @@ export class Panel {
 
   /** Whether some number runs with the time. */
   get runs(): boolean {
-    return [...this.timed].some((name) => this.rows.has(name));
+    return [...this.timed.keys()].some((name) => this.rows.has(name));
   }
 
   /** Let the time go on, in seconds. */
   advance(seconds: number): void {
-    for (const name of this.timed) {
+    for (const [name, before] of this.timed) {
       const row = this.rows.get(name);
       if (!row) continue;
-      const value = Number(this.value(row) ?? 0) + seconds;
-      this.set(row, row.control.whole ? Math.floor(value) : value);
-      row.field.show(value);
+      this.timed.set(name, before + seconds);
+      const given = row.control.whole ? Math.floor(before + seconds) : before + seconds;
+      this.kept[name] = { type: row.control.type, value: given };
+      row.field.show(given);
+      row.reset.hidden = false;
+      this.changed(name, given);
     }
   }
 
@@ -144,7 +148,8 @@ export class Panel {
       "aria-pressed": String(this.timed.has(name)),
     }, "▶");
     button.addEventListener("click", () => {
-      if (!this.timed.delete(name)) this.timed.add(name);
+      const row = this.rows.get(name)!;
+      if (!this.timed.delete(name)) this.timed.set(name, Number(this.value(row) ?? 0));
       button.setAttribute("aria-pressed", String(this.timed.has(name)));
       this.animated();
     });

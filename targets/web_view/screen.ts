@@ -16,8 +16,10 @@ export interface Watcher {
   problem(text: string): void;
   /** A picture was drawn. */
   drawn(status: { width: number; height: number; rate: number | null }): void;
-  /** So many seconds have gone by; returns whether anything runs with the time. */
-  elapsed(seconds: number): boolean;
+  /** Whether anything runs with the time. */
+  runs(): boolean;
+  /** So many seconds have gone by. */
+  elapsed(seconds: number): void;
 }
 
 export class Screen {
@@ -46,9 +48,16 @@ export class Screen {
     return (this.package?.plan.kept.length ?? 0) > 0;
   }
 
+  /** Whether there is another picture to draw after each. */
+  private get goesOn(): boolean {
+    return this.playing && (this.evolves || this.watcher.runs());
+  }
+
   /** Show another package. What was shown before stays until it is ready, and for good if it cannot
    * be opened. The camera stays where it is, unless `start` is another one than before. */
-  async open(opened: FramePackage, start: OrbitRow, values: Map<string, Value>): Promise<void> {
+  async open(
+    opened: FramePackage, start: OrbitRow, values: Map<string, Value>, output: string,
+  ): Promise<void> {
     const frame = await openFrame(this.canvas, opened, this.api);
     for (const [name, value] of values) frame.set(name, value);
     this.frame?.dispose();
@@ -56,8 +65,9 @@ export class Screen {
     this.package = opened;
     if (JSON.stringify(start) !== JSON.stringify(this.start)) this.orbit = new Orbit(start);
     this.start = start;
+    this.output = output;
     this.draw();
-    this.request();
+    if (this.goesOn) this.request();
   }
 
   set(name: string, value: Value): void {
@@ -101,8 +111,8 @@ export class Screen {
     const seconds = (now - this.before) / 1000;
     const follows = this.before > 0 && seconds < LONGEST;
     this.before = now;
-    const runs = this.playing && this.watcher.elapsed(follows ? seconds : 0);
-    const goesOn = this.playing && (runs || this.evolves);
+    const { goesOn } = this;
+    if (goesOn && follows) this.watcher.elapsed(seconds);
     if (goesOn && follows && seconds > 0) {
       const rate = 1 / seconds;
       this.rate = this.rate === null ? rate : SMOOTHING * this.rate + (1 - SMOOTHING) * rate;

@@ -20,6 +20,7 @@ from . import (
     stages,
     tiles,
     times,
+    view,
 )
 from .checkout import Checkout
 from .growth import measure as growth
@@ -41,6 +42,7 @@ PARTS: dict[str, Part] = {
     "growth": lambda asked: growth.measure(growth.select(asked.shape), _checkouts(asked)),
     "drawing": lambda _: drawing.measure(),
     "frames": lambda _: frames.measure(),
+    "view": lambda _: view.measure(),
     "stages": lambda _: stages.measure(),
     "tiles": lambda _: tiles.measure(),
     "reductions": lambda _: reductions.measure(),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import copy
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -13,9 +14,12 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.drivers.frame_job import Attachment, Barrier
+from burnish.targets.runner.frames import by_route
 from burnish.targets.runner.frames.by_route import draw_frames
 from burnish.targets.runner.frames.checking import PlanError
-from burnish.targets.runner.frames.host import FrameHost, FrameSubject
+from burnish.targets.runner.frames.host import FrameHost, FrameSubject, Row
 from burnish.targets.runner.frames.plan_files import read_frame
 from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import ROUTES
@@ -39,11 +43,12 @@ pass Read : FullScreen {
 frame F {
     param small : int in 1..64 = 8
     a = Filled(screen, small) with { one = 3, two = 5 }
-    b = Filled(screen, 2 * small) with { one = 7, two = 11 }
-    c = Filled(screen, a) with { one = 1, two = 1 }
+    b = Filled(screen, 2 * small) with { one = 7, two = 11, clear.value = vec4(2) }
+    c = Filled(screen, a) with { one = 1, two = 1, viewport = ivec4(0, 0, small / 2, small) }
     read = Read(screen) with { first = c.value, other = b.value }
     output value = read.value
     output filled = b.value
+    output before = a.value
 }
 """
 Plan = dict[str, Any]
@@ -87,6 +92,24 @@ def _other_constant(plan: Plan) -> None:
     value["steps"][-1]["value"] += 1
 
 
+def _step(plan: Plan, name: str) -> dict[str, Any]:
+    found: dict[str, Any] = next(row for row in plan["steps"] if row.get("name") == name)
+    return found
+
+
+def _cleared_to_black(plan: Plan) -> None:
+    _step(plan, "b")["targets"][0]["clear"] = None
+
+
+def _all_over(plan: Plan) -> None:
+    _step(plan, "c")["viewport"] = None
+
+
+def _cut_instead(plan: Plan) -> None:
+    row = _step(plan, "c")
+    row["viewport"], row["scissor"] = None, row["viewport"]
+
+
 def _nothing(_plan: Plan) -> None:
     pass
 
@@ -111,14 +134,14 @@ def _results(studio: Studio, change: Callable[[Plan], None]) -> list[bool]:
 
 
 def test_the_frame_itself_agrees(studio: Studio) -> None:
-    assert _results(studio, _nothing) == [True, True]
+    assert _results(studio, _nothing) == [True, True, True]
 
 
 @pytest.mark.parametrize(
     "change",
     [
         _swapped_textures, _swapped_numbers, _swapped_names, _drawn_twice, _without_a_number,
-        _other_constant,
+        _other_constant, _cleared_to_black, _all_over, _cut_instead,
     ],
 )  # fmt: skip
 def test_another_meaning_is_found(studio: Studio, change: Callable[[Plan], None]) -> None:
@@ -146,3 +169,53 @@ def test_files_are_drawn_as_what_they_were_written_of(studio: Studio, tmp_path: 
     assert {name: array.tolist() for name, array in one[0].items()} == {
         name: array.tolist() for name, array in other[0].items()
     }
+
+
+# --- the runner ----------------------------------------------------------------------------------
+
+
+def _never_loads(job: Any, target: Row, layer: int) -> Attachment:
+    return replace(ATTACHMENT(job, target, layer), loads=False)
+
+
+def _never_stores(job: Any, target: Row, layer: int) -> Attachment:
+    return replace(ATTACHMENT(job, target, layer), stores=False)
+
+
+def _other_textures(job: Any, draw: Any) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    textures, buffers = BOUND(job, draw)
+    return textures[::-1], buffers
+
+
+def _without_barriers(job: Any, step: Row, is_first: bool) -> tuple[Barrier, ...]:
+    return BARRIERS(job, step, is_first)[1:]
+
+
+def _all_in_one_place(_plan: Row, needed: Mapping[int, int]) -> list[list[int]]:
+    return [sorted(needed)]
+
+
+ATTACHMENT, BOUND, BARRIERS = (
+    by_route._Job._attachment, by_route._Job._bound, by_route._Job._barriers,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "planted", "told"),
+    [
+        ("_Job._attachment", _never_loads, ""),
+        ("_Job._bound", _other_textures, ""),
+        ("_Job._attachment", _never_stores, "is read, but nothing has drawn its layer 0, level 0"),
+        ("_Job._barriers", _without_barriers, "is used as 'target', but its use is 'undefined'"),
+        ("taking_turns", _all_in_one_place, "but its use is 'undefined'"),
+    ],
+)
+def test_errors_of_the_runner_are_found(
+    studio: Studio, name: str, planted: object, told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(f"{by_route.__name__}.{name}", planted)
+    if not told:
+        assert False in _results(studio, _nothing)
+        return
+    with pytest.raises(DriverError, match=told):
+        _results(studio, _nothing)

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
+import burnish
 from burnish import CompileResult
 from burnish.targets.runner.codes import modules
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import Job, Toolchain, Verdict
 
+from ..frames.kit import EXAMPLES as FRAMES
 from ..targets.standings import PROFILES
 from .kit import EXAMPLES, VARIANTS, Variant, jobs_of
 
@@ -23,9 +26,7 @@ def jobs(result: CompileResult) -> Iterator[Job]:
         yield from jobs_of(material)
 
 
-@pytest.mark.parametrize("variant", VARIANTS, ids=str)
-def test_accepted(variant: Variant, toolchain: Toolchain) -> None:
-    result = variant.compile()
+def check_accepted(result: CompileResult, toolchain: Toolchain) -> None:
     assert not result.diagnostics
     assert result.materials
     asked = list(jobs(result))
@@ -39,6 +40,17 @@ def test_accepted(variant: Variant, toolchain: Toolchain) -> None:
         for material in result.materials
     )
     assert len(asked) >= wanted
+
+
+@pytest.mark.parametrize("variant", VARIANTS, ids=str)
+def test_accepted(variant: Variant, toolchain: Toolchain) -> None:
+    check_accepted(variant.compile(), toolchain)
+
+
+@pytest.mark.parametrize("path", FRAMES, ids=lambda path: path.stem)
+def test_frames_are_accepted(path: Path, toolchain: Toolchain) -> None:
+    """Each frame, for all profiles: there is none yet that one of them lacks."""
+    check_accepted(burnish.compile(path, PROFILES), toolchain)
 
 
 def test_every_example_is_tried() -> None:

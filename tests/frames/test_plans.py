@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
@@ -16,6 +15,8 @@ from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 
 from ..golden import assert_golden
+from .changes import Change
+from .changes import Path as Place
 from .kit import EXAMPLES, compiled, inputs_of, of_text
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -56,38 +57,43 @@ def test_examples_are_planned_as_before(path: Path) -> None:
     assert_golden("\n".join(lines(plan)) + "\n", GOLDEN / f"{path.stem}.txt")
 
 
-def planted(plan: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Plans with one error each: a barrier that is missing, a wrong load, a texture for another."""
+def planted(plan: dict[str, Any]) -> Iterator[Change]:
+    """One error each: a barrier that is missing, a wrong load, a texture for another."""
     for s, step in enumerate(plan["steps"]):
         for b in range(len(step["barriers"])):
-            wrong = copy.deepcopy(plan)
-            del wrong["steps"][s]["barriers"][b]
-            yield f"barrier {b} of step {s}", wrong
+            others = [row for number, row in enumerate(step["barriers"]) if number != b]
+            yield Change(("steps", s, "barriers"), f"without row {b}", others)
         for t, target in enumerate(step.get("targets", [])):
-            wrong = copy.deepcopy(plan)
             other = "clear" if target["load"] == "load" else "load"
-            wrong["steps"][s]["targets"][t]["load"] = other
-            yield f"load {t} of step {s}", wrong
-        for i, row in enumerate(inputs_of(step)):
+            yield Change(("steps", s, "targets", t, "load"), f"{other} instead", other)
+        for path, row in places_of_inputs(s, step):
             if row.get("texture") is None:
                 continue
             for texture in range(len(plan["textures"])):
                 if texture != row["texture"]:
-                    wrong = copy.deepcopy(plan)
-                    inputs_of(wrong["steps"][s])[i]["texture"] = texture
-                    yield f"texture {texture} for input {i} of step {s}", wrong
+                    yield Change((*path, "texture"), f"{texture} instead", texture)
+
+
+def places_of_inputs(number: int, step: dict[str, Any]) -> Iterator[tuple[Place, dict[str, Any]]]:
+    """What the frame sets in a step, and where that stands in the plan."""
+    for i, row in enumerate(step.get("inputs", [])):
+        yield ("steps", number, "inputs", i), row
+    for d, drawn in enumerate(step.get("draws", [])):
+        for u, use in enumerate(drawn["uses"]):
+            for i, row in enumerate(use["inputs"]):
+                yield ("steps", number, "draws", d, "uses", u, "inputs", i), row
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_planted_errors_are_found(path: Path) -> None:
     plan = compiled(path).plan
     missed = []
-    for name, wrong in planted(plan):
+    for change in planted(plan):
         try:
-            check_plan(wrong)
+            check_plan(change.made(plan))
         except PlanError:
             continue
-        missed.append(name)
+        missed.append(change.name)
     assert len(list(planted(plan))) > 5
     assert not missed
 

@@ -33,6 +33,9 @@ MEANING = re.compile(
         r"steps\.\d+\.draws: ",
         r"steps\.\d+\.(draws\.\d+\.uses\.\d+\.)?inputs: without",
         r"steps\.\d+\.draws\.\d+\.(models|vertices|light)\b",
+        # Into which part is drawn, and over what.
+        r"steps\.\d+\.(viewport|scissor|blend_constant)\b",
+        r"steps\.\d+\.(targets\.\d+|depth)\.clear: ",
         r".*inputs\.\d+\.(value|host|result|previous|name|initially.*): ",
         # What only has to be the same word as the host's.
         r"steps\.\d+\.(name|pass): ", r"outputs\b",

@@ -48,6 +48,7 @@ def frame(writer: Writer, drawn: Node, program: Sequence[Node]) -> Node:
     bound = [*_bound(program)]
     inputs = [Node(f"{each.name} = {each.name}") for each in bound]
     inputs += _computed(writer, drawn)
+    inputs += _settings(writer, drawn)
     with_ = listed(" with {{ {} }}", inputs, ", ") if inputs else Node("")
     repeated = "sum lamp in rig : " if _adds(drawn) and writer.maybe(0.7) else ""
     items = (
@@ -77,6 +78,19 @@ def _computed(writer: Writer, drawn: Node) -> Iterator[Node]:
         if node.role == "parameter" and node.form.split()[3] == "float" and writer.maybe(0.5):
             number = writer.expression("float", _NUMBERS, FUEL // 4)
             yield Node(f"{node.name} = {{}}", (number,), optional=True)
+
+
+def _settings(writer: Writer, drawn: Node) -> Iterator[Node]:
+    """Where the step draws, and what is there before."""
+    if writer.maybe(0.2):
+        yield Node("viewport = ivec4(size.x / 4, 0, size.x / 2, size.y)", optional=True)
+    if writer.maybe(0.2):
+        yield Node("scissor = ivec4(2, 3, size.x - many, size.y)", optional=True)
+    for target in _targets(drawn):
+        if writer.maybe(0.2):
+            yield Node(f"clear.{target} = 0.5", optional=True)
+    if writer.maybe(0.1):
+        yield Node("blend_constant = vec4(amount)", optional=True)
 
 
 def _targets(drawn: Node) -> Iterator[str]:

@@ -13,6 +13,9 @@ from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture.assembly import faces_of
 from burnish.compiler.reference.picture.faces import Faces
 
+from .kit import few_ulps, picture
+from .test_drawing import BLUE, COLOURED, RED, at, layers, passing
+
 SIZE = 16
 RULES = RasterRules(SIZE, SIZE, subpixel_bits=8)
 WHOLE = np.array([[0, 1, 2]])
@@ -86,3 +89,12 @@ def test_which_side_is_the_front(winding: str) -> None:
     assert faces_of(corners, WHOLE, RULES, state=state).front.all() == (
         winding == "counter_clockwise"
     )
+
+
+@pytest.mark.parametrize(("bias", "undecided"), [(1 << 19, False), (1 << 22, True)])
+def test_a_depth_that_leaves_its_range_is_undecided(bias: int, undecided: bool) -> None:
+    """A face at 0.9 is moved by 2^-5, or by 2^-2: then devices cut it, or have it at 1."""
+    given = passing(COLOURED)
+    given.render_state = RenderState(depth=DepthState(bias=bias))
+    found = picture(given, layers((0.9, RED)), at(), clear=BLUE, errors=few_ulps)
+    assert (found.undecided == undecided).all()

@@ -12,7 +12,7 @@ from burnish.compiler.ir.render_state import RenderState
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.bounds.errors import Errors
-from burnish.compiler.reference.picture import Geometry, RasterRules, instanced
+from burnish.compiler.reference.picture import Geometry, RasterRules, draw, instanced
 from burnish.frozen import changed
 from burnish.stdlib.builtins.accuracy import INTERPOLATED_BITS
 
@@ -356,6 +356,51 @@ def test_blending(blend: str, expected: Any) -> None:
         clear=(0.8, 0.4, 0.0, 0.5),
     )  # fmt: skip
     assert found.targets[0][1, 2] == pytest.approx(expected)
+
+
+BY_FACTORS: dict[str, tuple[float, float, float, float]] = {
+    "{ source = dst_alpha, destination = one_minus_src }": (0.65, 0.425, 0.5, 0.5),
+    "{ source = one_minus_dst, destination = src_alpha, operation = subtract }": (
+        -0.1, 0.05, 1.0, 0.0,
+    ),
+    "{ source = one, destination = one_minus_dst_alpha, operation = reverse_subtract }": (
+        -0.1, -0.05, -1.0, 0.0,
+    ),
+    "{ operation = min }": (0.5, 0.25, 0.0, 0.25),
+    "{ operation = max, alpha_operation = min }": (0.8, 0.4, 1.0, 0.25),
+    "alpha { mask = rb }": (0.725, 0.4, 0.25, 0.5),
+    "{ mask = none }": (0.8, 0.4, 0.0, 0.5),
+    "{ source = src_alpha_saturated }": (0.125, 0.0625, 0.25, 0.25),
+    "{ source = src, destination = dst }": (0.89, 0.2225, 1.0, 0.3125),
+    "{ source = constant, destination = one_minus_constant }": (0.65, 0.3625, 1.0, 0.4375),
+}  # fmt: skip
+"""What is left of a colour over another, by hand from the tables of OpenGL 4.6, 17.3.6."""
+
+
+@pytest.mark.parametrize("blend", BY_FACTORS)
+@pytest.mark.parametrize("errors", [None, few_ulps], ids=["exact", "with bounds"])
+def test_blending_by_factors(blend: str, errors: Any) -> None:
+    found = draw(
+        passing(COLOURED, blend=blend), {}, {}, layers((0.5, (0.5, 0.25, 1.0, 0.25))), at(),
+        [(0.8, 0.4, 0.0, 0.5)], errors, blend_constant=(0.5, 0.25, 1.0, 0.25),
+    )  # fmt: skip
+    expected = BY_FACTORS[blend]
+    assert found.targets[0][1, 2] == pytest.approx(expected)
+    assert (found.low[0][1, 2] <= np.array(expected) + 1e-12).all()
+    assert (found.high[0][1, 2] >= np.array(expected) - 1e-12).all()
+    assert (found.high[0][1, 2] - found.low[0][1, 2] < 1e-5).all()
+
+
+def test_in_fixed_point_colours_are_clamped_before_they_are_blended() -> None:
+    given = shader(
+        PASSING + f"material M : Base {{ {COLOURED} }}\n"
+        "pass P { target t : rgba8 = material.value blend { operation = reverse_subtract, "
+        "destination = one } }",
+        "P",
+    )
+    mesh = layers((0.5, (2.0, -1.0, 0.5, 1.0)))
+    found = picture(given, mesh, at(), clear=(1.0, 0.6, 0.2, 1.0), errors=few_ulps)
+    assert found.targets[0][1, 2] == pytest.approx((0.0, 0.6, 0.0, 0.0))
 
 
 def test_blending_goes_in_the_order_of_drawing() -> None:

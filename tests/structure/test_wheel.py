@@ -16,7 +16,10 @@ import pytest
 from ..suite.processes import run
 from .kit import ROOT, files
 
-DATA = {".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".ts", ".js", ".burnish", ".typed"}
+DATA = {
+    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".ts", ".js", ".css", ".html", ".svg",
+    ".burnish", ".typed",
+}  # fmt: skip
 GENERATED = ("__init__", "grammar", "library", "skeletons")
 PACKAGE = ("commands", "compiler", "stdlib", "targets")
 

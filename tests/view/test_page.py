@@ -253,6 +253,21 @@ def test_frames_evolve_step_by_step(page: Page, viewer: Viewer) -> None:
     _shows(page, (255, 255, 255))
 
 
+def test_numbers_run_with_the_time(page: Page, viewer: Viewer) -> None:
+    _write(
+        viewer, "material Wave { param time : float per frame = 0  color = vec3(step(0.5, time)) }"
+    )
+    page.wait_for_selector("h2:has-text('Wave')")
+    _shows(page, (0, 0, 0))
+    clock = page.locator("[data-name=time] .clock")
+    clock.click()
+    _shows(page, (255, 255, 255))  # After half a second.
+    clock.click()
+    page.locator("[data-name=time] .reset").click()
+    _shows(page, (0, 0, 0))
+    assert page.locator("[data-name=time] [type=number]").input_value() == "0"
+
+
 def test_choices_are_in_the_address(browser: Browser, page: Page, viewer: Viewer) -> None:
     _write(viewer, FLAT + FACING)
     page.wait_for_selector("#subject", state="visible")

@@ -14,7 +14,7 @@ FOLDER = Path(__file__).parents[2] / "targets" / "web_host"
 MODULES = FOLDER / "modules"
 
 _SCRIPT = """
-import {{ {name} as call }} from "{module}";
+{imports}
 const read = async () => {{
   const parts = [];
   for await (const part of process.stdin) parts.push(part);
@@ -29,12 +29,16 @@ console.log(JSON.stringify(given.map(body), kept));
 """
 
 
-def in_node(module: str, name: str, body: str, given: list[Any]) -> list[Any]:
+def in_node(
+    module: str, name: str, body: str, given: list[Any], *further: tuple[str, str]
+) -> list[Any]:
     """What a JavaScript function of one argument, which may ``call`` what a module exports, makes
-    of each thing that is given."""
+    of each thing that is given. ``further`` are other modules, each with a name that it exports."""
+    imports = [f'import {{ {name} as call }} from "{(MODULES / module).as_uri()}";']
+    imports += [f'import {{ {own} }} from "{(MODULES / each).as_uri()}";' for each, own in further]
     node = program("node", "node")
     assert node is not None
-    script = _SCRIPT.format(name=name, module=(MODULES / module).as_uri(), body=body)
+    script = _SCRIPT.format(imports="\n".join(imports), body=body)
     command = [str(node), "--input-type=module", "--eval", script]
     found: list[Any] = json.loads(run(command, text=json.dumps(given), check=True).stdout)
     assert len(found) == len(given)

@@ -92,3 +92,57 @@ def test_an_error_is_told_on_the_page(page: Page, site: Path) -> None:
     assert alert.inner_text() == (
         "this host knows packages of version 1, and this one is of version 9"
     )
+
+
+CALLS = """async () => {
+  const { openFrame } = await import("./host/host.js");
+  const frame = await openFrame(null, await (await fetch("Shadows.json")).json());
+  const told = async (call) => {
+    try {
+      await call();
+      return null;
+    } catch (error) {
+      return error.message;
+    }
+  };
+  const sum = async () => {
+    frame.draw();
+    const { width, height, texels } = await frame.read("picture");
+    return [width, height, texels.reduce((all, lane) => all + lane, 0)];
+  };
+  const early = await told(() => frame.read("picture"));
+  frame.resize(16, 8);
+  const first = await sum();
+  const again = await sum();
+  frame.set("base", [0, 0, 0]);
+  const black = await sum();
+  frame.setCamera({ eye: [0, 50, 0] });
+  frame.resize(8, 8);
+  const small = await sum();
+  const errors = [
+    await told(() => frame.set("spread", 9)),
+    await told(() => frame.set("speed", 1)),
+    await told(() => frame.resize(0, 8)),
+    await told(() => frame.read("other")),
+    await told(() => frame.show()),
+  ];
+  frame.dispose();
+  return { early, first, again, black, small, errors };
+}"""
+
+
+def test_what_a_frame_can_be_told(page: Page) -> None:
+    page.goto(ADDRESS)
+    found = page.evaluate(CALLS)
+    assert found["early"] == "`picture` of Shadows is no picture, or was not drawn yet"
+    assert found["first"][:2] == [16, 8]
+    assert found["again"] == found["first"]
+    assert found["black"][2] < found["first"][2]
+    assert found["small"][:2] == [8, 8]
+    assert found["errors"] == [
+        "`spread` is declared in 0..8: 9 is not",
+        "Shadows has no parameter `speed`",
+        "a frame cannot have 0 x 8 pixels",
+        "Shadows has no output `other`",
+        "this frame was opened without a canvas",
+    ]

@@ -84,9 +84,9 @@ def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
     edges = _edges(faces, rules)
     found = [_covered(faces, edges, part, rules) for part in _portions(_spans(faces, edges, rules))]
     return Coverage(
-        _joined([part.fragments for part in found]),
+        joined([part.fragments for part in found]),
         np.concatenate([np.zeros(0, np.bool_), *(part.certain for part in found)]),
-        _joined([part.doubtful for part in found]),
+        joined([part.doubtful for part in found]),
     )
 
 
@@ -106,7 +106,8 @@ def _covered(faces: Faces, edges: _Edges, spans: _Spans, rules: RasterRules) -> 
     )
 
 
-def _joined(parts: Sequence[Fragments]) -> Fragments:
+def joined(parts: Sequence[Fragments]) -> Fragments:
+    """Several fragments in their order."""
     none = np.zeros(0, np.int64)
     return Fragments(
         np.concatenate([none, *(part.face for part in parts)]),

@@ -14,10 +14,10 @@ from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
 from .copies import place_numbers
-from .coverage import Coverage, Fragments, coverage_of
+from .coverage import Coverage, Fragments, coverage_of, joined
 from .faces import Faces
 from .hulls import Hulls
-from .quads import Barycentric, Quads, depths_of, quads_of
+from .quads import Barycentric, Quads, depths_of, out_of_range, quads_of
 from .resolve import BLACK, Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
@@ -161,6 +161,10 @@ class _Drawing:
         seen, doubtful = self._let_through(fragments), coverage.doubtful
         fragments, sure = _chosen(fragments, seen), sure[seen]
         doubtful = _chosen(doubtful, self._let_through(doubtful))
+        if self._depth.is_biased:
+            # APIs leave open what becomes of depths that a bias moves out of their range.
+            beyond = sure & out_of_range(self._faces, fragments, self._rules)
+            doubtful, sure = joined([doubtful, _chosen(fragments, beyond)]), sure & ~beyond
         every, certain = Coverage(fragments, sure, doubtful).in_order()
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:

@@ -15,7 +15,7 @@ from ..bounds import Bounded
 from ..namespace import Lanes
 from .coverage import Fragments
 from .faces import Faces
-from .scene import Floats, Ints, RasterRules
+from .scene import Bools, Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
 """The error of a mean where a device may take small numbers of the computation for zero. Means of
@@ -271,12 +271,24 @@ def depths_of(faces: Faces, fragments: Fragments, rules: RasterRules) -> tuple[F
 
     Whatever a shader reads, the test clamps them to 0 and 1.
     """
-    x, y = fragments.pixel % rules.width, fragments.pixel // rules.width
-    read = Barycentric(faces, Quads(fragments.face, x, y, 1), rules).depth
+    read = _single(faces, fragments, rules)
     low, depth, high = (
         np.clip(end[:, 0, 0], 0.0, 1.0) for end in (read.low, read.value, read.high)
     )
     return depth, np.maximum(high - depth, depth - low)
+
+
+def out_of_range(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bools:
+    """The fragments whose depth may be below 0 or above 1 on a device."""
+    read = _single(faces, fragments, rules)
+    beyond: Bools = (read.low < 0.0) | (read.high > 1.0)
+    return beyond[:, 0, 0]
+
+
+def _single(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bounded:
+    """The depths of single pixels, (fragments, 1, 1)."""
+    x, y = fragments.pixel % rules.width, fragments.pixel // rules.width
+    return Barycentric(faces, Quads(fragments.face, x, y, 1), rules).depth
 
 
 def _most(corners: Floats) -> Floats:

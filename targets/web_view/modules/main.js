@@ -40,12 +40,8 @@ function view(api) {
             fps.textContent = rate === null ? "" : `${Math.round(rate)} fps`;
             canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);
         },
-        elapsed(seconds) {
-            if (!panel?.runs)
-                return false;
-            panel.advance(seconds);
-            return true;
-        },
+        runs: () => panel?.runs ?? false,
+        elapsed: (seconds) => panel?.advance(seconds),
     });
     let panel = null;
     async function showDocument(found) {
@@ -58,9 +54,8 @@ function view(api) {
             Object.assign(choice, found.chosen);
             const values = panel.show(found.chosen.subject ?? "", found.controls);
             fillOutputs(found);
-            screen.show(outputs.value);
             try {
-                await screen.open(found.package, found.orbit, values);
+                await screen.open(found.package, found.orbit, values, outputs.value);
                 problems.picture = "";
             }
             catch (error) {

@@ -10,7 +10,8 @@ export class Panel {
     kept = {};
     built = "";
     subject = "";
-    timed = new Set();
+    /** The numbers that run with the time, each with what it is exactly. */
+    timed = new Map();
     /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
     constructor(root, file, changed, animated) {
         this.root = root;
@@ -41,17 +42,20 @@ export class Panel {
     }
     /** Whether some number runs with the time. */
     get runs() {
-        return [...this.timed].some((name) => this.rows.has(name));
+        return [...this.timed.keys()].some((name) => this.rows.has(name));
     }
     /** Let the time go on, in seconds. */
     advance(seconds) {
-        for (const name of this.timed) {
+        for (const [name, before] of this.timed) {
             const row = this.rows.get(name);
             if (!row)
                 continue;
-            const value = Number(this.value(row) ?? 0) + seconds;
-            this.set(row, row.control.whole ? Math.floor(value) : value);
-            row.field.show(value);
+            this.timed.set(name, before + seconds);
+            const given = row.control.whole ? Math.floor(before + seconds) : before + seconds;
+            this.kept[name] = { type: row.control.type, value: given };
+            row.field.show(given);
+            row.reset.hidden = false;
+            this.changed(name, given);
         }
     }
     resetAll() {
@@ -129,8 +133,9 @@ export class Panel {
             "aria-pressed": String(this.timed.has(name)),
         }, "▶");
         button.addEventListener("click", () => {
+            const row = this.rows.get(name);
             if (!this.timed.delete(name))
-                this.timed.add(name);
+                this.timed.set(name, Number(this.value(row) ?? 0));
             button.setAttribute("aria-pressed", String(this.timed.has(name)));
             this.animated();
         });

@@ -33,9 +33,13 @@ export class Screen {
     get evolves() {
         return (this.package?.plan.kept.length ?? 0) > 0;
     }
+    /** Whether there is another picture to draw after each. */
+    get goesOn() {
+        return this.playing && (this.evolves || this.watcher.runs());
+    }
     /** Show another package. What was shown before stays until it is ready, and for good if it cannot
      * be opened. The camera stays where it is, unless `start` is another one than before. */
-    async open(opened, start, values) {
+    async open(opened, start, values, output) {
         const frame = await openFrame(this.canvas, opened, this.api);
         for (const [name, value] of values)
             frame.set(name, value);
@@ -45,8 +49,10 @@ export class Screen {
         if (JSON.stringify(start) !== JSON.stringify(this.start))
             this.orbit = new Orbit(start);
         this.start = start;
+        this.output = output;
         this.draw();
-        this.request();
+        if (this.goesOn)
+            this.request();
     }
     set(name, value) {
         this.attempt(() => this.frame?.set(name, value));
@@ -84,8 +90,9 @@ export class Screen {
         const seconds = (now - this.before) / 1000;
         const follows = this.before > 0 && seconds < LONGEST;
         this.before = now;
-        const runs = this.playing && this.watcher.elapsed(follows ? seconds : 0);
-        const goesOn = this.playing && (runs || this.evolves);
+        const { goesOn } = this;
+        if (goesOn && follows)
+            this.watcher.elapsed(seconds);
         if (goesOn && follows && seconds > 0) {
             const rate = 1 / seconds;
             this.rate = this.rate === null ? rate : SMOOTHING * this.rate + (1 - SMOOTHING) * rate;

@@ -129,10 +129,14 @@ def _samplers(**state: Any) -> Callable[[Job], Job]:
     return change
 
 
-def _blended(asked: Job) -> Job:
-    """Use the blend mode ``add`` for everything."""
-    targets = tuple(replace(target, blend=named("add")) for target in asked.pipeline.targets)
-    return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
+def _targets(**state: Any) -> Callable[[Job], Job]:
+    """With some of the state of all targets set to something else."""
+
+    def change(asked: Job) -> Job:
+        targets = tuple(replace(target, **state) for target in asked.pipeline.targets)
+        return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
+
+    return change
 
 
 def _states(**state: Any) -> Callable[[Job], Job]:
@@ -224,6 +228,9 @@ PLANTED = [
     Planted("clamped no more", "pipeline: Biased", HLSL,
             job(_states(depth_bias=DepthBias(400000, -1.5, 0.0)))),
     Planted("fronts as usual", "pipeline: Clockwise", WGSL, job(_states(front_face="ccw"))),
+    Planted("masked lanes written", "pipeline: Stained", WGSL, job(_targets(mask="rgba"))),
+    Planted("blended by nothing", "pipeline: Stained", GLSL,
+            job(_draws(lambda draw: replace(draw, blend_constant=(0.0, 0.0, 0.0, 0.0))))),
+    Planted("added instead of blended", "pipeline: Veil", GLSL, job(_targets(blend=named("add")))),
     Planted("whole triangles", "pipeline: Edges", GLSL, job(_states(fill="faces"))),
-    Planted("added instead of blended", "pipeline: Veil", GLSL, job(_blended)),
 ]  # fmt: skip

@@ -1,0 +1,64 @@
+"""Every example of a frame, on a route of each API and on some of the others, against reference.
+
+Drawing a frame takes long, and most of what routes of one API do for it is the same. So each frame
+is drawn by one route of each API, and by two of the others in turn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.summary import details
+from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
+
+from ..frames.kit import EXAMPLES
+from .kit import Studio
+
+ALWAYS = ("lavapipe:glsl", "llvmpipe:gl450", "chromium:webgpu", "chromium:webgl2")
+OTHERS = [
+    name
+    for name, route in ROUTES.items()
+    if EVERY_DRIVER[route.driver].draws_frames and name not in ALWAYS
+]
+IN_TURN = 2
+SIZE = (48, 40)
+"""Not square, so that an exchange of x and y is visible."""
+
+
+def routes_of(path: Path) -> Iterator[str]:
+    """The names of the routes that draw an example."""
+    yield from ALWAYS
+    first = IN_TURN * EXAMPLES.index(path)
+    for number in range(first, first + IN_TURN):
+        yield OTHERS[number % len(OTHERS)]
+
+
+CASES = [
+    pytest.param(path, route, id=f"{path.stem}-{route}")
+    for path in EXAMPLES
+    for route in routes_of(path)
+]
+
+
+@pytest.mark.parametrize(("path", "route"), CASES)
+def test_it_agrees(studio: Studio, path: Path, route: str) -> None:
+    (frame,) = burnish.compile(path, (ROUTES[route].profile,)).frames
+    # Routes share little of what the reference draws, and several at once need much memory.
+    (row,) = conform(
+        [(path.stem, frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE
+    )
+    assert row.status == "agrees", "\n".join(details(row)) or row.problem
+    assert all(np.isfinite(target).all() for result in row.results for target in result.got)
+    # A frame that shows the same everywhere would agree whatever went wrong.
+    assert any(np.ptp(target[..., :3]) > 0.1 for result in row.results for target in result.got)
+
+
+def test_every_route_of_frames_has_its_turn() -> None:
+    drawn = {route for path in EXAMPLES for route in routes_of(path)}
+    assert drawn == {*ALWAYS, *OTHERS}

@@ -1,0 +1,89 @@
+"""What the host draws of meshes, and with which values, against what Python's runtime draws.
+
+Materials that expand primitives or divide patches, and instances, are drawn as frames of one step.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.single import single_frame, single_scenery
+from burnish.targets.web_host.package import frame_package
+
+from .kit import in_node
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+INSTANCES = 3
+
+_GEOMETRY = """({shader, mesh, number}) => {
+  const { attributes, indices, count, instances, elements } = call(shader, mesh, number);
+  return {
+    attributes: Object.fromEntries(
+      attributes.map(({ input, words }) => [input.name, [...words]])),
+    indices: indices && [...indices],
+    elements: Object.fromEntries([...elements].map(([name, bytes]) => [name, [...bytes]])),
+    count,
+    instances,
+  };
+}"""
+
+
+def hosted(name: str) -> tuple[FrameHost, dict[str, Any]]:
+    """The first material of an example on a mesh, and the package of its frame."""
+    subject = burnish.compile(EXAMPLES / f"{name}.burnish", "wgsl").materials[0]
+    frame = single_frame(subject)
+    host = FrameHost(frame, single_scenery(frame, "cube", INSTANCES), (8, 8))
+    return host, frame_package(host)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["clay", "instances", "sprites", "fins", "displacement", "splines", "thorns", "threads"],
+)
+def test_the_same_is_drawn_of_a_mesh(name: str) -> None:
+    host, package = hosted(name)
+    (step,) = host.plan["steps"]
+    (drawn,) = host.draws(step, is_first=True)
+    wanted, reflection = drawn.state.draw(), drawn.state.instance.reflection
+    (model,) = package["scene"]["models"]
+    mesh = package["scene"]["meshes"][model["mesh"]]
+    given = {"shader": package["shaders"][0], "mesh": mesh, "number": model["primitives"]["0"]}
+    (found,) = in_node("geometry.js", "geometryOf", _GEOMETRY, [given])
+
+    rows = [row for row in reflection["vertex_inputs"] if row["buffer"] is None]
+    assert found["attributes"].keys() == {row["name"] for row in rows}
+    for row, data in zip(rows, wanted.vertices, strict=True):
+        assert found["attributes"][row["name"]] == np.frombuffer(data, "<u4").tolist(), row["name"]
+    indices = np.frombuffer(wanted.indices, "<u4").tolist()
+    assert found["count"] == len(indices)
+    assert (found["indices"] or list(range(found["count"]))) == indices
+    assert found["instances"] == wanted.instance_count
+    buffers = [row["name"] for row in reflection["buffers"] if row["stages"]]
+    of_mesh = {row["buffer"]["name"] for row in reflection["vertex_inputs"] if row["buffer"]}
+    assert found["elements"].keys() == of_mesh
+    for buffer, data in zip(buffers, wanted.buffers, strict=True):
+        if buffer in of_mesh:
+            assert bytes(found["elements"][buffer]) == data
+
+
+def test_patches_of_other_levels_need_another_package() -> None:
+    _, package = hosted("threads")
+    shader = package["shaders"][0]
+    body = """({shader, value, name}) => {
+      const values = new Values(shader.reflection.material, shader.reflection);
+      for (const [key, each] of Object.entries(shader.values)) values.set(key, each);
+      if (name) values.set(name, value);
+      try { call(shader, values); return null; } catch (error) { return error.message; }
+    }"""
+    other = shader["values"]["number"] + 1
+    given = [{"shader": shader}, {"shader": shader, "name": "number", "value": other}]
+    same, changed = in_node("geometry.js", "checkLevels", body, given, ("values.js", "Values"))
+    assert same is None
+    assert "was packaged with patches of the levels" in changed
+    assert changed.endswith("make the package anew")
