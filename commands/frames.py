@@ -41,6 +41,7 @@ def has_frames(request: Request) -> bool:
 def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     """Draw the frame of the file, or the one that ``--material`` names; the route ``None`` is the
     reference."""
+    from ..targets.runner.frames.plan_files import told_contradictions
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
     from .lacking import tell_lacking_tools
@@ -48,13 +49,15 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     routes = _those_that_draw(chosen, request)
     frame = _planned(request, routes)
     outputs = frame_outputs(frame, request.target)
-    made = host_maker(frame, request)
+    with told_contradictions(frame):
+        made = host_maker(frame, request)
     check_single(len(routes) * len(outputs), request.output)
     drivers = [route for route in routes if route is not None]
     with (
         Progress("drawing") as progress,
         Runner(drivers, device=request.device) as runner,
         Toolchain() as toolchain,
+        told_contradictions(frame),
     ):
         tell_lacking_tools(drivers, runner, fatal=True)
         columns: list[list[Floats]] = []

@@ -95,7 +95,7 @@ def subjects(
     found = [(titles, material, _scene_state(material, request)) for titles, material in drawn_ones]
     drawn = [state.instance for _titles, _material, state in found]
     _set_values([*drawn, *(kernel.instance for kernel in kernels)], request.values)
-    _set_pictures(drawn, request.size)
+    set_pictures(drawn, request.size)
     feeding = feed(kernels, drawn, dict(request.again))
     _insist_on_values([*drawn, *(kernel.instance for kernel in feeding.kernels)])
     feeding.run(request.steps, tell)
@@ -214,7 +214,7 @@ def _set_values(instances: Sequence[Instance], values: Iterable[tuple[str, str]]
             raise min(unknown, key=lambda error: len(str(error)))
 
 
-def _set_pictures(instances: Sequence[Instance], size: tuple[int, int]) -> None:
+def set_pictures(instances: Sequence[Instance], size: tuple[int, int]) -> None:
     """Give kernels over images a picture to work on for each texture that has none."""
     from ..targets.runner.kernels import has_images
     from ..targets.runner.textures.chart import chart

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -23,12 +23,16 @@ from ...compiler.diagnostics.style import Style
 from ..console import remark, show
 from ..failures import drawing_errors
 from ..frames import scenery_of
+from ..kernels import feed, kernels_of
 from ..render import BACKGROUND, MESHES
+from ..subjects import set_pictures
 from .request import Choice, Request
 
 if TYPE_CHECKING:
+    from ...targets.runner.feeding import Kernel
     from ...targets.runner.frames.host import FrameHost, FrameSubject
     from ...targets.runner.frames.scenery import Scenery
+    from ...targets.runner.instances.instance import Instance
 
 PROFILES = ("wgsl:webgpu", "glsl:es300")
 """The texts that a page can ask for."""
@@ -73,7 +77,10 @@ class Documents:
         with self._lock:
             if choice not in self._made:
                 document = {"version": self.version, **self._document(choice)}
-                self._made[choice] = json.dumps(document, separators=(",", ":")).encode()
+                made = json.dumps(document, separators=(",", ":")).encode()
+                self._made[choice] = made
+                if chosen := document.get("chosen"):  # What the page will ask for after a change.
+                    self._made[choice_of({**chosen, "profile": choice.profile})] = made
                 self._told = self.version
             return self._made[choice]
 
@@ -121,7 +128,7 @@ class Documents:
         declared = self._declared()
         chosen = self._chosen(choice, declared)
         frame = self._compiled(chosen, declared)
-        host = self._host(frame, chosen.mesh or self._request.mesh)
+        host = self._host(frame, chosen)
         has_mesh = self._request.scene is None and bool(frame.plan["models"])
         return {
             "chosen": {
@@ -183,13 +190,33 @@ class Documents:
         red, green, blue = color_lanes(BACKGROUND) or (0.0, 0.0, 0.0)
         return single_frame(result.materials[0], (red, green, blue, 1.0))
 
-    def _host(self, frame: FrameSubject, mesh: str) -> FrameHost:
+    def _host(self, frame: FrameSubject, chosen: Choice) -> FrameHost:
+        """The frame with a scene, and with the values of the command line."""
         from ...targets.runner.frames.host import FrameHost
+        from ...targets.runner.frames.single import SingleFrame
 
-        host = FrameHost(frame, self._scenery(frame, mesh), _SIZE)
+        host = FrameHost(frame, self._scenery(frame, chosen.mesh or self._request.mesh), _SIZE)
+        kernels = self._kernels(host, chosen) if isinstance(frame, SingleFrame) else []
         for name, text in self._request.values:
-            host.set_text(name, text)
+            _set(host, kernels, name, text)
+        if isinstance(frame, SingleFrame):
+            set_pictures(host.instances, _SIZE)
+            if kernels:
+                feed(kernels, host.instances, {}).run(1, lambda _share: None)
+        for name in host.unused_lamps() if self._request.scene else ():
+            remark(
+                "note", f"the light {name!r} of the scene is left out: the rig has no place for it"
+            )
         return host
+
+    def _kernels(self, host: FrameHost, chosen: Choice) -> list[Kernel]:
+        """The kernels of the file, if a material reads buffers, which they may write."""
+        rows = (row for each in host.instances for row in each.reflection["buffers"])
+        if not any(row["stages"] for row in rows):
+            return []
+        request = self._request
+        compiled = api.compile(request.file, (), rig=chosen.rig, search_path=request.search_path)
+        return kernels_of(compiled)
 
     def _scenery(self, frame: FrameSubject, mesh: str) -> Scenery:
         """A mesh for a material; for a frame one of each of its materials; or a file's objects."""
@@ -207,6 +234,24 @@ def choice_of(query: Mapping[str, str]) -> Choice:
         query.get("subject"), query.get("rig"), query.get("pass"), query.get("mesh"),
         profile if profile in PROFILES else PROFILES[0],
     )  # fmt: skip
+
+
+def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> None:
+    """Set a value of what is shown, and of the kernels that have one of this name. Raises
+    ``ParameterError`` if nobody has, and ``PictureError``."""
+    from ...targets.runner.instances.values import UnknownParameterError
+
+    found, unknown = False, None
+    owners: list[FrameHost | Instance] = [host, *(kernel.instance for kernel in kernels)]
+    for each in owners:
+        try:
+            each.set_text(name, text)
+        except UnknownParameterError as error:
+            unknown = unknown or error
+        else:
+            found = True
+    if not found and unknown is not None:
+        raise unknown
 
 
 def _first(*names: str | None) -> str | None:

@@ -1188,6 +1188,12 @@ NO_SHARED_VERTICES = _error(
     "Lines, primitives with what lies next to them, and patches come of a mesh, whose triangles "
     "have vertices in common. Vertices that have nothing but their numbers share none.",
 )
+NOT_BROUGHT = _error(
+    "B0819",
+    "`{name}` of a {record} cannot be what a step leaves",
+    "Only lights bring the steps that make their textures, such as a shadow map. For all else a "
+    "frame says by `with` what is read.",
+)
 NOT_CLEARED = _error(
     "B0820",
     "`{name}` is drawn over, so it is not cleared",
@@ -1205,10 +1211,4 @@ NOT_BLENDED = _error(
     "`{target}` of `{step}` is blended, and `{format}` cannot be blended everywhere",
     "WebGPU and WebGL 2 blend 32-bit floats only where a device has an extension for it. "
     "Draw to a format of 16-bit floats.",
-)
-NOT_BROUGHT = _error(
-    "B0819",
-    "`{name}` of a {record} cannot be what a step leaves",
-    "Only lights bring the steps that make their textures, such as a shadow map. For all else a "
-    "frame says by `with` what is read.",
 )

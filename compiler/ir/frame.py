@@ -155,6 +155,16 @@ class RenderStep:
     blend_constant: int | None = None
     """What the factor ``constant`` means in all targets."""
 
+    @property
+    def settings(self) -> tuple[int, ...]:
+        """The numbers of all values that say where it draws, and over what."""
+        attachments = (*self.attachments, *(() if self.depth is None else (self.depth,)))
+        every = (
+            self.viewport, self.scissor, self.blend_constant,
+            *(attachment.clear for attachment in attachments),
+        )  # fmt: skip
+        return tuple(number for number in every if number is not None)
+
 
 @frozen(eq=False)
 class KernelStep:

@@ -150,7 +150,8 @@ class _Planning:
         steps: list[PlannedStep] = []
         for number, step in enumerate(self._frame.steps):
             copies = list(self._placed(number, step))
-            steps += [self._copied(copy) for copy in copies]
+            is_rare = step.name in self._rare
+            steps += [self._copied(copy, is_rare=is_rare) for copy in copies]
             planned = self._planned(number, step)
             if steps and _draws_on(steps[-1], planned):
                 planned = changed(planned, continues=True)
@@ -203,16 +204,19 @@ class _Planning:
             elif self._shares and over not in read and self._is_drawn_over(over, image, number):
                 self._share(image, self._texture_of[over])
             else:
-                self._allot(image)
+                self._find_texture(step, image)
                 yield Copy(over, image)
         for left in written_by(step):
-            if not isinstance(left, Image):
-                continue
-            if step.name in self._rare and left not in self._texture_of:
-                self._texture_of[left] = self._new(left)
-                self._rare_textures.add(self._texture_of[left])
-            elif left not in self._texture_of:
-                self._allot(left)
+            if isinstance(left, Image) and left not in self._texture_of:
+                self._find_texture(step, left)
+
+    def _find_texture(self, step: Step, image: Image) -> None:
+        """Find a texture for what a step leaves."""
+        if step.name in self._rare:
+            self._texture_of[image] = self._new(image)
+            self._rare_textures.add(self._texture_of[image])
+        else:
+            self._allot(image)
 
     def _is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
         """Whether nobody needs what is there from a step on but those that draw an image over it:
@@ -249,14 +253,14 @@ class _Planning:
 
     # --- steps ---
 
-    def _copied(self, copy: Copy) -> PlannedStep:
+    def _copied(self, copy: Copy, *, is_rare: bool) -> PlannedStep:
         states: tuple[tuple[State, Image], ...] = (
             ("copied_from", copy.image), ("copied_to", copy.into),
         )  # fmt: skip
         self._drawn |= {(copy.into, layer, level) for image, layer, level in self._drawn
                         if image is copy.image}  # fmt: skip
         barriers = self._barriers((self._texture_of[i], state) for state, i in states)
-        return PlannedStep(copy, barriers)
+        return PlannedStep(copy, barriers, only_first=is_rare)
 
     def _planned(self, number: int, step: Step) -> PlannedStep:
         barriers = self._barriers(self._used(step))

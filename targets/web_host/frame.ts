@@ -119,6 +119,10 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     return this.renderer.read(this.outputOf(output));
   }
 
+  finished(): Promise<void> {
+    return this.renderer.finished();
+  }
+
   dispose(): void {
     this.renderer.dispose();
   }

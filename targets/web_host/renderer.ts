@@ -67,5 +67,6 @@ export interface Renderer<Texture, Buffer> {
 
   show(texture: Texture): void;
   read(texture: Texture): Promise<Pixels>;
+  finished(): Promise<void>;
   dispose(): void;
 }

@@ -389,6 +389,8 @@ export interface Frame {
   show(output?: string): void;
   /** The numbers of an output's first level. */
   read(output: string): Promise<Pixels>;
+  /** Wait until all is drawn; an error tells what the API has refused of it. */
+  finished(): Promise<void>;
   /** Give everything back that the frame has made. */
   dispose(): void;
 }

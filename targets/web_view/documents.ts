@@ -20,6 +20,8 @@ export interface Control {
   columns?: number;
   whole?: boolean;
   range?: [number, number] | null;
+  /** Of a texture: whether it is something else than the default, which `value` names. */
+  is_given?: boolean;
   /** Whether it is a number that changes from frame to frame, such as a time. */
   is_timed?: boolean;
 }

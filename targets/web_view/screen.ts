@@ -68,6 +68,10 @@ export class Screen {
     this.output = output;
     this.draw();
     if (this.goesOn) this.request();
+    // What the API refuses it tells later.
+    frame.finished().catch((error: Error) => {
+      if (this.frame === frame) this.watcher.problem(error.message);
+    });
   }
 
   set(name: string, value: Value): void {

@@ -12,7 +12,7 @@ from PIL import Image
 from burnish import Texture
 from burnish.commands.render import MESHES
 
-from .kit import invoke, tree
+from .kit import invoke, shell, tree
 
 Pixels = NDArray[np.uint8]
 
@@ -359,6 +359,13 @@ def test_numbers_instead_of_colours(tmp_path: Path) -> None:
     picture = draw("material M { map paint : texture2d color = paint(vec2(0.5)).rgb / 12 }",
                    tmp_path, "--set", given)  # fmt: skip
     assert middle(picture) == (255, 40, 0)
+
+
+def test_nothing_is_said_at_the_end_of_a_process_that_has_written_numbers(tmp_path: Path) -> None:
+    """OpenImageIO lists what is left of its objects then, if there are any."""
+    (tmp_path / "m.burnish").write_text("material Bright { color = vec3(12, 0.25, -1) }")
+    result = shell("render", "m.burnish", "-o", "m.exr", "--size", 4, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
 
 
 def test_a_sheet_has_no_numbers(tmp_path: Path) -> None:

@@ -106,6 +106,33 @@ def test_drawing_over_leaves_what_was_there_to_others(studio: Studio, where: str
 
 
 @EVERYWHERE
+def test_what_only_the_first_frame_draws_over_what_all_need(studio: Studio, where: str) -> None:
+    """The first frame copies what it draws over; later frames find its texture as they should."""
+    text = f"""{NUMBERS}
+    pass Counted : FullScreen {{
+        map before : texture2d with {{ filter = nearest, mip = none }}
+        target value : rgba16f = before.load(ivec2(frag_coord.xy)) + 1
+    }}
+    frame F {{
+        one   = Numbered(screen)
+        base  = Added(screen) with {{ source = one.value }}
+        first = Added(screen, base) with {{ source = one.value }}
+        count = Counted(screen) with {{ before = previous(count.value, first.value) }}
+        again = Added(screen) with {{ source = base.value, times = 3 }}
+        output value = count.value
+        output other = base.value
+        output thrice = again.value
+    }}"""
+    (frame,) = burnish.compile(text, ("wgsl",)).frames
+    steps = {step.get("name", "copy"): step["only_first"] for step in frame.plan["steps"]}
+    assert {name for name, is_rare in steps.items() if is_rare} == {"copy", "first"}
+    for number, found in enumerate(outputs(text, where, studio, 3)):
+        assert found["value"][0][..., :2] == pytest.approx(2 * RAMP + number + 1)
+        assert found["other"][0][..., :2] == pytest.approx(RAMP)
+        assert found["thrice"][0][..., :2] == pytest.approx(3 * RAMP)
+
+
+@EVERYWHERE
 def test_steps_that_draw_on_are_one_render_pass(studio: Studio, where: str) -> None:
     text = f"""{NUMBERS}
     frame F {{
@@ -540,3 +567,29 @@ def test_faces_own_the_pixels_on_a_level_edge_as_the_reference_says(
     (frame,) = burnish.compile(LEVEL_EDGE, PROFILES, partial=True).frames
     (row,) = conform([("F", frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE)
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
+
+
+@EVERYWHERE
+def test_depths_and_stencil_values_are_empty_before_the_first_frame(
+    studio: Studio, where: str
+) -> None:
+    """The second frame finds what the first one has left, but for stencil values."""
+    text = f"""{HEAD}{BARS}
+    pass Wall : FullScreen {{
+        clip_position = @vertex (vec4(across, above, 0.25, 1) as point<clip>)
+        depth   {{ write = true }}
+        stencil {{ compare = equal, pass = increment_wrap }}
+        target value : rgba32f = vec4(1)
+    }}
+    pass Shown : FullScreen {{
+        map before : depth2d with {{ filter = nearest }}
+        stencil {{ compare = equal, reference = 1 }}
+        target value : rgba32f = vec4(2 + before(uv, 0.5), 0, 0, 1)
+    }}
+    frame F {{
+        wall  = Wall(screen)
+        shown = Shown(screen, wall) with {{ before = previous(wall.depth) }}
+        output value = shown.value
+    }}"""
+    found = outputs(text, where, studio, count=2)
+    assert [frame["value"][0][0, 0, 0] for frame in found] == [3, 2]

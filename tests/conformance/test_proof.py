@@ -31,6 +31,10 @@ SOUND = {
     "blended tens": (
         "material M {}\npass P { target t : rgb10a2 = vec4(material.uv * 3, 0.5, 0.5) blend alpha }"
     ),
+    "blended by factors": (
+        "material M {}\npass P { target t : rgba8 = vec4(material.uv, 0.5, 0.5) blend {"
+        " source = one_minus_dst, destination = src_alpha, operation = reverse_subtract } }"
+    ),
     "whole numbers where the mesh has floats": (
         "material M { attribute vertex_color : uvec4  color = vec3(float(vertex_color.x)) }"
     ),

@@ -12,7 +12,10 @@ import pytest
 
 from burnish.targets.runner.frames import plan_files
 from burnish.targets.runner.frames.checking import PlanError
-from burnish.targets.runner.frames.plan_files import read_frame
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.plan_files import read_frame, told_contradictions
+from burnish.targets.runner.frames.scenery import in_a_row
+from burnish.targets.runner.instances.instance import Instance
 
 from .kit import FOLDER, compiled
 
@@ -176,3 +179,63 @@ def test_files_are_not_read_without_limits(folder: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(plan_files, "MAX_FILE", 2**20)
     monkeypatch.setattr(plan_files, "MAX_BYTES", 60_000)
     assert re.fullmatch("`Deferred.*.json` is too large: .*", said(folder))
+
+
+VALUES: dict[str, tuple[dict[str, Any], str]] = {
+    "no function": (
+        {"op": "call", "type": "float", "args": [0], "function": "explode"},
+        "Deferred, value 2: its steps cannot be computed",
+    ),
+    "a vector": (
+        {"op": "vector", "type": "float", "args": [0, 0]},
+        "Deferred, value 2: its steps compute no float",
+    ),
+    "a sum without end": (
+        {"op": "fold", "type": "float", "args": [0, 0, 0], "operator": "add", "bound": 2**40},
+        f"Deferred, value 2: step 1 has {2**40} terms",
+    ),
+    "of itself": (
+        {"op": "splat", "type": "float", "args": [1]},
+        "Deferred, value 2: step 1 is computed of [1], which do not stand before it",
+    ),
+}
+"""The last step of the number that is the exposure, and what is said of it."""
+
+
+@pytest.mark.parametrize("name", VALUES)
+def test_steps_of_values_that_cannot_be_computed(folder: Path, name: str) -> None:
+    step, wanted = VALUES[name]
+    edit(folder / "Deferred.plan.json", lambda plan: plan["values"][2]["steps"].append(step))
+    with pytest.raises(PlanError) as raised:
+        frame = read_frame(folder / "Deferred.plan.json", PROFILES)
+        FrameHost(frame, in_a_row(["Clay", "Jade"], {}, "cube"), (8, 8)).number(2)
+    assert str(raised.value) == wanted
+
+
+def test_steps_of_values_follow_the_schema(folder: Path) -> None:
+    def change(plan: Any) -> None:
+        plan["values"][2]["steps"] = [{"op": "index", "type": "float", "args": [0]}]
+
+    edit(folder / "Deferred.plan.json", change)
+    assert said(folder).splitlines() == [
+        "`Deferred.plan.json` does not follow plan.schema.json:",
+        "  $.values[2].steps[0].args: [0] is too short",
+    ]
+
+
+def test_reflections_that_say_what_cannot_be(folder: Path) -> None:
+    """Their schema knows no types; and what fails of one's own frames is a bug, and stays one."""
+
+    def add_a_matrix(reflection: Any) -> None:
+        steps = reflection["derived"][0]["steps"]
+        (matrix,) = [n for n, step in enumerate(steps) if step["op"] == "parameter"]
+        steps.append({"op": "swizzle", "type": "vec3", "args": [matrix], "lanes": [0, 1, 2]})
+        steps.append({"op": "index", "type": "vec3", "args": [matrix, matrix]})
+
+    edit(folder / f"{CLAY}.json", add_a_matrix)
+    frame = read_frame(folder / "Deferred.plan.json", PROFILES)
+    with pytest.raises(PlanError) as raised, told_contradictions(frame):
+        Instance(frame.shaders[0].reflection).blocks()
+    assert str(raised.value).startswith("Deferred: its files contradict each other: ")
+    with pytest.raises(KeyError), told_contradictions(FRAME):
+        raise KeyError

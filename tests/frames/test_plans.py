@@ -167,6 +167,12 @@ frame Tables {
         ("table = Table(screen, 4)", "other = shown.value", set()),
         ("table = Table(screen, 4) with { scale = scale }", "other = shown.value", set()),
         ("table = Table(screen, size / 2) with { scale = 3 }", "other = shown.value", set()),
+        ("table = Table(screen, 4) with { scale = 3, scissor = ivec4(0, 0, 2, 2) }",
+         "other = shown.value", {"table"}),
+        ("table = Table(screen, 4) with { scale = 3, clear.value = scale }",
+         "other = shown.value", set()),
+        ("table = Table(screen, 4) with { scale = 3, viewport = ivec4(0, 0, int(scale), 2) }",
+         "other = shown.value", set()),
         # What others draw over, and what the host gets, is drawn anew.
         ("table = Table(screen, one) with { scale = 3 }  "
          "one = Table(screen, 4) with { scale = 3 }", "other = shown.value", set()),

@@ -67,6 +67,41 @@ def test_a_triangle_does_not_own_its_bottom_and_right_edges() -> None:
     assert counts(corners, [(0, 1, 2)], FOUR) == expected
 
 
+WHOLE = np.array([(-1.0, 1.0, 0.5, 1.0), (3.0, 1.0, 0.5, 1.0), (-1.0, -3.0, 0.5, 1.0)])
+"""A triangle over the whole clip volume, and far beyond it."""
+
+
+def test_a_viewport_holds_the_clip_volume_and_nothing_is_drawn_outside() -> None:
+    rules = RasterRules(6, 4, subpixel_bits=8, viewport=(2, 1, 4, 2), scissor=(-1, 0, 5, 9))
+    fragments, unsure = covered(WHOLE, [(0, 1, 2)], rules)
+    rows = np.bincount(fragments.pixel, minlength=24).reshape(4, 6).tolist()
+    assert rows == [[0] * 6, [0, 0, 1, 1, 0, 0], [0, 0, 1, 1, 0, 0], [0] * 6]
+    assert not unsure.any()
+
+
+@pytest.mark.parametrize("scissor", [(6, 0, 2, 2), (0, 0, 0, 4), (2, -4, 2, 4)])
+def test_a_scissor_beside_everything_leaves_nothing(scissor: Any) -> None:
+    rules = RasterRules(6, 4, subpixel_bits=8, scissor=scissor)
+    fragments, _ = covered(WHOLE, [(0, 1, 2)], rules)
+    assert not len(fragments.pixel)
+
+
+def test_a_viewport_scales_and_moves() -> None:
+    """A square over a quarter of the clip volume: from the middle to the upper right."""
+    places = [
+        (0.0, 0.0, 0.5, 1.0),
+        (1.0, 0.0, 0.5, 1.0),
+        (1.0, 1.0, 0.5, 1.0),
+        (0.0, 1.0, 0.5, 1.0),
+    ]
+    rules = RasterRules(8, 8, subpixel_bits=8, viewport=(1, 3, 4, 4))
+    fragments, _ = covered(np.array(places), [(0, 1, 2), (0, 2, 3)], rules)
+    columns, rows = fragments.pixel % 8, fragments.pixel // 8
+    assert sorted(zip(rows.tolist(), columns.tolist(), strict=True)) == [
+        (3, 3), (3, 4), (4, 3), (4, 4),
+    ]  # fmt: skip
+
+
 def test_a_square_of_two_triangles_is_covered_once() -> None:
     corners = [(0.5, 0.5), (3.5, 0.5), (3.5, 3.5), (0.5, 3.5)]
     expected = [[1, 1, 1, 0], [1, 1, 1, 0], [1, 1, 1, 0], [0, 0, 0, 0]]

@@ -253,6 +253,23 @@ def test_frames_evolve_step_by_step(page: Page, viewer: Viewer) -> None:
     _shows(page, (255, 255, 255))
 
 
+def test_a_kernel_over_images(page: Page, viewer: Viewer) -> None:
+    """Images of this format are drawn in WebGPU, and not stored."""
+    _write(viewer, """
+        kernel Half {
+            map source : texture2d
+            bright = max(source.load(texel).r, 1)
+            result half : image2d<r8>[source.size()] = if texel.x < 256 then 0.5 else bright
+        }
+    """)  # fmt: skip
+    page.wait_for_selector("h2:has-text('Half')")
+    _shows(page, (_srgb(0.5),) * 3, 0.25, 0.5)
+    _shows(page, (255, 255, 255), 0.75, 0.5)
+    assert page.locator("#problem").is_hidden()
+    said = page.locator("[data-name=source] .texture").inner_text()
+    assert said == "A picture; another by --set source=FILE"
+
+
 def test_numbers_run_with_the_time(page: Page, viewer: Viewer) -> None:
     _write(
         viewer, "material Wave { param time : float per frame = 0  color = vec3(step(0.5, time)) }"
@@ -304,7 +321,7 @@ def test_a_browser_that_cannot_draw(browser: Browser, viewer: Viewer) -> None:
     _write(viewer, FLAT)
     with browser.new_context(viewport=SIZE) as context:
         page = context.new_page()
-        page.add_init_script(f"{NO_WEBGPU} HTMLCanvasElement.prototype.getContext = () => null")
+        page.add_init_script(f"{NO_WEBGPU} OffscreenCanvas.prototype.getContext = () => null")
         page.goto(viewer.address)
         page.locator("#problem").wait_for(state="visible")
         said = page.locator("#problem").inner_text()

@@ -39,3 +39,13 @@ def test_the_package_names_the_compiler_of_the_toolchain() -> None:
     source = tool_named("typescript").source
     assert isinstance(source, OwnInstaller)
     assert package["devDependencies"] == {"typescript": source.pinned}
+
+
+def test_lines_have_the_length_of_the_tree() -> None:
+    lines = [
+        f"{path.relative_to(FOLDER)}:{number}"
+        for path in FOLDER.rglob("*.ts")
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if len(line) > 100
+    ]
+    assert not lines

@@ -85,7 +85,8 @@ def attachments(step: Rows) -> list[Rows]:
 
 
 def mark_of(target: Rows) -> MarkKind:
-    """What a pass does with a texture that it draws to."""
-    if not target["store"]:
+    """What a pass does with a texture that it draws to; one of depths may have stencils, too."""
+    parts = [target, target["stencil"]] if target.get("stencil") else [target]
+    if not any(part["store"] for part in parts):
         return "dropped"
-    return "drawn over" if target["load"] == "load" else "cleared"
+    return "drawn over" if any(part["load"] == "load" for part in parts) else "cleared"

@@ -59,10 +59,10 @@ class Drawn:
 
     @classmethod
     def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
-        """Transparent black, or no depth at all."""
-        lanes = 1 if row["format"].startswith(DEPTHS) else 4
+        """Transparent black, or as far away as can be."""
+        lanes, value = (1, 1.0) if row["format"].startswith(DEPTHS) else (4, 0.0)
         levels = [
-            np.zeros((_ENDS, row["layers"], *reversed(_halved(size, level)), lanes))
+            np.full((_ENDS, row["layers"], *reversed(_halved(size, level)), lanes), value)
             for level in range(row["levels"])
         ]
         undecided = [np.zeros(level.shape[1:4], np.bool_) for level in levels]

@@ -115,6 +115,8 @@ class _Job:
         for step in self._plan["steps"]:
             if is_first or not step.get("only_first", False):
                 self._steps += self._translated(step, is_first)
+            elif barriers := self._barriers(step, is_first):
+                self._steps.append(FrameStep(barriers))
         for row in self._plan["kept"]:
             self._exchange(row)
 

@@ -12,8 +12,9 @@ from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
+from ....compiler.diagnostics.nearest import suggestion
 from ....compiler.ir.primitives import CORNERS
-from ..instances.instance import FORMAT, Instance
+from ..instances.instance import FORMAT, Instance, MissingValuesError
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
 from ..scene import value_roles
@@ -21,6 +22,7 @@ from ..scene_state import Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
 from .checks.rows import attachments
+from .numbers import is_of
 from .scenery import Model, Scenery
 from .settings import StepState, cleared, step_state
 from .sizes import Size, checked_size, drawn_size
@@ -151,17 +153,31 @@ class FrameHost:
         """Set something of the frame; or else of all shaders that have it, such as a material's
         parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
         self.given |= {name}
-        unknown = []
+        is_known = False
         for instance in (self.values, *self.instances):
             try:
                 instance.set_text(name, text)
-            except UnknownParameterError as error:
-                unknown.append(error)
-            else:
-                if instance is self.values:
-                    return
-        if len(unknown) == len(self.instances) + 1:
-            raise unknown[0]
+            except UnknownParameterError:
+                continue
+            if instance is self.values:
+                return
+            is_known = True
+        if not is_known:
+            raise UnknownParameterError(name, self._unknown(name))
+
+    def _unknown(self, name: str) -> str:
+        """What to say of a name that neither the frame nor a shader has."""
+        reflections = [each.reflection for each in (self.values, *self.instances)]
+        names = [
+            row["name"]
+            for reflection in reflections
+            for kind in ("parameters", "textures", "buffers")
+            for row in reflection[kind]
+        ]
+        roots = list(dict.fromkeys(known.partition(".")[0] for known in names))
+        root = name.partition(".")[0].partition("[")[0]
+        hint = suggestion(name, names) or suggestion(root, roots) or f"there are {', '.join(roots)}"
+        return f"there is no parameter `{name}`: {hint}"
 
     def begin(self, drawn: int) -> None:
         """Tell the frame how many were drawn before it. To be called before its first step."""
@@ -176,8 +192,19 @@ class FrameHost:
     # --- numbers ---------------------------------------------------------------------------------
 
     def number(self, value: int) -> Any:
-        """One of the plan's values, in the form in which an instance takes it."""
-        return self.values.evaluated(self.plan["values"][value]["steps"])
+        """One of the plan's values, in the form in which an instance takes it. Raises
+        ``MissingValuesError``, and ``PlanError`` for steps that compute nothing of its type."""
+        row, where = self.plan["values"][value], f"{self.plan['frame']}, value {value}"
+        try:
+            found = self.values.evaluated(row["steps"])
+        except MissingValuesError:
+            raise
+        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError,
+                StopIteration) as error:  # fmt: skip
+            raise PlanError(f"{where}: its steps cannot be computed") from error
+        if not is_of(found, row["representation"]):
+            raise PlanError(f"{where}: its steps compute no {row['representation']}")
+        return found
 
     def size_of(self, texture: int) -> tuple[int, int]:
         """The width and the height of a texture's first level."""

@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+import struct
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path, PurePath, PureWindowsPath
 from typing import Any, NoReturn
@@ -18,7 +20,7 @@ from ....compiler.diagnostics.source import Span
 from ....compiler.ir.program import StageName
 from ....compiler.ir.shader import Shader
 from .checking import PlanError, check_plan
-from .host import VERSION, Row
+from .host import VERSION, PlannedFrame, Row
 
 ENDING = ".plan.json"
 """What the names of plans end with."""
@@ -83,6 +85,24 @@ def read_frame(path: Path, profiles: Sequence[str]) -> StoredFrame:
     shaders = [reader.shader(row, profiles) for row in plan["shaders"]]
     check_plan(plan, [shader.reflection for shader in shaders])
     return StoredFrame(plan["frame"], plan, shaders)
+
+
+@contextmanager
+def told_contradictions(frame: PlannedFrame) -> Iterator[None]:
+    """Raise ``PlanError`` for what fails inside the ``with`` block because the files of a frame say
+    things that their schemas allow and that cannot all be true, such as steps of a value that add a
+    matrix to a number. A frame that Burnish itself has compiled says no such things: what fails
+    there is a bug, and raised as it is."""
+    try:
+        yield
+    except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, struct.error,
+            ValueError) as error:  # fmt: skip
+        is_told = isinstance(error, ValueError) and type(error) is not ValueError
+        if is_told or not isinstance(frame, StoredFrame):
+            raise
+        raise PlanError(
+            f"{frame.name}: its files contradict each other: {type(error).__name__}: {error}"
+        ) from error
 
 
 class _Reader:

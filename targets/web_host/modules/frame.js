@@ -102,6 +102,9 @@ export class PlanFrame {
     read(output) {
         return this.renderer.read(this.outputOf(output));
     }
+    finished() {
+        return this.renderer.finished();
+    }
     dispose() {
         this.renderer.dispose();
     }

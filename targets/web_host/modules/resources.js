@@ -40,6 +40,13 @@ export class Resources {
         const kept = this.from.plan.kept.find((each) => each.result === result);
         return this.textures.get(kept?.previous ?? texture ?? -1)?.texture;
     }
+    /** Whether a kernel stores to a texture, and is not drawn over it. */
+    isStored(number) {
+        const { plan, shaders } = this.from;
+        const stores = (shader) => Object.keys(shaders[shader].reflection.backends[this.renderer.profile].images).length > 0;
+        return plan.steps.some((step) => step.kind === "run" && step.images.some(({ texture }) => texture === number) &&
+            stores(step.shader));
+    }
     /** A number, vector or matrix of the plan. */
     number(value) {
         const { values: rows } = this.from.plan;
@@ -64,7 +71,7 @@ export class Resources {
         const row = this.from.plan.textures[number];
         const [width, height] = this.sizeOf(number);
         const format = formatOf(row.format);
-        const isImage = row.uses.includes("image");
+        const isImage = row.uses.includes("image") && this.isStored(number);
         const texture = this.renderer.makeTexture({ ...row, format, width, height, isImage });
         this.textures.set(number, { texture, width, height });
         return texture;

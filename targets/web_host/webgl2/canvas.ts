@@ -47,7 +47,8 @@ export class Presenter {
     const { gl } = this.context;
     const lanes = lanesOf(texture.format)[0] === 1 ? "rrr" : "rgb";
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    this.cover(ON_SCREEN.replace("LANES", lanes), texture, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    const text = ON_SCREEN.replace("LANES", lanes);
+    this.cover(text, texture, gl.drawingBufferWidth, gl.drawingBufferHeight);
   }
 
   /** Draw the depths of a flat texture to the framebuffer that is bound, as numbers. */
@@ -65,7 +66,8 @@ export class Presenter {
 
   private cover(text: string, texture: Texture, width: number, height: number): void {
     const { gl } = this.context;
-    for (const state of [gl.DEPTH_TEST, gl.STENCIL_TEST, gl.SCISSOR_TEST, gl.CULL_FACE, gl.BLEND]) gl.disable(state);
+    const tests = [gl.DEPTH_TEST, gl.STENCIL_TEST, gl.SCISSOR_TEST];
+    for (const state of [...tests, gl.CULL_FACE, gl.BLEND]) gl.disable(state);
     gl.colorMask(true, true, true, true);
     gl.viewport(0, 0, width, height);
     const program = this.program(text);

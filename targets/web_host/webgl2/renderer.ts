@@ -13,6 +13,7 @@ import {
   attach, bindOf, depthPoint, halved, makePicture, makeSampler, makeTexture, type Texture,
 } from "./textures.js";
 
+type Canvas = HTMLCanvasElement | OffscreenCanvas;
 type Call = DrawCall<Texture, Uint8Array>;
 
 /** What is drawn of a geometry by one program. */
@@ -47,7 +48,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
     this.source = this.gl.createFramebuffer();
   }
 
-  static open({ shaders }: FramePackage, canvas: HTMLCanvasElement | OffscreenCanvas | null): WebGl2Renderer {
+  static open({ shaders }: FramePackage, canvas: Canvas | null): WebGl2Renderer {
     return new WebGl2Renderer(Context.open(canvas), shaders, canvas !== null);
   }
 
@@ -83,7 +84,8 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
     this.textures.forEach((each) => gl.deleteTexture(each.gl));
     this.programs.forEach((each) => gl.deleteProgram(each.gl));
     this.samplers.forEach((each) => gl.deleteSampler(each));
-    for (const { vertices, buffers } of [...this.uploaded.values()].flatMap((each) => [...each.values()])) {
+    const uploaded = [...this.uploaded.values()].flatMap((each) => [...each.values()]);
+    for (const { vertices, buffers } of uploaded) {
       gl.deleteVertexArray(vertices);
       buffers.forEach((each) => gl.deleteBuffer(each));
     }
@@ -123,9 +125,12 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
     gl.blendColor(...blendConstant);
     for (const call of calls) this.drawCall(call, depth, height);
     gl.disable(gl.SCISSOR_TEST);
-    const dropped = [...targets, ...(depth ? [depth] : [])].flatMap(({ target }, at) => (target.store ? [] : points[at]));
+    const attached = depth ? [...targets, depth] : targets;
+    const dropped = points.filter((_, at) => !attached[at].target.store);
     if (dropped.length) gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
-    points.forEach((point) => gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0));
+    for (const point of points) {
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0);
+    }
   }
 
   /** Attach everything that is drawn to; the depths last. */
@@ -181,7 +186,9 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
 
   copy(from: Texture, to: Texture): void {
     for (let level = 0; level < from.levels; level++) {
-      for (let layer = 0; layer < from.layers; layer++) this.copyLayer(from, layer, level, to, layer);
+      for (let layer = 0; layer < from.layers; layer++) {
+        this.copyLayer(from, layer, level, to, layer);
+      }
     }
   }
 
@@ -254,8 +261,13 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
         if (location === undefined) continue; // not read, so left out by the linker
         gl.enableVertexAttribArray(location);
         gl.vertexAttribDivisor(location, step === "instance" ? 1 : 0);
-        if (type === "float") gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, made.stride, offset);
-        else gl.vertexAttribIPointer(location, lanes, type === "int" ? gl.INT : gl.UNSIGNED_INT, made.stride, offset);
+        const { stride } = made;
+        if (type === "float") {
+          gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, stride, offset);
+        } else {
+          const kind = type === "int" ? gl.INT : gl.UNSIGNED_INT;
+          gl.vertexAttribIPointer(location, lanes, kind, stride, offset);
+        }
       }
       return [buffer];
     });
@@ -274,11 +286,16 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
     this.flat(texture, 0, (found) => this.presenter.show(found));
   }
 
+  /** WebGL tells of errors when it is called. */
+  async finished(): Promise<void> {}
+
   async read(texture: Texture): Promise<Pixels> {
     const { width, height, layers } = texture;
     const size = width * height * 4;
     const texels = new Float32Array(size * layers);
-    for (let layer = 0; layer < layers; layer++) texels.set(this.layer(texture, layer), size * layer);
+    for (let layer = 0; layer < layers; layer++) {
+      texels.set(this.layer(texture, layer), size * layer);
+    }
     this.context.check();
     return { width, height, layers, texels };
   }
@@ -313,8 +330,9 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
   private flat(texture: Texture, layer: number, work: (texture: Texture) => void): void {
     if (texture.dimension === "2d") return work(texture);
     const { format, width, height } = texture;
-    const size = { format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false } as const;
-    const copy = makeTexture(this.context, size);
+    const copy = makeTexture(this.context, {
+      format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false,
+    });
     this.copyLayer(texture, layer, 0, copy, 0);
     work(copy);
     this.gl.deleteTexture(copy.gl);

@@ -8,10 +8,14 @@ import { PROFILE } from "./programs.js";
 import { compareOf } from "./textures.js";
 
 /** Set everything for draws of a shader. `depths` is the format of the depths, if there are any. */
-export function setState(context: Context, reflection: Reflection, depths: GPUTextureFormat | null): void {
+export function setState(
+  context: Context, reflection: Reflection, depths: GPUTextureFormat | null,
+): void {
   const { gl } = context;
   const { render_state: state, backends, material, draw } = reflection;
-  if (state.fill === "lines") throw new Error(`WebGL 2 cannot draw the edges of triangles, as ${material} asks`);
+  if (state.fill === "lines") {
+    throw new Error(`WebGL 2 cannot draw the edges of triangles, as ${material} asks`);
+  }
   turn(gl, gl.CULL_FACE, state.cull !== "none");
   gl.cullFace(state.cull === "front" ? gl.FRONT : gl.BACK);
   gl.frontFace(backends[PROFILE].front_face === "cw" ? gl.CW : gl.CCW);
@@ -28,15 +32,17 @@ function turn(gl: Gl, what: number, on: boolean): void {
   else gl.disable(what);
 }
 
+interface Clamped {
+  polygonOffsetClampEXT(slope: number, constant: number, clamp: number): void;
+}
+
 function setBias(context: Context, { depth: { bias } }: RenderState, isFilled: boolean): void {
   const { gl } = context;
   turn(gl, gl.POLYGON_OFFSET_FILL, bias !== null && isFilled);
   if (!bias || !isFilled) return;
   if (bias.clamp === 0) return gl.polygonOffset(bias.slope, bias.constant);
   const name = "EXT_polygon_offset_clamp";
-  const clamped = context.need<{ polygonOffsetClampEXT(slope: number, constant: number, clamp: number): void }>(
-    name, "limit the bias of depths",
-  );
+  const clamped = context.need<Clamped>(name, "limit the bias of depths");
   clamped.polygonOffsetClampEXT(bias.slope, bias.constant, bias.clamp);
 }
 
@@ -46,15 +52,20 @@ function setStencil(gl: Gl, stencil: RenderState["stencil"]): void {
   gl.stencilMask(stencil.write_mask);
   for (const [face, side] of [[gl.FRONT, stencil.front], [gl.BACK, stencil.back]] as const) {
     gl.stencilFuncSeparate(face, compareOf(gl, side.compare), stencil.reference, stencil.read_mask);
-    const [fail, behind, pass] = [side.fail, side.depth_fail, side.pass].map((word) => gl[STENCIL_OPERATIONS[word]]);
+    const words = [side.fail, side.depth_fail, side.pass];
+    const [fail, behind, pass] = words.map((word) => gl[STENCIL_OPERATIONS[word]]);
     gl.stencilOpSeparate(face, fail, behind, pass);
   }
 }
 
-const STENCIL_OPERATIONS = {
+type Operation =
+  "KEEP" | "ZERO" | "REPLACE" | "INVERT" | "INCR" | "DECR" | "INCR_WRAP" | "DECR_WRAP";
+
+const STENCIL_OPERATIONS: Record<string, Operation> = {
   keep: "KEEP", zero: "ZERO", replace: "REPLACE", invert: "INVERT",
-  increment_clamp: "INCR", decrement_clamp: "DECR", increment_wrap: "INCR_WRAP", decrement_wrap: "DECR_WRAP",
-} as Record<string, "KEEP" | "ZERO" | "REPLACE" | "INVERT" | "INCR" | "DECR" | "INCR_WRAP" | "DECR_WRAP">;
+  increment_clamp: "INCR", decrement_clamp: "DECR", increment_wrap: "INCR_WRAP",
+  decrement_wrap: "DECR_WRAP",
+};
 
 // --- targets -------------------------------------------------------------------------------------
 
@@ -62,7 +73,9 @@ const STENCIL_OPERATIONS = {
 function setTargets(context: Context, { targets, material }: Reflection): void {
   const { gl } = context;
   for (const { blend, format } of targets) {
-    if (blend && /32f$/.test(format)) context.need("EXT_float_blend", `blend ${format}, which ${material} does`);
+    if (blend && /32f$/.test(format)) {
+      context.need("EXT_float_blend", `blend ${format}, which ${material} does`);
+    }
   }
   const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
   if (!first) return;
@@ -71,7 +84,8 @@ function setTargets(context: Context, { targets, material }: Reflection): void {
     if (first.blend) setBlend(gl, first.blend);
     return gl.colorMask(...lanesOf(first.mask));
   }
-  const single = context.need<Indexed>("OES_draw_buffers_indexed", `blend each target of ${material} in its own way`);
+  const need = `blend each target of ${material} in its own way`;
+  const single = context.need<Indexed>("OES_draw_buffers_indexed", need);
   targets.forEach(({ blend, mask }, at) => {
     if (!blend) single.disableiOES(gl.BLEND, at);
     else {
@@ -98,10 +112,14 @@ function setBlend(gl: Gl, blend: Blend): void {
 }
 
 const lanesOf = (mask: string) =>
-  [..."rgba"].map((lane) => mask !== "none" && mask.includes(lane)) as [boolean, boolean, boolean, boolean];
+  [..."rgba"].map((lane) => mask !== "none" && mask.includes(lane)) as Lanes;
 
-const OPERATIONS: Record<string, "FUNC_ADD" | "FUNC_SUBTRACT" | "FUNC_REVERSE_SUBTRACT" | "MIN" | "MAX"> = {
-  add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT", min: "MIN", max: "MAX",
+type Lanes = [boolean, boolean, boolean, boolean];
+type Equation = "FUNC_ADD" | "FUNC_SUBTRACT" | "FUNC_REVERSE_SUBTRACT" | "MIN" | "MAX";
+
+const OPERATIONS: Record<string, Equation> = {
+  add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT",
+  min: "MIN", max: "MAX",
 };
 
 const operation = (gl: Gl, { operation: word }: BlendEquation) => gl[OPERATIONS[word]];
@@ -126,5 +144,7 @@ const FACTORS: Record<string, [keyof Gl, keyof Gl]> = {
 /** Of colours, source and destination; then of alpha. */
 function factors(gl: Gl, { color, alpha }: Blend): [number, number, number, number] {
   const of = (word: string, lanes: 0 | 1) => gl[FACTORS[word][lanes]] as number;
-  return [of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1)];
+  return [
+    of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1),
+  ];
 }

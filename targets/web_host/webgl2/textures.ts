@@ -18,7 +18,8 @@ export interface Texture {
   sides: number[];
 }
 
-const BINDS: Record<Dimension, "TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP"> = {
+type Bind = "TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP";
+const BINDS: Record<Dimension, Bind> = {
   "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
 const WRAPS = { repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT" } as const;
@@ -73,7 +74,8 @@ export function makeTexture(context: Context, size: TextureSize): Texture {
   if (format.endsWith("float") && !isDepth(format)) {
     context.need("EXT_color_buffer_float", `draw to textures of ${format}`);
   }
-  const made = allocate(context, { format, dimension, width, height, layers, levels, sides: [width, height] });
+  const sides = [width, height];
+  const made = allocate(context, { format, dimension, width, height, layers, levels, sides });
   if (isDepth(format)) clearDepths(context.gl, made);
   return made;
 }
@@ -100,7 +102,8 @@ export const depthPoint = (gl: Gl, format: GPUTextureFormat) =>
 
 /** Attach one layer and level of a texture to the framebuffer that is bound. */
 export function attach(
-  gl: Gl, framebuffer: number, point: number, { gl: texture, dimension }: Texture, layer: number, level: number,
+  gl: Gl, framebuffer: number, point: number, { gl: texture, dimension }: Texture, layer: number,
+  level: number,
 ): void {
   if (dimension === "2d_array" || dimension === "3d") {
     gl.framebufferTextureLayer(framebuffer, point, texture, level, layer);
@@ -110,12 +113,16 @@ export function attach(
   }
 }
 
-/** A picture of the host. Its rows are uploaded in their order, as WebGL, too, counts them from v = 0. */
+/** A picture of the host. Its rows are uploaded in their order, as WebGL, too, counts them from
+ * v = 0. */
 export function makePicture(context: Context, picture: Picture): Texture {
   const { gl } = context;
   const { format, dimension, width, height, depth, levels } = picture;
-  if (format === "rgba32float") context.need("OES_texture_float_linear", "filter pictures of floats");
-  const sides = [width, height, depth].slice(0, dimension === "3d" || dimension === "2d_array" ? 3 : 2);
+  if (format === "rgba32float") {
+    context.need("OES_texture_float_linear", "filter pictures of floats");
+  }
+  const hasThree = dimension === "3d" || dimension === "2d_array";
+  const sides = hasThree ? [width, height, depth] : [width, height];
   const made = allocate(context, {
     format, dimension, width, height, layers: depth, levels: levels.length, sides,
   });
@@ -124,7 +131,10 @@ export function makePicture(context: Context, picture: Picture): Texture {
   return made;
 }
 
-function upload(gl: Gl, { format, dimension, width, height, layers }: Texture, level: number, bytes: Uint8Array<ArrayBuffer>): void {
+function upload(
+  gl: Gl, { format, dimension, width, height, layers }: Texture, level: number,
+  bytes: Uint8Array<ArrayBuffer>,
+): void {
   const [, lanes, type] = STORAGE[format]!;
   const area = [halved(width, level), halved(height, level)] as const;
   const what = [constant(gl, lanes), constant(gl, type)] as const;
@@ -160,11 +170,15 @@ function numbersOf(type: string, { buffer }: Uint8Array<ArrayBuffer>) {
 export function makeSampler(gl: Gl, state: SamplerState | null): WebGLSampler {
   const sampler = gl.createSampler();
   const set = (name: number, value: number) => gl.samplerParameteri(sampler, name, value);
-  const { filter, mip, wrap, compare } = state ?? { filter: "nearest", mip: "nearest", wrap: "clamp" };
-  const [near, between] = [filter, mip === "linear" ? "linear" : "nearest"].map((word) => word.toUpperCase());
+  const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: undefined } as const;
+  const { filter, mip, wrap, compare } = state ?? plain;
+  const words = [filter, mip === "linear" ? "linear" : "nearest"];
+  const [near, between] = words.map((word) => word.toUpperCase());
   set(gl.TEXTURE_MAG_FILTER, constant(gl, near));
   set(gl.TEXTURE_MIN_FILTER, constant(gl, `${near}_MIPMAP_${between}`));
-  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) set(name, gl[WRAPS[wrap]]);
+  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) {
+    set(name, gl[WRAPS[wrap]]);
+  }
   // A sampler stays on the first level by this; other levels can still be loaded.
   if (mip === "none") gl.samplerParameterf(sampler, gl.TEXTURE_MAX_LOD, 0);
   if (compare) {
@@ -174,7 +188,10 @@ export function makeSampler(gl: Gl, state: SamplerState | null): WebGLSampler {
   return sampler;
 }
 
-const COMPARES: Record<string, "NEVER" | "LESS" | "EQUAL" | "LEQUAL" | "GREATER" | "NOTEQUAL" | "GEQUAL" | "ALWAYS"> = {
+type Comparison =
+  "NEVER" | "LESS" | "EQUAL" | "LEQUAL" | "GREATER" | "NOTEQUAL" | "GEQUAL" | "ALWAYS";
+
+const COMPARES: Record<string, Comparison> = {
   never: "NEVER", less: "LESS", equal: "EQUAL", less_equal: "LEQUAL",
   greater: "GREATER", not_equal: "NOTEQUAL", greater_equal: "GEQUAL", always: "ALWAYS",
 };

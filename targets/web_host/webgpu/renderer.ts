@@ -230,6 +230,11 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     this.presenter.show(texture.gpu);
   }
 
+  async finished(): Promise<void> {
+    await this.device.gpu.queue.onSubmittedWorkDone();
+    this.device.check();
+  }
+
   async read({ gpu }: Texture): Promise<Pixels> {
     const { format, width, height, depthOrArrayLayers: layers } = gpu;
     const [lanes, bytesPerLane] = lanesOf(format);

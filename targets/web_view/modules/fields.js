@@ -222,7 +222,8 @@ function textureField(control) {
     const element = make("p", { class: "texture" });
     const show = () => {
         const set = make("code", {}, `--set ${control.name}=FILE`);
-        element.replaceChildren(`${String(control.value)}; `, set);
+        const now = control.is_given ? "A picture" : `All ${String(control.value)}`;
+        element.replaceChildren(`${now}; another by `, set);
     };
     return { element, show };
 }

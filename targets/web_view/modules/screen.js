@@ -53,6 +53,11 @@ export class Screen {
         this.draw();
         if (this.goesOn)
             this.request();
+        // What the API refuses it tells later.
+        frame.finished().catch((error) => {
+            if (this.frame === frame)
+                this.watcher.problem(error.message);
+        });
     }
     set(name, value) {
         this.attempt(() => this.frame?.set(name, value));

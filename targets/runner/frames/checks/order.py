@@ -54,6 +54,7 @@ class _Execution:
         for is_first in (True, False):
             self._begin(is_first)
             for step in self._plan["steps"]:
+                self._wait_before(step, is_first)
                 if is_first or not is_rare(step):
                     self._do(step, is_first)
             self._end()
@@ -85,12 +86,15 @@ class _Execution:
 
     # --- steps -----------------------------------------------------------------------------------
 
-    def _do(self, step: Row, is_first: bool) -> None:
+    def _wait_before(self, step: Row, is_first: bool) -> None:
+        """Wait at the barriers of a step, also where it is left out."""
         self._step = step_name(step)
         self._waited, self._used_here = set(), set()
         for barrier in step["barriers"]:
             if is_first or not barrier["only_first"]:
                 self._wait(barrier)
+
+    def _do(self, step: Row, is_first: bool) -> None:
         self._read_all(step, is_first)
         if step["kind"] == "copy":
             self._copy(step["from"], step["to"])
@@ -102,7 +106,9 @@ class _Execution:
         if step.get("depth") is not None:
             self._draw(step["depth"], "depth")
         self._buffers |= {result for result, texture in written(step) if texture is None}
-        for texture in sorted(self._waited - self._used_here):
+        # Later frames wait for what only the first one reads, in place of a last one.
+        read_first = {texture for _, texture in read_now(step, is_first=True)}
+        for texture in sorted(self._waited - self._used_here - (set() if is_first else read_first)):
             self._fail(f"it waits for texture {texture}, which it does not use")
 
     def _wait(self, barrier: Row) -> None:

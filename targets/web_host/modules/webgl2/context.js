@@ -2,8 +2,8 @@
 /** What frames are drawn with beyond WebGL 2 itself: without the first one there are no targets of
  * floats; what else is missing is told when it is needed. */
 const EXTENSIONS = [
-    "EXT_color_buffer_float", "EXT_float_blend", "OES_texture_float_linear", "OES_draw_buffers_indexed",
-    "EXT_polygon_offset_clamp",
+    "EXT_color_buffer_float", "EXT_float_blend", "OES_texture_float_linear",
+    "OES_draw_buffers_indexed", "EXT_polygon_offset_clamp",
 ];
 export class Context {
     gl;
@@ -45,6 +45,6 @@ export class Context {
     }
 }
 const ERRORS = {
-    0x0500: "INVALID_ENUM", 0x0501: "INVALID_VALUE", 0x0502: "INVALID_OPERATION", 0x0505: "OUT_OF_MEMORY",
-    0x0506: "INVALID_FRAMEBUFFER_OPERATION", 0x9242: "CONTEXT_LOST_WEBGL",
+    0x0500: "INVALID_ENUM", 0x0501: "INVALID_VALUE", 0x0502: "INVALID_OPERATION",
+    0x0505: "OUT_OF_MEMORY", 0x0506: "INVALID_FRAMEBUFFER_OPERATION", 0x9242: "CONTEXT_LOST_WEBGL",
 };

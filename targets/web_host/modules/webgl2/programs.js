@@ -11,7 +11,8 @@ function start(gl, { reflection, texts }) {
         throw new Error(`WebGL 2 cannot draw ${reflection.material}: there is no text for ${PROFILE}`);
     }
     const program = gl.createProgram();
-    for (const [kind, { text }] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+    const stages = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]];
+    for (const [kind, { text }] of stages) {
         const shader = gl.createShader(kind);
         gl.shaderSource(shader, text);
         gl.compileShader(shader);
@@ -23,17 +24,20 @@ function start(gl, { reflection, texts }) {
 function finished(gl, { reflection }, program) {
     const shaders = gl.getAttachedShaders(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-        const told = [...shaders.map((each) => gl.getShaderInfoLog(each)), gl.getProgramInfoLog(program)];
-        throw new Error(`the browser refuses a text of ${reflection.material}:\n${told.filter(Boolean).join("\n")}`);
+        const logs = shaders.map((each) => gl.getShaderInfoLog(each));
+        const told = [...logs, gl.getProgramInfoLog(program)].filter(Boolean).join("\n");
+        throw new Error(`the browser refuses a text of ${reflection.material}:\n${told}`);
     }
     shaders.forEach((each) => gl.deleteShader(each));
-    const { blocks, textures, vertex_inputs: inputs, host_uniforms: heights } = reflection.backends[PROFILE];
+    const { blocks, textures, ...others } = reflection.backends[PROFILE];
+    const { vertex_inputs: inputs, host_uniforms: heights } = others;
     gl.useProgram(program);
     const bound = reflection.blocks.map(({ name }) => name).filter((name) => blocks[name]);
     bound.forEach((name, at) => {
         const index = gl.getUniformBlockIndex(program, blocks[name].identifier);
+        // Else nothing reads it.
         if (index !== gl.INVALID_INDEX)
-            gl.uniformBlockBinding(program, index, at); // else nothing reads it
+            gl.uniformBlockBinding(program, index, at);
     });
     const read = reflection.textures.filter(({ name }) => textures[name]);
     read.forEach(({ name }, unit) => {

@@ -7,8 +7,9 @@ import { compareOf } from "./textures.js";
 export function setState(context, reflection, depths) {
     const { gl } = context;
     const { render_state: state, backends, material, draw } = reflection;
-    if (state.fill === "lines")
+    if (state.fill === "lines") {
         throw new Error(`WebGL 2 cannot draw the edges of triangles, as ${material} asks`);
+    }
     turn(gl, gl.CULL_FACE, state.cull !== "none");
     gl.cullFace(state.cull === "front" ? gl.FRONT : gl.BACK);
     gl.frontFace(backends[PROFILE].front_face === "cw" ? gl.CW : gl.CCW);
@@ -43,21 +44,24 @@ function setStencil(gl, stencil) {
     gl.stencilMask(stencil.write_mask);
     for (const [face, side] of [[gl.FRONT, stencil.front], [gl.BACK, stencil.back]]) {
         gl.stencilFuncSeparate(face, compareOf(gl, side.compare), stencil.reference, stencil.read_mask);
-        const [fail, behind, pass] = [side.fail, side.depth_fail, side.pass].map((word) => gl[STENCIL_OPERATIONS[word]]);
+        const words = [side.fail, side.depth_fail, side.pass];
+        const [fail, behind, pass] = words.map((word) => gl[STENCIL_OPERATIONS[word]]);
         gl.stencilOpSeparate(face, fail, behind, pass);
     }
 }
 const STENCIL_OPERATIONS = {
     keep: "KEEP", zero: "ZERO", replace: "REPLACE", invert: "INVERT",
-    increment_clamp: "INCR", decrement_clamp: "DECR", increment_wrap: "INCR_WRAP", decrement_wrap: "DECR_WRAP",
+    increment_clamp: "INCR", decrement_clamp: "DECR", increment_wrap: "INCR_WRAP",
+    decrement_wrap: "DECR_WRAP",
 };
 // --- targets -------------------------------------------------------------------------------------
 /** Blending and masks: for all targets at once where they are alike, which every device can. */
 function setTargets(context, { targets, material }) {
     const { gl } = context;
     for (const { blend, format } of targets) {
-        if (blend && /32f$/.test(format))
+        if (blend && /32f$/.test(format)) {
             context.need("EXT_float_blend", `blend ${format}, which ${material} does`);
+        }
     }
     const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
     if (!first)
@@ -68,7 +72,8 @@ function setTargets(context, { targets, material }) {
             setBlend(gl, first.blend);
         return gl.colorMask(...lanesOf(first.mask));
     }
-    const single = context.need("OES_draw_buffers_indexed", `blend each target of ${material} in its own way`);
+    const need = `blend each target of ${material} in its own way`;
+    const single = context.need("OES_draw_buffers_indexed", need);
     targets.forEach(({ blend, mask }, at) => {
         if (!blend)
             single.disableiOES(gl.BLEND, at);
@@ -86,7 +91,8 @@ function setBlend(gl, blend) {
 }
 const lanesOf = (mask) => [..."rgba"].map((lane) => mask !== "none" && mask.includes(lane));
 const OPERATIONS = {
-    add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT", min: "MIN", max: "MAX",
+    add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT",
+    min: "MIN", max: "MAX",
 };
 const operation = (gl, { operation: word }) => gl[OPERATIONS[word]];
 /** The factor of colours and that of alpha. */
@@ -108,5 +114,7 @@ const FACTORS = {
 /** Of colours, source and destination; then of alpha. */
 function factors(gl, { color, alpha }) {
     const of = (word, lanes) => gl[FACTORS[word][lanes]];
-    return [of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1)];
+    return [
+        of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1),
+    ];
 }

@@ -51,7 +51,8 @@ export function makeTexture(context, size) {
     if (format.endsWith("float") && !isDepth(format)) {
         context.need("EXT_color_buffer_float", `draw to textures of ${format}`);
     }
-    const made = allocate(context, { format, dimension, width, height, layers, levels, sides: [width, height] });
+    const sides = [width, height];
+    const made = allocate(context, { format, dimension, width, height, layers, levels, sides });
     if (isDepth(format))
         clearDepths(context.gl, made);
     return made;
@@ -85,13 +86,16 @@ export function attach(gl, framebuffer, point, { gl: texture, dimension }, layer
         gl.framebufferTexture2D(framebuffer, point, face, texture, level);
     }
 }
-/** A picture of the host. Its rows are uploaded in their order, as WebGL, too, counts them from v = 0. */
+/** A picture of the host. Its rows are uploaded in their order, as WebGL, too, counts them from
+ * v = 0. */
 export function makePicture(context, picture) {
     const { gl } = context;
     const { format, dimension, width, height, depth, levels } = picture;
-    if (format === "rgba32float")
+    if (format === "rgba32float") {
         context.need("OES_texture_float_linear", "filter pictures of floats");
-    const sides = [width, height, depth].slice(0, dimension === "3d" || dimension === "2d_array" ? 3 : 2);
+    }
+    const hasThree = dimension === "3d" || dimension === "2d_array";
+    const sides = hasThree ? [width, height, depth] : [width, height];
     const made = allocate(context, {
         format, dimension, width, height, layers: depth, levels: levels.length, sides,
     });
@@ -135,12 +139,15 @@ function numbersOf(type, { buffer }) {
 export function makeSampler(gl, state) {
     const sampler = gl.createSampler();
     const set = (name, value) => gl.samplerParameteri(sampler, name, value);
-    const { filter, mip, wrap, compare } = state ?? { filter: "nearest", mip: "nearest", wrap: "clamp" };
-    const [near, between] = [filter, mip === "linear" ? "linear" : "nearest"].map((word) => word.toUpperCase());
+    const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: undefined };
+    const { filter, mip, wrap, compare } = state ?? plain;
+    const words = [filter, mip === "linear" ? "linear" : "nearest"];
+    const [near, between] = words.map((word) => word.toUpperCase());
     set(gl.TEXTURE_MAG_FILTER, constant(gl, near));
     set(gl.TEXTURE_MIN_FILTER, constant(gl, `${near}_MIPMAP_${between}`));
-    for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R])
+    for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) {
         set(name, gl[WRAPS[wrap]]);
+    }
     // A sampler stays on the first level by this; other levels can still be loaded.
     if (mip === "none")
         gl.samplerParameterf(sampler, gl.TEXTURE_MAX_LOD, 0);

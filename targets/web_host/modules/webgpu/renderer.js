@@ -190,6 +190,10 @@ export class WebGpuRenderer {
             throw new Error("this frame was opened without a canvas");
         this.presenter.show(texture.gpu);
     }
+    async finished() {
+        await this.device.gpu.queue.onSubmittedWorkDone();
+        this.device.check();
+    }
     async read({ gpu }) {
         const { format, width, height, depthOrArrayLayers: layers } = gpu;
         const [lanes, bytesPerLane] = lanesOf(format);

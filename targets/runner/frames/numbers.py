@@ -1,0 +1,22 @@
+"""Checks the type of what the steps of a plan's value have computed: ``FrameHost`` asks for it."""
+
+from __future__ import annotations
+
+import re
+
+_VECTOR = re.compile(r"[iub]?vec([234])")
+_SCALARS = ("float", "int", "uint", "bool")
+
+
+def is_of(value: object, representation: str) -> bool:
+    """Whether a value is a number, or a vector of numbers, where its type says so. What matrices
+    and arrays consist of is checked where a shader gets them."""
+    vector = _VECTOR.fullmatch(representation)
+    if vector:
+        lanes = value if isinstance(value, tuple) else ()
+        return len(lanes) == int(vector[1]) and all(map(_is_number, lanes))
+    return representation not in _SCALARS or _is_number(value)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float)
