@@ -78,7 +78,7 @@ class Lifetimes:
     @classmethod
     def of(cls, frame: Frame) -> Lifetimes:
         """Those of a frame's steps, which are numbered in order."""
-        found = cls()
+        found, rare = cls(), only_first(frame)
         for number, step in enumerate(frame.steps):
             for left in written_by(step):
                 found.first.setdefault(left, number)
@@ -89,7 +89,10 @@ class Lifetimes:
                 if attachment.over is not None:
                     found.last[attachment.over] = number
             for source in sources_of(step):
-                if isinstance(source, Previous) and source.of is not None:
+                if not isinstance(source, Previous) or source.of is None:
+                    continue
+                # A step of the first frame only finds no last one.
+                if step.name not in rare or source.initially is None:
                     found.kept[source.of] = None
         for output in frame.outputs:
             found.last[output.source] = ALWAYS

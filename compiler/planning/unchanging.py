@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..ir.frame import Elements, Frame, Image, RenderStep, Step, Use
+from ..ir.frame import Elements, Frame, Image, Previous, RenderStep, Step, Use
 from ..ir.leaves import Buffer, Parameter, Resource
 from ..ir.node import Node, reachable
 from .lifetimes import Left, attachments_of, read_by, sources_of, uses_of, written_by
 
 
 def unchanging(frame: Frame) -> frozenset[str]:
-    """The names of these steps. What the host gets of a frame, and what others draw over, is drawn
-    anew in each."""
+    """The names of these steps. What the host gets of a frame, what others draw over, and what is
+    exchanged with what the last frame left, is drawn anew in each."""
     drawn_anew: set[Left | None] = {output.source for output in frame.outputs}
-    drawn_anew.update(each.over for step in frame.steps for each in attachments_of(step))
+    for step in frame.steps:
+        drawn_anew.update(each.over for each in attachments_of(step))
+        drawn_anew.update(each.of for each in sources_of(step) if isinstance(each, Previous))
     found = {
         step.name: step
         for step in frame.steps

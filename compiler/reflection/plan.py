@@ -241,6 +241,8 @@ class _Document:
         if isinstance(source, Previous):
             assert source.of is not None
             initial = source.initially
+            if initial is not None and source.of not in self._previous:
+                return {"name": given.name, **self._read_row(initial)}
             return {
                 "name": given.name,
                 "previous": source.of.name,

@@ -1,6 +1,7 @@
 // The page of `burnish view`: puts together what the server tells, the controls and the picture.
 
-import { chosenApi, NO_API, type Api } from "./apis.js";
+import { PROFILES, type Api } from "../web_host/host.js";
+import { chosenApi, NO_API, TITLES } from "./apis.js";
 import {
   fetchDocument, listen, type Choice, type Document, type Drawable,
 } from "./documents.js";
@@ -34,7 +35,7 @@ function tellProblems(): void {
 }
 
 function view(api: Api): void {
-  const screen = new Screen(canvas, api.name, {
+  const screen = new Screen(canvas, api, {
     problem(text) {
       if (text === problems.picture) return;
       problems.picture = text;
@@ -90,7 +91,7 @@ function view(api: Api): void {
     try {
       while (again) {
         again = false;
-        const found = await fetchDocument(choice, api.profile);
+        const found = await fetchDocument(choice, PROFILES[api]);
         if (!again) await showDocument(found);
       }
     } catch (error) {
@@ -201,7 +202,7 @@ for (const [name, value] of new URLSearchParams(location.search)) {
 }
 const api = await chosenApi();
 if (api) {
-  element("api", HTMLElement).textContent = api.title;
+  element("api", HTMLElement).textContent = TITLES[api];
   view(api);
 } else {
   problems.picture = NO_API;

@@ -321,7 +321,7 @@ def test_a_browser_that_cannot_draw(browser: Browser, viewer: Viewer) -> None:
     _write(viewer, FLAT)
     with browser.new_context(viewport=SIZE) as context:
         page = context.new_page()
-        page.add_init_script(f"{NO_WEBGPU} HTMLCanvasElement.prototype.getContext = () => null")
+        page.add_init_script(f"{NO_WEBGPU} OffscreenCanvas.prototype.getContext = () => null")
         page.goto(viewer.address)
         page.locator("#problem").wait_for(state="visible")
         said = page.locator("#problem").inner_text()

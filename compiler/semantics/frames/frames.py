@@ -28,8 +28,9 @@ from ..shading.rigs import entries_of
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Failure, Instance
 from .around import Around, Owner
+from .drawn import ModelsOf
 from .shaders import Shaders
-from .steps import ModelsOf, Steps
+from .steps import Steps
 
 
 @frozen

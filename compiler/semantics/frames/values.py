@@ -54,3 +54,16 @@ def on_host(ctx: Context, node: Node | Failure, written: Span) -> Node | Failure
             ctx.report.add(rules.NOT_ON_HOST, span, what=what)
             return FAILURE
     return node
+
+
+def no_step(ctx: Context, span: Span) -> Failure:
+    """Report an expression that is no step."""
+    ctx.report.add(rules.NO_STEP, span)
+    return FAILURE
+
+
+def no_result(ctx: Context, found: Made, span: Span) -> Failure:
+    """Report that something is no result of a step, unless more has been said about it."""
+    if not isinstance(found, Failure):
+        ctx.report.add(rules.NOT_LEFT, span, what="result of a step")
+    return FAILURE

@@ -106,7 +106,9 @@ class _Execution:
         if step.get("depth") is not None:
             self._draw(step["depth"], "depth")
         self._buffers |= {result for result, texture in written(step) if texture is None}
-        for texture in sorted(self._waited - self._used_here):
+        # Later frames wait for what only the first one reads, in place of a last one.
+        read_first = {texture for _, texture in read_now(step, is_first=True)}
+        for texture in sorted(self._waited - self._used_here - (set() if is_first else read_first)):
             self._fail(f"it waits for texture {texture}, which it does not use")
 
     def _wait(self, barrier: Row) -> None:

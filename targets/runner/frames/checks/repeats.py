@@ -48,7 +48,8 @@ class _Repeats:
         self._plan = plan
         self._reflections = reflections
         self._outputs = {row["result"] for row in plan["outputs"]}
-        self._drawn_over = {over for step in plan["steps"] for over in drawn_over(step)}
+        self._drawn_anew = {over for step in plan["steps"] for over in drawn_over(step)}
+        self._drawn_anew |= {row["result"] for row in plan["kept"]} | self._outputs
         self._often = {result for step in plan["steps"] if not is_rare(step)
                        for result, _ in written(step)}  # fmt: skip
         """Results that every frame draws."""
@@ -75,7 +76,7 @@ class _Repeats:
     def leaves_the_same(self, step: Row) -> bool:
         """Whether nothing that a step is given, or draws to, changes from frame to frame."""
         results = {result for result, _ in written(step)}
-        if results & (self._outputs | self._drawn_over | self._often) or any(drawn_over(step)):
+        if results & (self._drawn_anew | self._often) or any(drawn_over(step)):
             return False
         if any(drawn["models"] is not None or drawn["light"] for drawn in step.get("draws", ())):
             return False
