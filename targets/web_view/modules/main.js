@@ -7,6 +7,7 @@ import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
 import { Screen } from "./screen.js";
+import { showTextsOf } from "./texts.js";
 const canvas = element("picture", HTMLCanvasElement);
 const problem = element("problem", HTMLElement);
 const selects = {
@@ -55,6 +56,7 @@ function view(api) {
             Object.assign(choice, found.chosen);
             const values = panel.show(found.chosen.subject ?? "", found.controls);
             fillOutputs(found);
+            showTextsOf(found.package);
             try {
                 await screen.open(found.package, found.orbit, values, outputs.value);
                 problems.picture = "";
