@@ -262,7 +262,7 @@ def test_the_texts_of_the_shaders(page: Page, viewer: Viewer) -> None:
     text = page.locator("#text")
     assert "return material_derived.color;" in text.inner_text()
     _write(viewer, FLAT.replace("base * level", "base * level * uv.x"))
-    until(lambda: "uv.x" in text.inner_text(), "the new text")
+    until(lambda: "input.uv" in text.inner_text(), "the new text")
     page.keyboard.press("Escape")
     assert text.is_hidden()
 
