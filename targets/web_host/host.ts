@@ -13,6 +13,15 @@ export type { Camera, Frame, FramePackage, Pixels, Value } from "./types.js";
 /** What a browser can draw with. */
 export type Api = "webgpu" | "webgl2";
 
+/** The profile whose texts each of them takes, the better one first. */
+export const PROFILES: Record<Api, string> = { webgpu: WGSL, webgl2: ES_3_00 };
+
+/** Whether this browser has an API, and a device for it. */
+export async function hasApi(api: Api): Promise<boolean> {
+  if (api === "webgpu") return Boolean(await navigator.gpu?.requestAdapter());
+  return Boolean(new OffscreenCanvas(1, 1).getContext("webgl2"));
+}
+
 type Canvas = HTMLCanvasElement | OffscreenCanvas | null;
 
 /** The API that draws a package here: WebGPU where the browser has it and the package has its
@@ -20,7 +29,7 @@ type Canvas = HTMLCanvasElement | OffscreenCanvas | null;
 export async function apiFor(from: FramePackage): Promise<Api> {
   checkVersions(from);
   const has = (profile: string) => from.shaders.every(({ texts }) => texts[profile]);
-  if (has(WGSL) && (await navigator.gpu?.requestAdapter())) return "webgpu";
+  if (has(WGSL) && (await hasApi("webgpu"))) return "webgpu";
   if (has(ES_3_00)) return "webgl2";
   const { frame } = from.plan;
   throw new Error(

@@ -1,37 +1,16 @@
-// The APIs of browsers that the host draws with, the better ones first.
+// The APIs of browsers that the host draws with, as the page names them.
 
-import type { Api as Name } from "../web_host/host.js";
+import { hasApi, PROFILES, type Api } from "../web_host/host.js";
 
-export interface Api {
-  name: Name;
-  title: string;
-  /** The texts that it takes. */
-  profile: string;
-  isThere(): Promise<boolean>;
-}
-
-const APIS: Api[] = [
-  {
-    name: "webgpu",
-    title: "WebGPU",
-    profile: "wgsl:webgpu",
-    isThere: async () => Boolean(await navigator.gpu?.requestAdapter()),
-  },
-  {
-    name: "webgl2",
-    title: "WebGL 2",
-    profile: "glsl:es300",
-    isThere: async () => Boolean(document.createElement("canvas").getContext("webgl2")),
-  },
-];
+export const TITLES: Record<Api, string> = { webgpu: "WebGPU", webgl2: "WebGL 2" };
 
 /** The first API that the browser has; null if it has none of them. */
 export async function chosenApi(): Promise<Api | null> {
-  for (const api of APIS) if (await api.isThere()) return api;
+  for (const api of Object.keys(PROFILES) as Api[]) if (await hasApi(api)) return api;
   return null;
 }
 
 export const NO_API =
   `This browser offers nothing that this page can draw with: ` +
-  `${APIS.map(({ title }) => title).join(", ")}. A newer one may, such as Chrome 113, Edge 113, ` +
+  `${Object.values(TITLES).join(", ")}. A newer one may, such as Chrome 113, Edge 113, ` +
   `Safari 26 or Firefox 141.`;

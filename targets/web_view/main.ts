@@ -1,6 +1,7 @@
 // The page of `burnish view`: puts together what the server tells, the controls and the picture.
 
-import { chosenApi, NO_API, type Api } from "./apis.js";
+import { PROFILES, type Api } from "../web_host/host.js";
+import { chosenApi, NO_API, TITLES } from "./apis.js";
 import {
   fetchDocument, listen, type Choice, type Document, type Drawable,
 } from "./documents.js";
@@ -9,6 +10,7 @@ import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
 import { Screen } from "./screen.js";
+import { showTextsOf } from "./texts.js";
 
 const canvas = element("picture", HTMLCanvasElement);
 const problem = element("problem", HTMLElement);
@@ -34,7 +36,7 @@ function tellProblems(): void {
 }
 
 function view(api: Api): void {
-  const screen = new Screen(canvas, api.name, {
+  const screen = new Screen(canvas, api, {
     problem(text) {
       if (text === problems.picture) return;
       problems.picture = text;
@@ -64,6 +66,7 @@ function view(api: Api): void {
       Object.assign(choice, found.chosen);
       const values = panel.show(found.chosen.subject ?? "", found.controls);
       fillOutputs(found);
+      showTextsOf(found.package);
       try {
         await screen.open(found.package, found.orbit, values, outputs.value);
         problems.picture = "";
@@ -90,7 +93,7 @@ function view(api: Api): void {
     try {
       while (again) {
         again = false;
-        const found = await fetchDocument(choice, api.profile);
+        const found = await fetchDocument(choice, PROFILES[api]);
         if (!again) await showDocument(found);
       }
     } catch (error) {
@@ -201,7 +204,7 @@ for (const [name, value] of new URLSearchParams(location.search)) {
 }
 const api = await chosenApi();
 if (api) {
-  element("api", HTMLElement).textContent = api.title;
+  element("api", HTMLElement).textContent = TITLES[api];
   view(api);
 } else {
   problems.picture = NO_API;

@@ -124,7 +124,7 @@ export class Screen {
     if (!goesOn) this.rate = null;
     if (!this.playing && this.evolves) this.present();
     else this.draw();
-    if (goesOn && !document.hidden) this.request();
+    if (goesOn) this.request();
   }
 
   private draw(): void {

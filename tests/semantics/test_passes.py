@@ -6,7 +6,7 @@ import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
-from burnish.compiler.ir.blending import NAMED, Blend
+from burnish.compiler.ir.blending import NAMED, Blend, BlendEquation, Factor, Operation
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import DISCARD, TARGET
 from burnish.compiler.reference.namespace import Lanes
@@ -48,6 +48,62 @@ def states(whole: Shader) -> list[tuple[str, str, str]]:
     """Name, format and blending of each render target."""
     results = whole.results_of(TARGET)
     return [(r.name, r.state.format, word_of(r.state.blend)) for r in results if r.state]
+
+
+def equation(source: Factor, destination: Factor, operation: Operation = "add") -> BlendEquation:
+    return BlendEquation(source, destination, operation)
+
+
+ADDED = equation("one", "one")
+BLENDINGS: dict[str, tuple[Blend, str]] = {
+    "": (Blend(ADDED, ADDED), "rgba"),
+    "blend { source = zero }": (Blend(equation("zero", "one"), equation("zero", "one")), "rgba"),
+    "blend none { mask = gb }": (Blend(), "gb"),
+    "blend { mask = none }": (Blend(ADDED, ADDED), "none"),
+    "blend { alpha_source = dst_alpha, source = src }": (
+        Blend(equation("src", "one"), equation("dst_alpha", "one")), "rgba",
+    ),
+    "blend alpha { alpha_operation = max }": (
+        Blend(equation("src_alpha", "one_minus_src_alpha"), equation("one", "one", "max")), "rgba",
+    ),
+    "blend multiply { operation = reverse_subtract }": (
+        Blend(
+            equation("dst", "zero", "reverse_subtract"), equation("dst", "zero", "reverse_subtract")
+        ),
+        "rgba",
+    ),
+}  # fmt: skip
+"""What targets say in a pass that adds up, and what comes of it."""
+
+
+@pytest.mark.parametrize("written", BLENDINGS)
+def test_settings_change_what_the_mode_or_the_header_says(written: str) -> None:
+    text = (
+        "pass P blend add { clip_position = vec4(position, 1)\n"
+        f"target t : rgba16f = vec4(1) {written} }} material M {{}}"
+    )
+    whole = shader(text, pass_="P")
+    (result,) = whole.results_of(TARGET)
+    assert result.state is not None
+    assert (result.state.blend, result.state.mask) == BLENDINGS[written]
+
+
+def test_clear_values_are_inherited_one_by_one() -> None:
+    text = """
+    pass B : Forward {
+        target more : rg16f = uv
+        clear { color = #ff0000, more = vec2(2, 3), depth = 0.5 }
+    }
+    pass P : B { clear { color = vec4(0, 0, 0.5, 0.25) } }
+    material M {}
+    """
+    whole = shader(text, pass_="P")
+    cleared = {r.name: r.state.clear for r in whole.results_of(TARGET) if r.state}
+    assert cleared == {"color": (0.0, 0.0, 0.5, 0.25), "more": (2.0, 3.0, 0.0, 1.0)}
+    assert whole.render_state.depth.clear == 0.5
+    (color, _) = shader(text, pass_="B").results_of(TARGET)
+    assert color.state is not None
+    assert color.state.clear == (1.0, 0.0, 0.0, 1.0)
 
 
 @pytest.mark.parametrize(("slots", "expected"), OVERRIDES.items(), ids=OVERRIDES)

@@ -17,7 +17,7 @@ TABLE = "compiler/ir/stages.py"
 
 OUTSIDE = {
     "compiler/semantics/checking/expressions.py": "`@vertex` is a word of the language",
-    "compiler/semantics/frames/steps.py": "`vertices(n)` is a word of the language",
+    "compiler/semantics/frames/drawn.py": "`vertices(n)` is a word of the language",
     "compiler/syntax/advice.py": "`@vertex` is a word of the language",
     "targets/runner/drivers/checks.py": "what reads the vertex inputs",
     "targets/runner/drivers/draw.py": "the vertex inputs' steps, which WebGPU calls so",

@@ -253,6 +253,20 @@ def test_frames_evolve_step_by_step(page: Page, viewer: Viewer) -> None:
     _shows(page, (255, 255, 255))
 
 
+def test_the_texts_of_the_shaders(page: Page, viewer: Viewer) -> None:
+    _shows(page, (0xB5, 0x65, 0x1D))
+    page.locator("#open-texts").click()
+    assert page.locator("#text-of option").all_inner_texts() == [
+        "Flat.Forward.Flat · vertex", "Flat.Forward.Flat · fragment",
+    ]  # fmt: skip
+    text = page.locator("#text")
+    assert "return material_derived.color;" in text.inner_text()
+    _write(viewer, FLAT.replace("base * level", "base * level * uv.x"))
+    until(lambda: "input.uv" in text.inner_text(), "the new text")
+    page.keyboard.press("Escape")
+    assert text.is_hidden()
+
+
 def test_a_kernel_over_images(page: Page, viewer: Viewer) -> None:
     """Images of this format are drawn in WebGPU, and not stored."""
     _write(viewer, """
@@ -321,7 +335,7 @@ def test_a_browser_that_cannot_draw(browser: Browser, viewer: Viewer) -> None:
     _write(viewer, FLAT)
     with browser.new_context(viewport=SIZE) as context:
         page = context.new_page()
-        page.add_init_script(f"{NO_WEBGPU} HTMLCanvasElement.prototype.getContext = () => null")
+        page.add_init_script(f"{NO_WEBGPU} OffscreenCanvas.prototype.getContext = () => null")
         page.goto(viewer.address)
         page.locator("#problem").wait_for(state="visible")
         said = page.locator("#problem").inner_text()

@@ -28,9 +28,10 @@ from ..shading.rigs import entries_of
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Failure, Instance
 from .around import Around, Owner
+from .drawn import ModelsOf
 from .shaders import Shaders
-from .steps import ModelsOf, Steps
-from .values import report_not_left
+from .steps import Steps
+from .values import no_result
 
 
 @frozen
@@ -165,8 +166,8 @@ class _Checking:
             made = self._steps.made(member.value, around)
             if isinstance(made, Image | Elements):
                 yield Output(member.name.text, made, member.doc, member.name.span)
-            elif not isinstance(made, Failure):
-                report_not_left(self._ctx, made, member.value.span, "result of a step")
+            else:
+                no_result(self._ctx, made, member.value.span)
 
     def _check_rest(self, needed: tuple[Step, ...]) -> None:
         """Check what no output needs: other steps, and numbers."""

@@ -25,7 +25,7 @@ from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from ..types.typenames import Declared
 from .shaders import Input, host_name, inputs_of
-from .values import Made, Numbers, on_host, report_not_left
+from .values import Made, Numbers, no_result, on_host
 
 Replacements = Sequence[tuple[ast.Name, ast.Expression]]
 """What stands behind ``with``."""
@@ -160,8 +160,7 @@ class Inputs:
             )
         if isinstance(source, Image | Elements | FromHost):
             return self._fitting(source, source, wanted, written, what)
-        report_not_left(self._ctx, source, written.span, what)
-        return Failure()
+        return no_result(self._ctx, source, written.span, what)
 
     def _fitting(
         self,

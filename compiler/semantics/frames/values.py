@@ -56,9 +56,18 @@ def on_host(ctx: Context, node: Node | Failure, written: Span) -> Node | Failure
     return node
 
 
-def report_not_left(ctx: Context, made: Made, span: Span, what: str) -> None:
-    """Report that something is not what a step leaves; of a whole step, say what it does leave."""
+def no_step(ctx: Context, span: Span) -> Failure:
+    """Report an expression that is no step."""
+    ctx.report.add(rules.NO_STEP, span)
+    return FAILURE
+
+
+def no_result(ctx: Context, found: Made, span: Span, what: str = "result of a step") -> Failure:
+    """Report that something is not what a step leaves, unless more has been said about it; of a
+    whole step, say what it does leave."""
     hint = ""
-    if isinstance(made, StepValue):
-        hint = f"a step leaves its results: {', '.join(f'`.{name}`' for name in made.left)}"
-    ctx.report.add(rules.NOT_LEFT, span, what=what, hint=hint)
+    if isinstance(found, StepValue):
+        hint = f"a step leaves its results: {', '.join(f'`.{name}`' for name in found.left)}"
+    if not isinstance(found, Failure):
+        ctx.report.add(rules.NOT_LEFT, span, what=what, hint=hint)
+    return FAILURE

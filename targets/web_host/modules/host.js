@@ -5,12 +5,20 @@ import { WebGl2Renderer } from "./webgl2/renderer.js";
 import { Device } from "./webgpu/device.js";
 import { PROFILE as WGSL } from "./webgpu/pipelines.js";
 import { WebGpuRenderer } from "./webgpu/renderer.js";
+/** The profile whose texts each of them takes, the better one first. */
+export const PROFILES = { webgpu: WGSL, webgl2: ES_3_00 };
+/** Whether this browser has an API, and a device for it. */
+export async function hasApi(api) {
+    if (api === "webgpu")
+        return Boolean(await navigator.gpu?.requestAdapter());
+    return Boolean(new OffscreenCanvas(1, 1).getContext("webgl2"));
+}
 /** The API that draws a package here: WebGPU where the browser has it and the package has its
  * texts, and else WebGL 2. An error says why neither of them does. */
 export async function apiFor(from) {
     checkVersions(from);
     const has = (profile) => from.shaders.every(({ texts }) => texts[profile]);
-    if (has(WGSL) && (await navigator.gpu?.requestAdapter()))
+    if (has(WGSL) && (await hasApi("webgpu")))
         return "webgpu";
     if (has(ES_3_00))
         return "webgl2";

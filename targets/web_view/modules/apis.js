@@ -1,25 +1,13 @@
-// The APIs of browsers that the host draws with, the better ones first.
-const APIS = [
-    {
-        name: "webgpu",
-        title: "WebGPU",
-        profile: "wgsl:webgpu",
-        isThere: async () => Boolean(await navigator.gpu?.requestAdapter()),
-    },
-    {
-        name: "webgl2",
-        title: "WebGL 2",
-        profile: "glsl:es300",
-        isThere: async () => Boolean(document.createElement("canvas").getContext("webgl2")),
-    },
-];
+// The APIs of browsers that the host draws with, as the page names them.
+import { hasApi, PROFILES } from "../web_host/host.js";
+export const TITLES = { webgpu: "WebGPU", webgl2: "WebGL 2" };
 /** The first API that the browser has; null if it has none of them. */
 export async function chosenApi() {
-    for (const api of APIS)
-        if (await api.isThere())
+    for (const api of Object.keys(PROFILES))
+        if (await hasApi(api))
             return api;
     return null;
 }
 export const NO_API = `This browser offers nothing that this page can draw with: ` +
-    `${APIS.map(({ title }) => title).join(", ")}. A newer one may, such as Chrome 113, Edge 113, ` +
+    `${Object.values(TITLES).join(", ")}. A newer one may, such as Chrome 113, Edge 113, ` +
     `Safari 26 or Firefox 141.`;

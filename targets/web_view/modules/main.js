@@ -1,11 +1,13 @@
 // The page of `burnish view`: puts together what the server tells, the controls and the picture.
-import { chosenApi, NO_API } from "./apis.js";
+import { PROFILES } from "../web_host/host.js";
+import { chosenApi, NO_API, TITLES } from "./apis.js";
 import { fetchDocument, listen, } from "./documents.js";
 import { element, make } from "./elements.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
 import { Screen } from "./screen.js";
+import { showTextsOf } from "./texts.js";
 const canvas = element("picture", HTMLCanvasElement);
 const problem = element("problem", HTMLElement);
 const selects = {
@@ -27,7 +29,7 @@ function tellProblems() {
     showIn(element("message", HTMLPreElement), text);
 }
 function view(api) {
-    const screen = new Screen(canvas, api.name, {
+    const screen = new Screen(canvas, api, {
         problem(text) {
             if (text === problems.picture)
                 return;
@@ -54,6 +56,7 @@ function view(api) {
             Object.assign(choice, found.chosen);
             const values = panel.show(found.chosen.subject ?? "", found.controls);
             fillOutputs(found);
+            showTextsOf(found.package);
             try {
                 await screen.open(found.package, found.orbit, values, outputs.value);
                 problems.picture = "";
@@ -80,7 +83,7 @@ function view(api) {
         try {
             while (again) {
                 again = false;
-                const found = await fetchDocument(choice, api.profile);
+                const found = await fetchDocument(choice, PROFILES[api]);
                 if (!again)
                     await showDocument(found);
             }
@@ -189,7 +192,7 @@ for (const [name, value] of new URLSearchParams(location.search)) {
 }
 const api = await chosenApi();
 if (api) {
-    element("api", HTMLElement).textContent = api.title;
+    element("api", HTMLElement).textContent = TITLES[api];
     view(api);
 }
 else {

@@ -108,7 +108,7 @@ export class Screen {
             this.present();
         else
             this.draw();
-        if (goesOn && !document.hidden)
+        if (goesOn)
             this.request();
     }
     draw() {
