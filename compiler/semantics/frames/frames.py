@@ -26,7 +26,7 @@ from ..shading.host_names import Entry, names_taken
 from ..shading.instances import instance_of
 from ..shading.rigs import entries_of
 from ..state.context import Context
-from ..state.scope import OUTERMOST, Failure, Instance
+from ..state.scope import OUTERMOST, Instance
 from .around import Around, Owner
 from .drawn import ModelsOf
 from .shaders import Shaders
