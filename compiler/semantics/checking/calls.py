@@ -33,7 +33,7 @@ from .builtin_calls import builtin_call
 from .constructors import construct, is_constructor
 from .members import member_of
 from .slots import like_overridden, slot
-from .step_needs import applied, is_drawn
+from .step_needs import applied, is_drawn, is_frame
 from .surfaces import shaded, slots_given
 from .unknown_names import is_declared, is_known, unknown, unknown_here
 
@@ -203,9 +203,10 @@ def _is_map(definitions: tuple[Definition, ...] | None) -> bool:
 def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
     assert e.callee is not None
     span = e.callee.span
-    if applied(e, scope.module) is not None and not (scope.instance and scope.instance.has(name)):
-        hint = "what a step leaves is read by other steps, as `step.target`; a number reads none"
-        ctx.report.add(rules.NOT_A_VALUE, e.span, hint=hint)
+    record = None if scope.instance is None else scope.instance.record
+    if record is not None and is_frame(record) and applied(e, scope.module) is not None:
+        said = "what a step leaves is read by other steps, as `step.target`; a number reads none"
+        ctx.report.add(rules.NOT_A_VALUE, e.span, hint=said)
         return
     if is_declared(scope, name):
         symbols = scope.module.find(name)

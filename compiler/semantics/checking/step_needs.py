@@ -45,13 +45,14 @@ def applied(e: ast.Expression, module: Module) -> Symbol | None:
 
 def is_drawn(e: ast.Expression, record: Record) -> bool:
     """Whether an expression says what a pass of a frame draws, which has no value."""
-    if not isinstance(e, ast.Reference) or not _is_frame(record) or e.name in record.definitions:
+    if not isinstance(e, ast.Reference) or not is_frame(record) or e.name in record.definitions:
         return False
     models = (member.name.text for member, _, _ in record.every(ast.Models))
     return e.name == SCREEN or e.name in models
 
 
-def _is_frame(record: Record) -> bool:
+def is_frame(record: Record) -> bool:
+    """Whether the steps of a record are those of a frame."""
     declaration = record.symbol.declaration
     return isinstance(declaration, ast.Record) and declaration.kind == "frame"
 
