@@ -1213,3 +1213,9 @@ NOT_BLENDED = _error(
     "WebGPU and WebGL 2 blend 32-bit floats only where a device has an extension for it. "
     "Draw to a format of 16-bit floats.",
 )
+NO_SUCH_SIZE = _error(
+    "B0823",
+    "`{name}` cannot have its size: {reason}",
+    "A step draws to textures of the size that stands behind what it draws, or of the frame's "
+    "`size`. Sizes that are known only when the frame is drawn are checked then.",
+)

@@ -12,6 +12,7 @@ from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.frame import Image, Size
+from ...ir.image_sizes import halved, misfit
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
 from ..checking.step_needs import applied
@@ -69,12 +70,25 @@ class Destinations:
             if (other.dimension, other.layers) != (first.dimension, first.layers):
                 self._differ(first, other, "they have different layers", written.span)
                 return None
-            one, two = self._known_size(first), self._known_size(other)
+            one, two = (self._known_size(each.size, each.size.level) for each in (first, other))
             if one and two and one != two:
                 reason = f"one is {one[0]} x {one[1]}, the other {two[0]} x {two[1]}"
                 self._differ(first, other, reason, written.span)
                 return None
         return found
+
+    def check_size(self, image: Image, span: Span) -> bool:
+        """Whether an image can have its size, as far as that is known; reported if not."""
+        whole = self._known_size(image.size, 0)
+        if whole is None:
+            return True
+        reason = misfit("2d", 1, *whole)
+        if not reason:
+            width, height = (halved(side, image.size.level) for side in whole)
+            reason = misfit(image.dimension, image.levels, width, height)
+        if reason:
+            self._ctx.report.add(rules.NO_SUCH_SIZE, span, name=image.name, reason=reason)
+        return not reason
 
     def _differ(self, first: Image, second: Image, reason: str, span: Span) -> None:
         """Report that two results cannot be drawn over at once."""
@@ -82,14 +96,13 @@ class Destinations:
             rules.PLACES_DIFFER, span, first=first.name, second=second.name, reason=reason
         )
 
-    def _known_size(self, image: Image) -> tuple[int, int] | None:
-        """The size of an image, if it is known when compiling."""
-        if image.size.value is None:
+    def _known_size(self, size: Size, level: int) -> tuple[int, int] | None:
+        """A size in a mip level, if it is known when compiling."""
+        if size.value is None:
             return None
-        match self._ctx.constants.known(self._numbers.nodes[image.size.value]):
+        match self._ctx.constants.known(self._numbers.nodes[size.value]):
             case (int(width), int(height)):
-                level = image.size.level
-                return max(width >> level, 1), max(height >> level, 1)
+                return (halved(width, level), halved(height, level)) if level else (width, height)
         return None
 
     def _is_step(self, e: ast.Expression, around: Around) -> bool:

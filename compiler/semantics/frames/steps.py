@@ -316,6 +316,9 @@ class Steps:
             return FAILURE
         shader = draws[0].uses[0].shader
         step = self._step(name, shader, draws, over, settings, changed(around, place=place), e)
+        first = next(iter(self._all_left(step).values()))
+        if not self._destinations.check_size(first, e.span):
+            return FAILURE
         if not settings.check(shader.shader, symbol.name, e.span):
             return FAILURE
         self.steps.append(step)

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ....compiler.ir.image_sizes import halved
 from ....compiler.ir.shader import Shader
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
@@ -31,7 +32,6 @@ from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
 from .host import FrameDraw, FrameHost, Row
-from .sizes import halved
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]

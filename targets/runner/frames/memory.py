@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from ....compiler.ir.image_sizes import halved
 from ..binding import FORMATS
 from ..drivers.readback import TEXEL_LANES
 from .checks.rows import Row, is_rare, written
-from .sizes import Size, halved
+from .sizes import Size
 
 DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
 """Of a texel."""

@@ -7,37 +7,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ....compiler.ir.image_sizes import halved, misfit
 from .checks.rows import PlanError, Row, attachments, fail, step_name
 
-LARGEST_SIDE = 1 << 14
-"""Of a texture: what devices of today can have."""
-
 Size = tuple[int, int]
-
-
-def halved(side: int, times: int) -> int:
-    """A side of a texture in one of its mip levels."""
-    return max(side >> times, 1)
 
 
 def checked_size(texture: Row, width: int, height: int) -> Size:
     """The size of a texture's first level; its row says how often the size is halved. Raises
     ``PlanError`` for sizes that no texture of its kind can have."""
-    names, shown = ", ".join(texture["results"]), f"{width} x {height}"
-    if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
-        raise PlanError(
-            f"{names}: the size would be {shown}, and a side has 1 to {LARGEST_SIDE} texels"
-        )
-    level = texture["size"]["level"]
+    names = ", ".join(texture["results"])
+    level, dimension, levels = texture["size"]["level"], texture["dimension"], texture["levels"]
+    if reason := misfit("2d", 1, width, height):
+        raise PlanError(f"{names}: {reason}")
     width, height = halved(width, level), halved(height, level)
-    if texture["dimension"] == "cube" and width != height:
-        raise PlanError(f"{names}: the faces of a cube are squares, and not {width} x {height}")
-    most = max(width, height).bit_length()
-    if texture["levels"] > most:
-        raise PlanError(
-            f"{names}: there are {texture['levels']} mip levels, and {width} x {height} texels "
-            f"have {most}"
-        )
+    if reason := misfit(dimension, levels, width, height):
+        raise PlanError(f"{names}: {reason}")
     return width, height
 
 
