@@ -65,6 +65,7 @@ def test_faces_are_squares() -> None:
 
 def test_there_are_no_levels_below_one_texel() -> None:
     frame = """
-    chain = each level in mips(5) : One(screen, ivec2(8, 2))
+    param height : int = 2
+    chain = each level in mips(5) : One(screen, ivec2(8, height))
     output picture = chain.one"""
     assert said(frame) == "chain.one: there are 5 mip levels, and 8 x 2 texels have 4"
