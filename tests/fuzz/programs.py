@@ -341,14 +341,18 @@ class _Program:
             items += expansion(writer, before, layers=writer.chance.choice((0, 2, 3)))
             scope = scope.having(SPREAD)
         adds = writer.maybe(0.25)
+        types = []
         for number in range(writer.chance.randint(0, 2)):
             type_ = writer.chance.choice([*FORMATS])
+            types.append(type_)
             value = self._tamed(writer.expression(type_, scope, FUEL // 2))
             blends = adds or writer.maybe(0.4)
             formats = [name for name in FORMATS[type_] if not (blends and name.endswith(FLOATS))]
             text = f"target o{number} : {writer.chance.choice(formats)} = {{}}"
             text += f" blend {'add' if adds else self._blending(type_) if blends else 'none'}"
             items.append(Node(text, (value,), role="target", optional=True, name=f"o{number}"))
+        if len(types) == 2:
+            items.append(Node(f"clear {{{{ o1 = {types[1]}(0.25) }}}}", optional=True))
         if writer.maybe(0.3):
             condition = writer.expression("bool", scope, FUEL // 2)
             items.append(Node("discard when {}", (condition,), role="discard", optional=True))

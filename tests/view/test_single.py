@@ -31,9 +31,9 @@ SCHEMAS = {
 }
 
 
-@pytest.mark.parametrize("name", ["plastic", "sprites", "cube_map", "level_of_detail"])
+@pytest.mark.parametrize("name", ["plastic", "sprites", "cube_map"])
 def test_it_draws_the_same(name: str) -> None:
-    """Lights of a rig, a parameter called `size`, layers, and patches that are divided."""
+    """Lights of a rig, a parameter called `size`, and layers."""
     material = burnish.compile(EXAMPLES / f"{name}.burnish", ("wgsl",)).materials[0]
     frame = single_frame(material)
     registry: Any = Registry().with_resources(
