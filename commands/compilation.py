@@ -83,7 +83,8 @@ def _output(request: Request, result: CompileResult) -> Output:
         plan = f"{frame.name}.plan.json"
         plans[plan] = _as_json(frame.plan)
         count = len(frame.plan["steps"])
-        lines.append(f"{frame.name}: {count} steps, {plan} in {request.output}\n")
+        steps = "1 step" if count == 1 else f"{count} steps"
+        lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
     lines += _remarks_on_languages(result)
     # Reflections are put in place behind the shaders, and plans last: whoever sees a new one finds
     # what it describes.

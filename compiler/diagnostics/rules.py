@@ -1120,7 +1120,8 @@ INPUT_MISSING = _error(
 PLACES_DIFFER = _error(
     "B0807",
     "`{first}` and `{second}` do not fit together: {reason}",
-    "What is drawn at once has one size, equally many layers, and equally many samples.",
+    "What is drawn at once has one size and equally many layers. What a pass draws over has the "
+    "format of its own target.",
 )
 NO_OUTPUT = _error(
     "B0808",

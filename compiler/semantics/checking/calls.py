@@ -33,13 +33,14 @@ from .builtin_calls import builtin_call
 from .constructors import construct, is_constructor
 from .members import member_of
 from .slots import like_overridden, slot
+from .step_needs import applied, is_drawn, is_frame
 from .surfaces import shaded, slots_given
 from .unknown_names import is_declared, is_known, unknown, unknown_here
 
 
 def operands_of_call(e: ast.Call, scope: Scope) -> list[ast.Expression]:
     """What is evaluated before a call: its arguments, and a callee that is no mere name."""
-    operands = [a for a in e.arguments if not _is_sampler(e, a, scope)]
+    operands = [a for a in e.arguments if not _has_no_value(e, a, scope)]
     callee = e.callee
     if isinstance(callee, ast.Field):
         operands.append(callee.operand)
@@ -83,10 +84,21 @@ def _arguments(
     ctx: Context, e: ast.Call, values: Sequence[Value], scope: Scope
 ) -> tuple[tuple[Node, ...], bool]:
     """The values of a call's arguments as plain ones, and whether one of them failed."""
-    written = [a for a in e.arguments if not _is_sampler(e, a, scope)]
+    written = [a for a in e.arguments if not _has_no_value(e, a, scope)]
     nodes = [plain(ctx, value, a) for value, a in zip(values, written, strict=True)]
     arguments = tuple(node for node in nodes if isinstance(node, Node))
     return arguments, len(arguments) < len(e.arguments)
+
+
+def _has_no_value(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
+    """Whether it is the call that is reported, and not this argument of it."""
+    return _is_drawn(argument, scope) or _is_sampler(e, argument, scope)
+
+
+def _is_drawn(argument: ast.Expression, scope: Scope) -> bool:
+    """Whether an argument says what a pass of a frame draws: then something else is called here
+    that is no pass, or a step is used as a number."""
+    return scope.instance is not None and is_drawn(argument, scope.instance.record)
 
 
 def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
@@ -139,7 +151,8 @@ def _no_function(
     if scope.instance is not None and scope.instance.has(name):
         known = slot(ctx, scope.instance, name, callee.span)
         failed = failed or isinstance(known, Failure)
-    if not failed or not is_declared(scope, name):
+    drawn = any(_is_drawn(argument, scope) for argument in e.arguments)
+    if not failed or drawn or not is_declared(scope, name):
         _not_callable(ctx, name, e, scope)
     return FAILURE
 
@@ -190,6 +203,11 @@ def _is_map(definitions: tuple[Definition, ...] | None) -> bool:
 def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
     assert e.callee is not None
     span = e.callee.span
+    record = None if scope.instance is None else scope.instance.record
+    if record is not None and is_frame(record) and applied(e, scope.module) is not None:
+        said = "what a step leaves is read by other steps, as `step.target`; a number reads none"
+        ctx.report.add(rules.NOT_A_VALUE, e.span, hint=said)
+        return
     if is_declared(scope, name):
         symbols = scope.module.find(name)
         is_slot = scope.instance is not None and scope.instance.has(name)

@@ -20,6 +20,9 @@ from ..state.scope import OUTERMOST
 PREVIOUS = "previous"
 """``previous(x)``: what an image held at the end of the last frame."""
 
+SCREEN = "screen"
+"""What a pass draws that draws one triangle over everything."""
+
 STEPS = ("pass", "kernel")
 """Kinds of records that a frame applies."""
 
@@ -38,6 +41,20 @@ def applied(e: ast.Expression, module: Module) -> Symbol | None:
     declaration = found[0].declaration if found else None
     is_step = isinstance(declaration, ast.Record) and declaration.kind in STEPS
     return found[0] if is_step else None
+
+
+def is_drawn(e: ast.Expression, record: Record) -> bool:
+    """Whether an expression says what a pass of a frame draws, which has no value."""
+    if not isinstance(e, ast.Reference) or not is_frame(record) or e.name in record.definitions:
+        return False
+    models = (member.name.text for member, _, _ in record.every(ast.Models))
+    return e.name == SCREEN or e.name in models
+
+
+def is_frame(record: Record) -> bool:
+    """Whether the steps of a record are those of a frame."""
+    declaration = record.symbol.declaration
+    return isinstance(declaration, ast.Record) and declaration.kind == "frame"
 
 
 def is_previous(e: object) -> bool:

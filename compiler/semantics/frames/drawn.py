@@ -18,6 +18,7 @@ from ...ir.node import Node, reachable
 from ...ir.stages import TARGET
 from ...ir.types import INT
 from ...syntax import ast
+from ..checking.step_needs import SCREEN
 from ..declarations.fitting import fit
 from ..names.modules import Symbol
 from ..state.context import Context
@@ -28,10 +29,8 @@ from .inputs import Inputs
 from .shaders import Shaders, required_of
 from .values import Numbers, on_host
 
-SCREEN = "screen"
-"""One triangle over everything."""
 CORNERS = 3
-"""Its vertices."""
+"""The vertices of ``screen``."""
 VERTICES = "vertices"
 """``vertices(n)``: as many as that, which have nothing but their numbers."""
 BARE = ("point", "triangle")
@@ -90,9 +89,10 @@ class Draws:
                     number = fit(self._ctx, node, INT, "int", count.span)
                     return self._vertices(on_host(self._ctx, number, count.span))
         known = [*self._models, SCREEN, f"{VERTICES}(n)"]
-        self._ctx.report.add(
-            rules.NOT_DRAWN, e.span, hint=f"there is {', '.join(f'`{each}`' for each in known)}"
-        )
+        hint = f"there is {', '.join(f'`{each}`' for each in known)}"
+        if name and not self._models:
+            hint += f"; models of the host's scene are declared by `models {name}`"
+        self._ctx.report.add(rules.NOT_DRAWN, e.span, hint=hint)
         return None
 
     def _vertices(self, count: Node | Failure) -> What | None:
@@ -157,9 +157,7 @@ class Draws:
     ) -> Use | None:
         """A shader with what it is given; ``None`` after reporting what it lacks."""
         found = inputs.of(shader.shader)
-        missing = [
-            name for name in required_of(self._ctx.records.of(symbol)) if not inputs.sets(name.text)
-        ]
+        missing = inputs.lacks(required_of(self._ctx.records.of(symbol)))
         for name in missing:
             self._ctx.report.add(
                 rules.INPUT_MISSING, e.span, step=symbol.name, name=name.text,

@@ -26,11 +26,12 @@ from ..shading.host_names import Entry, names_taken
 from ..shading.instances import instance_of
 from ..shading.rigs import entries_of
 from ..state.context import Context
-from ..state.scope import OUTERMOST, Failure, Instance
+from ..state.scope import OUTERMOST, Instance
 from .around import Around, Owner
 from .drawn import ModelsOf
 from .shaders import Shaders
 from .steps import Steps
+from .values import no_result
 
 
 @frozen
@@ -165,8 +166,8 @@ class _Checking:
             made = self._steps.made(member.value, around)
             if isinstance(made, Image | Elements):
                 yield Output(member.name.text, made, member.doc, member.name.span)
-            elif not isinstance(made, Failure):
-                self._ctx.report.add(rules.NOT_LEFT, member.value.span, what="result of a step")
+            else:
+                no_result(self._ctx, made, member.value.span)
 
     def _check_rest(self, needed: tuple[Step, ...]) -> None:
         """Check what no output needs: other steps, and numbers."""

@@ -6,11 +6,12 @@ shader that this comes to: the same text means the same for all of them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from ....frozen import changed
 from ....stdlib.builtins.facts import UNKNOWN
 from ...diagnostics import rules
+from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
 from ...ir.frame import Elements, FromHost, Given, Image, Previous, Source
 from ...ir.shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
@@ -24,7 +25,7 @@ from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from ..types.typenames import Declared
 from .shaders import Input, host_name, inputs_of
-from .values import Made, Numbers, on_host
+from .values import Made, Numbers, no_result, on_host
 
 Replacements = Sequence[tuple[ast.Name, ast.Expression]]
 """What stands behind ``with``."""
@@ -92,9 +93,19 @@ class Inputs:
         """Whether the step is given something of this name."""
         return any(name == given.text for given, _ in self._given)
 
+    def lacks(self, required: Iterable[ast.Name]) -> list[ast.Name]:
+        """Which of these inputs are not given, not even by a name that is misspelt: of that one
+        ``report_unknown`` says what was meant."""
+        misspelt = {nearest(name.text, self._seen) for name in self._unmet()}
+        return [name for name in required if not self.sets(name.text) and name.text not in misspelt]
+
+    def _unmet(self) -> list[ast.Name]:
+        """The names that no shader has as an input so far."""
+        return [name for name, _ in self._given if name.text not in self._met]
+
     def report_unknown(self, step: str) -> bool:
         """Whether some name is no input of any of the shaders, which is reported."""
-        unmet = [name for name, _ in self._given if name.text not in self._met]
+        unmet = self._unmet()
         for name in unmet:
             unknown(self._ctx, f"input of `{step}`", name.text, name.span, sorted(self._seen))
         return bool(unmet)
@@ -149,8 +160,7 @@ class Inputs:
             )
         if isinstance(source, Image | Elements | FromHost):
             return self._fitting(source, source, wanted, written, what)
-        self._ctx.report.add(rules.NOT_LEFT, written.span, what=what)
-        return Failure()
+        return no_result(self._ctx, source, written.span, what)
 
     def _fitting(
         self,

@@ -34,7 +34,8 @@ from ...ir.shader import RenderTarget
 from ...ir.stages import EXTENT, IMAGE, TARGET
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
-from ..checking.step_needs import PREVIOUS, Key, Need, applied, is_previous
+from ..checking.slots import slot
+from ..checking.step_needs import PREVIOUS, SCREEN, Key, Need, applied, is_previous
 from ..checking.unknown_names import unknown
 from ..names.modules import Symbol
 from ..state.context import Context
@@ -43,7 +44,7 @@ from ..state.scope import FAILURE, OUTERMOST, Failure
 from .around import WHOLE, Around, Owner, Place
 from .bringing import Bringing
 from .destinations import Destinations
-from .drawn import SCREEN, Draws, ModelsOf
+from .drawn import Draws, ModelsOf
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .repetitions import FACES, Repetitions
@@ -142,7 +143,8 @@ class Steps:
         if key[0] in definitions and owner.dependencies.is_step(key):
             return FAILURE  # It needs itself, which has been reported.
         if key[0] in definitions:
-            return no_step(self._ctx, span)
+            number = slot(self._ctx, owner.instance, key[0], span, key[1])
+            return FAILURE if isinstance(number, Failure) else no_step(self._ctx, span)
         unknown(self._ctx, "step", key[0], span, [*definitions, *self._models])
         return FAILURE
 
@@ -299,7 +301,7 @@ class Steps:
         if not 1 <= len(e.arguments) <= 2:
             self._ctx.report.add(
                 rules.STEP_ARGUMENTS, e.span, name=symbol.name, expected="one or two arguments",
-                hint=f"write `{symbol.name}({SCREEN})` for one triangle over everything",
+                hint=f"write `{symbol.name}({next(iter(self._models), SCREEN)})`",
             )  # fmt: skip
             return FAILURE
         what = self._drawn.what(e.arguments[0], around.scope)

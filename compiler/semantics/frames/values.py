@@ -62,8 +62,12 @@ def no_step(ctx: Context, span: Span) -> Failure:
     return FAILURE
 
 
-def no_result(ctx: Context, found: Made, span: Span) -> Failure:
-    """Report that something is no result of a step, unless more has been said about it."""
+def no_result(ctx: Context, found: Made, span: Span, what: str = "result of a step") -> Failure:
+    """Report that something is not what a step leaves, unless more has been said about it; of a
+    whole step, say what it does leave."""
+    hint = ""
+    if isinstance(found, StepValue):
+        hint = f"a step leaves its results: {', '.join(f'`.{name}`' for name in found.left)}"
     if not isinstance(found, Failure):
-        ctx.report.add(rules.NOT_LEFT, span, what="result of a step")
+        ctx.report.add(rules.NOT_LEFT, span, what=what, hint=hint)
     return FAILURE

@@ -225,6 +225,10 @@ def unshaded(symbol: Symbol) -> str:
     declaration = symbol.declaration
     if not isinstance(declaration, ast.Record):
         return ""
+    if declaration.kind == "pass":
+        return f"a pass is drawn by a step of a frame, which says what: `{symbol.name}(models)`"
+    if declaration.kind == "kernel":
+        return f"a kernel is run by a step of a frame: `{symbol.name}()`"
     shared = f"a function, or a base, `: {symbol.name}`"
     return f"a {declaration.kind} is no value: what several share is {shared}"
 
