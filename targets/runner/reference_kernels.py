@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from ...compiler.ir.shader import Shader
 from ...compiler.ir.storage import LANE, byte_size, place_in, stored_element
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.kernel import Lane, computed
-from ...compiler.reference.picture import RasterRules
+from ...compiler.reference.picture import RasterRules, Texels
 from .instances.instance import Instance
 from .reference import texels_of, values_for
 
@@ -25,15 +25,18 @@ ANY = Errors(("vulkan",))
 """Bounds come with the values, and are not asked for."""
 
 
-def elements_by_reference(shader: Shader, instance: Instance) -> dict[str, bytes]:
+def elements_by_reference(
+    shader: Shader, instance: Instance, textures: Mapping[str, Texels] | None = None
+) -> dict[str, bytes]:
     """The bytes of the elements of each result of a kernel, by name.
 
-    Raises ``MissingValuesError``.
+    ``textures`` are what it reads, if not those of the instance. Raises ``MissingValuesError``.
     """
     counts = instance.result_counts()
     lanes = computed(
-        shader, values_for(shader, instance), texels_of(instance), instance.extent(), counts, ANY,
-        RasterRules(1, 1),
+        shader, values_for(shader, instance),
+        texels_of(instance) if textures is None else textures,
+        instance.extent(), counts, ANY, RasterRules(1, 1),
     )  # fmt: skip
     return {name: _bytes(count, _of(name, lanes)) for name, count in counts.items()}
 

@@ -313,7 +313,7 @@ class ReferenceFrames:
                 instance.set_bytes(name, self.buffers[read.result])
         if not has_images(instance.reflection):
             shader = self.host.shaders[draw.shader].shader
-            written = elements_by_reference(shader, instance)
+            written = elements_by_reference(shader, instance, self._texels(draw))
             self.buffers |= {row["result"]: written[row["name"]] for row in step["buffers"]}
             return
         rows = [
