@@ -6,8 +6,8 @@ import { bareGeometry, checkLevels, geometryOf, type Geometry } from "./geometry
 import type { Attachment, Bound, DrawCall, Renderer } from "./renderer.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
 import type {
-  Camera, Drawn, DrawStep, Frame, FramePackage, Model, PackagedShader, Pixels, Plan, RunStep,
-  Source, Step, Target, Use, Value,
+  Camera, Drawn, DrawStep, Frame, FramePackage, LightRow, Model, PackagedShader, Pixels, Plan,
+  RunStep, Source, Step, Target, Use, Value,
 } from "./types.js";
 import { Values } from "./values.js";
 
@@ -251,10 +251,17 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   /** Each light of an entry of the rig. */
   private lights(entry: string | null): Lit[] {
     if (entry === null) return [null];
-    const { capacity, count } = this.plan.lights.find((each) => each.name === entry)!;
+    const { capacity, count } = this.light(entry)!;
     if (capacity === null) return [{ entry, number: null }];
     const lit = count === null ? capacity : (this.values.get(count) as number[])[0];
     return Array.from({ length: lit }, (_, number) => ({ entry, number }));
+  }
+
+  /** The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it is
+   * that of something else as well. */
+  private light(entry: string): LightRow | undefined {
+    const { rig, lights } = this.plan;
+    return lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
   }
 
   private call(
@@ -297,17 +304,17 @@ export class PlanFrame<Texture, Buffer> implements Frame {
 
   /** Give a shader the lights of the frame; of a single one, that of its entry. */
   private shine(values: Values, { reflection }: PackagedShader, light: Lit): void {
-    const known = new Set(this.plan.lights.map((each) => each.name));
     for (const row of reflection.lights) {
-      const own = row.name.replace(`${reflection.rig}.`, "");
-      if (!known.has(own)) continue;
+      const entry = row.name.replace(`${reflection.rig}.`, "");
+      const own = this.light(entry);
+      if (!own) continue;
       if (row.capacity !== null) {
-        values.take(row.name, this.values, own);
-        if (row.count !== null) values.take(row.count, this.values, `${own}.count`);
+        values.take(row.name, this.values, own.name);
+        if (row.count !== null) values.take(row.count, this.values, own.count!);
         continue;
       }
-      const number = light?.entry === own ? light.number : null;
-      const source = number === null ? own : `${own}[${number}]`;
+      const number = light?.entry === entry ? light.number : null;
+      const source = number === null ? own.name : `${own.name}[${number}]`;
       for (const name of row.parameters) {
         const member = name.slice(row.name.length);
         values.set(name, this.values.get(`${source}${member}`) as Value);

@@ -109,6 +109,8 @@ export type Dimension = "2d" | "2d_array" | "3d" | "cube";
 export interface Plan {
   plan: 1;
   frame: string;
+  /** The rig of lights. */
+  rig: string;
   parameters: Parameter[];
   lights: LightRow[];
   host_textures: { name: string; dimension: Dimension; sample: string }[];

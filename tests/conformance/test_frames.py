@@ -543,6 +543,36 @@ def test_depth_tests_that_fail_are_counted_by_their_side(studio: Studio, where: 
     assert found["value"][0][..., 0].tolist() == [[7, 7, 5, 0, 0, 0, 0, 0]] * SIZE[1]
 
 
+NAMED_TWICE = f"""{HEAD}
+import std.lights.{{Point}}
+import std.terms.{{lambert}}
+
+rig Studio {{ lamps : Point[3] }}
+
+pass Counted : FullScreen blend add {{
+    param lamps : float = 1
+    param wide  : float = 0
+    position = vec3(uv, 0)
+    normal   = vec3(0, 0, 1)
+    target value : rgba16f = vec4(lamps + wide * lambert(vec3(1)), 1)
+}}
+frame F {{
+    param lamps : float = 0.75
+    counted = sum lamp in rig : Counted(screen) with {{ lamps = lamps }}
+    output value = counted.value
+}}
+"""
+"""A frame and its pass have a parameter that is called like lights of the rig."""
+
+
+@EVERYWHERE
+def test_a_parameter_may_be_called_like_lights(studio: Studio, where: str) -> None:
+    (frame,) = burnish.compile(NAMED_TWICE, ("wgsl",)).frames
+    assert [row["name"] for row in frame.plan["lights"]] == ["Studio.lamps"]
+    (found,) = outputs(NAMED_TWICE, where, studio)
+    assert np.array_equal(found["value"][..., :3], np.full((1, *SIZE[::-1], 3), 3 * 0.75))
+
+
 LEVEL_EDGE = """
 pass Lower {
     clip_position : point<clip> = vec4(

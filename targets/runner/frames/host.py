@@ -262,11 +262,17 @@ class FrameHost:
         """Each light of an entry of the rig, by its name and number."""
         if entry is None:
             return (None,)
-        row = next(row for row in self.plan["lights"] if row["name"] == entry)
+        row = self._light(entry)
         if row["capacity"] is None:
             return ((entry, None),)
         count = row["capacity"] if row["count"] is None else self.values.get(row["count"])
         return tuple((entry, number) for number in range(count))
+
+    def _light(self, entry: str) -> Row:
+        """The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it
+        is that of something else as well."""
+        names = entry, f"{self.plan['rig']}.{entry}"
+        return next(row for row in self.plan["lights"] if row["name"] in names)
 
     def _drawn(
         self,
@@ -323,18 +329,19 @@ class FrameHost:
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; of a single one, that of its entry."""
         for row in instance.reflection["lights"]:
-            own = row["name"].removeprefix(f"{instance.reflection['rig']}.")
-            source = own
-            if light is not None and light[1] is not None and own == light[0]:
-                source = f"{own}[{light[1]}]"
+            entry = row["name"].removeprefix(f"{instance.reflection['rig']}.")
+            own = self._light(entry)
+            source = own["name"]
+            if light is not None and light[1] is not None and entry == light[0]:
+                source = f"{source}[{light[1]}]"
             if row["capacity"] is None:
                 for name in row["parameters"]:
                     member = name.removeprefix(f"{row['name']}.")
                     instance.set(name, self.values.get(f"{source}.{member}"))
             else:
-                instance.take(row["name"], self.values, own)
+                instance.take(row["name"], self.values, own["name"])
                 if row["count"] is not None:
-                    instance.take(row["count"], self.values, f"{own}.count")
+                    instance.take(row["count"], self.values, own["count"])
 
     def _give(self, instance: Instance, use: Row, is_first: bool) -> dict[str, Read]:
         """Give a shader what the frame sets; what steps have made is returned."""

@@ -225,11 +225,17 @@ export class PlanFrame {
     lights(entry) {
         if (entry === null)
             return [null];
-        const { capacity, count } = this.plan.lights.find((each) => each.name === entry);
+        const { capacity, count } = this.light(entry);
         if (capacity === null)
             return [{ entry, number: null }];
         const lit = count === null ? capacity : this.values.get(count)[0];
         return Array.from({ length: lit }, (_, number) => ({ entry, number }));
+    }
+    /** The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it is
+     * that of something else as well. */
+    light(entry) {
+        const { rig, lights } = this.plan;
+        return lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
     }
     call(use, model, light, aspect, geometry) {
         const shader = this.from.shaders[use.shader];
@@ -267,19 +273,19 @@ export class PlanFrame {
     }
     /** Give a shader the lights of the frame; of a single one, that of its entry. */
     shine(values, { reflection }, light) {
-        const known = new Set(this.plan.lights.map((each) => each.name));
         for (const row of reflection.lights) {
-            const own = row.name.replace(`${reflection.rig}.`, "");
-            if (!known.has(own))
+            const entry = row.name.replace(`${reflection.rig}.`, "");
+            const own = this.light(entry);
+            if (!own)
                 continue;
             if (row.capacity !== null) {
-                values.take(row.name, this.values, own);
+                values.take(row.name, this.values, own.name);
                 if (row.count !== null)
-                    values.take(row.count, this.values, `${own}.count`);
+                    values.take(row.count, this.values, own.count);
                 continue;
             }
-            const number = light?.entry === own ? light.number : null;
-            const source = number === null ? own : `${own}[${number}]`;
+            const number = light?.entry === entry ? light.number : null;
+            const source = number === null ? own.name : `${own.name}[${number}]`;
             for (const name of row.parameters) {
                 const member = name.slice(row.name.length);
                 values.set(name, this.values.get(`${source}${member}`));

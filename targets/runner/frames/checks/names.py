@@ -189,7 +189,8 @@ def _check_attachment(plan: Row, where: str, row: Row, *, is_depth: bool) -> Non
 
 def _check_drawn(plan: Row, where: str, step: Row, drawn: Row) -> None:
     """What is drawn: models, each by the shader for its material, or vertices without any."""
-    models, lights = drawn["models"], [row["name"] for row in plan["lights"]]
+    models = drawn["models"]
+    lights = [row["name"].removeprefix(f"{plan['rig']}.") for row in plan["lights"]]
     materials: list[str | None] = [None]
     if (models is None) == (drawn["vertices"] is None):
         fail(plan, where, "it draws either models or vertices without models")
