@@ -188,7 +188,7 @@ def frame_outputs(frame: PlannedFrame, wanted: str | None) -> list[str]:
     if wanted not in names:
         from ..compiler.diagnostics.nearest import suggestion
 
-        hint = suggestion(wanted, names) or f"there are {', '.join(names)}"
+        hint = suggestion(wanted, names) or f"it has {', '.join(f'`{n}`' for n in names)}"
         fail(f"{frame.name} has no output `{wanted}`: {hint}")
     return [wanted]
 

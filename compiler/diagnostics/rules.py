@@ -731,7 +731,8 @@ NOT_WRITABLE = _error(
 NOT_IN_KERNEL = _error(
     "B0515",
     "{what} is not available in a kernel",
-    "Derivatives, and reads of textures without a level, compare neighbouring pixels.",
+    "Derivatives, and reads of textures without a level, compare neighbouring pixels. A kernel "
+    "reads `name.level(coordinate, 0)` or `name.load(texel)`.",
 )
 WORK_GROUP_SIDES = _error(
     "B0516",
