@@ -11,6 +11,7 @@ from itertools import count
 
 from ....frozen import changed
 from ...diagnostics import rules
+from ...diagnostics.fixes import write
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.frame import (
@@ -301,7 +302,7 @@ class Steps:
         if not 1 <= len(e.arguments) <= 2:
             self._ctx.report.add(
                 rules.STEP_ARGUMENTS, e.span, name=symbol.name, expected="one or two arguments",
-                hint=f"write `{symbol.name}({next(iter(self._models), SCREEN)})`",
+                hint=write(e.span, f"{symbol.name}({next(iter(self._models), SCREEN)})"),
             )  # fmt: skip
             return FAILURE
         what = self._drawn.what(e.arguments[0], around.scope)
