@@ -339,9 +339,11 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("null", "nil", "None"), "every slot has a value"),
         "burnish": "`burnish 1` stands in front of all declarations",
         **dict.fromkeys(
-            ("static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat"),
+            ("static", "inline", "precise", "highp", "mediump", "lowp", "flat"),
             "an equation is `name = expression`; the compiler sees to the rest",
         ),
+        "invariant": "two shaders may place a vertex a little differently: do not compare depths for "
+        "being equal",
     }
 )  # fmt: skip
 """Words that begin statements and declarations in other languages."""
