@@ -342,7 +342,7 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
             ("static", "inline", "precise", "highp", "mediump", "lowp", "flat"),
             "an equation is `name = expression`; the compiler sees to the rest",
         ),
-        "invariant": "two shaders may place a vertex a little differently: do not compare depths for "
+        "invariant": "two shaders may place a vertex a little differently: compare no depths for "
         "being equal",
     }
 )  # fmt: skip
