@@ -41,6 +41,10 @@ pass_option = option(PASS)
 search_option = option(INCLUDE)
 hoist_option = option(HOIST)
 native_stages_option = option(NATIVE_STAGES)
+instances_option = click.option(
+    "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
+    help="How often to draw the mesh, if the material distinguishes instances.",
+)  # fmt: skip
 format_option = click.option(
     "--format",
     "form",

@@ -18,6 +18,7 @@ from .options import (
     device_option,
     file_argument,
     hoist_option,
+    instances_option,
     native_stages_option,
     pass_option,
     rig_option,
@@ -96,10 +97,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     "--scene", metavar="MODEL", type=click.Path(path_type=Path),
     help="A glTF 2.0 file, .gltf or .glb, whose objects a frame draws instead of meshes.",
 )  # fmt: skip
-@click.option(
-    "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
-    help="How often to draw the mesh, if the material distinguishes instances.",
-)  # fmt: skip
+@instances_option
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
     help="Pixels of the picture, or of each picture on a sheet.",

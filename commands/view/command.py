@@ -11,7 +11,14 @@ from typing import Any
 import click
 
 from ..failures import fail, needed, told
-from ..options import file_argument, hoist_option, pass_option, rig_option, search_option
+from ..options import (
+    file_argument,
+    hoist_option,
+    instances_option,
+    pass_option,
+    rig_option,
+    search_option,
+)
 from ..render import MESHES, pairs
 from .request import Request
 
@@ -26,10 +33,7 @@ from .request import Request
     "--scene", metavar="MODEL", type=click.Path(path_type=Path),
     help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
 )  # fmt: skip
-@click.option(
-    "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
-    help="How often to draw the mesh, if the material distinguishes instances.",
-)  # fmt: skip
+@instances_option
 @click.option(
     "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
     help="A parameter or a texture to begin with; may be given many times.",

@@ -5,15 +5,9 @@ import type { TextureSize } from "../renderer.js";
 import type { Dimension, Picture, SamplerState } from "../types.js";
 import type { Context, Gl } from "./context.js";
 
-export interface Texture {
+/** `layers` are the slices of a first level, if it has three dimensions. */
+export interface Texture extends Omit<TextureSize, "isImage"> {
   gl: WebGLTexture;
-  format: GPUTextureFormat;
-  dimension: Dimension;
-  width: number;
-  height: number;
-  /** Layers, or the slices of a first level. */
-  layers: number;
-  levels: number;
   /** The texels of its first level in each direction, as shaders see them. */
   sides: number[];
 }
