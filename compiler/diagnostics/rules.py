@@ -1222,6 +1222,19 @@ NOT_BLENDED = _error(
     "WebGPU and WebGL 2 blend 32-bit floats only where a device has an extension for it. "
     "Draw to a format of 16-bit floats.",
 )
+SAMPLES_DIFFER = _error(
+    "B0826",
+    "the samples of `{name}` do not fit: {reason}",
+    "A step with several samples draws to results of its own, or over the samples that another "
+    "step has left, which no third one draws over then. A step with one sample can draw over "
+    "colours that have been joined to one, and over no depths of several.",
+)
+DEPTHS_OF_SAMPLES = _error(
+    "B0827",
+    "`{name}` has depths of {samples} samples, which nobody can read",
+    "Depths have no mean that says something, and not every API can read those of the samples. "
+    "Draw them once more with a pass of one sample, or write them to a target.",
+)
 NO_SUCH_SIZE = _error(
     "B0823",
     "`{name}` cannot have its size: {reason}",
