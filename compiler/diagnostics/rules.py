@@ -845,11 +845,19 @@ IMAGE_PER_GROUP = _error(
 
 # Scattering
 
-SETTING_TOO_LARGE = _error(
+IMPOSSIBLE_SETTING = _error(
     "B0536",
-    "`{name}` is {value}, and {least} to {most} are possible",
+    "`{name}` is {value}, and {possible} are possible",
     "Stencil values and their masks have eight bits. A bias is counted in the smallest steps of "
-    "depths, of which floats have 2^24 between two powers of two.",
+    "depths, of which floats have 2^24 between two powers of two. Every API draws with 1 or 4 "
+    "samples for each pixel, and not every one with another number.",
+)
+ONE_SAMPLE = _error(
+    "B0537",
+    "`{name}` has one sample for each pixel: {reason}",
+    "Samples are joined to their mean at the end. Not every API can do that with floats of 32 "
+    "bits or with layers that are drawn at once, and with several samples each API draws lines by "
+    "rules of its own.",
 )
 NO_KERNEL_EXTENT = _error(
     "B0540",
