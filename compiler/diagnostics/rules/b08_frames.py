@@ -147,3 +147,10 @@ NO_SUCH_SIZE = error(
     "A step draws to textures of the size that stands behind what it draws, or of the frame's "
     "`size`. Sizes that are known only when the frame is drawn are checked then.",
 )
+AREA_OUTSIDE = error(
+    "B0824",
+    "the {area} of `{step}` cannot be meant: {reason}",
+    "A viewport lies within the targets, and a scissor has some of their texels: left, top, width "
+    "and height, counted from the upper left corner. Those that are known only when the frame is "
+    "drawn are checked then.",
+)
