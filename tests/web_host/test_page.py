@@ -5,26 +5,19 @@ from __future__ import annotations
 import io
 from collections.abc import Iterator
 from contextlib import chdir
-from functools import partial
 from pathlib import Path
-from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Page, Route, sync_playwright
-
-from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, FLAGS, START_LIMIT
-from burnish.targets.toolchain.tools import tool_named
+from playwright.sync_api import Page
 
 from ..docs.kit import ROOT, blocks
+from ..suite import browsers
 from ..suite.processes import until
 
 DOCUMENT = ROOT / "docs" / "hosts.md"
 ADDRESS = "https://burnish.invalid/"
-LIMIT = 30_000.0
-"""How many milliseconds a page may take for something."""
-TYPES = {".js": "text/javascript", ".json": "application/json", ".html": "text/html"}
 
 
 @pytest.fixture(scope="module")
@@ -40,30 +33,12 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "site"
 
 
-def serve(site: Path, route: Route) -> None:
-    path = site / (urlsplit(route.request.url).path.removeprefix("/") or "index.html")
-    if path.is_file():
-        route.fulfill(body=path.read_bytes(), content_type=TYPES[path.suffix])
-    else:
-        route.fulfill(status=404)
-
-
 @pytest.fixture
 def page(site: Path) -> Iterator[Page]:
-    paths = tool_named("chromium").find()
-    assert paths is not None
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=paths[0],
-            headless=True,
-            args=(*FLAGS, *CANVAS_FLAGS),
-            timeout=START_LIMIT,
-        )
+    with browsers.browser() as browser:
         opened = browser.new_page()
-        opened.set_default_timeout(LIMIT)
-        opened.route("**/*", partial(serve, site))
+        browsers.serve(opened, site)
         yield opened
-        browser.close()
 
 
 def colors(page: Page) -> int:
