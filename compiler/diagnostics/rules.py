@@ -845,11 +845,19 @@ IMAGE_PER_GROUP = _error(
 
 # Scattering
 
-SETTING_TOO_LARGE = _error(
+IMPOSSIBLE_SETTING = _error(
     "B0536",
-    "`{name}` is {value}, and {least} to {most} are possible",
+    "`{name}` is {value}, and {possible} are possible",
     "Stencil values and their masks have eight bits. A bias is counted in the smallest steps of "
-    "depths, of which floats have 2^24 between two powers of two.",
+    "depths, of which floats have 2^24 between two powers of two. Every API draws with 1 or 4 "
+    "samples for each pixel, and not every one with another number.",
+)
+ONE_SAMPLE = _error(
+    "B0537",
+    "`{name}` has one sample for each pixel: {reason}",
+    "Samples are joined to their mean at the end. Not every API can do that with floats of 32 "
+    "bits or with layers that are drawn at once, and with several samples each API draws lines by "
+    "rules of its own.",
 )
 NO_KERNEL_EXTENT = _error(
     "B0540",
@@ -1219,4 +1227,11 @@ NO_SUCH_SIZE = _error(
     "`{name}` cannot have its size: {reason}",
     "A step draws to textures of the size that stands behind what it draws, or of the frame's "
     "`size`. Sizes that are known only when the frame is drawn are checked then.",
+)
+AREA_OUTSIDE = _error(
+    "B0824",
+    "the {area} of `{step}` cannot be meant: {reason}",
+    "A viewport lies within the targets, and a scissor has some of their texels: left, top, width "
+    "and height, counted from the upper left corner. Those that are known only when the frame is "
+    "drawn are checked then.",
 )
