@@ -207,8 +207,6 @@ class Steps:
             return FAILURE
         return self.made(e.then if known else e.otherwise, around)
 
-    # --- repetitions ---
-
     # --- steps ---
 
     def _applied(
@@ -379,7 +377,6 @@ class Steps:
                     rules.PLACES_DIFFER, e.span, first=behind.name, second=image.name,
                     reason=f"one is `{behind.format}`, the other `{format_}`",
                 )  # fmt: skip
-            self._samples.check(image, samples, behind, e.span)
             clear = settings.cleared(target, state, e.span if behind is not None else None)
             layer = None if layered else place.layer
             return Attachment(target, image, layer, place.level, behind, clear)
@@ -391,6 +388,8 @@ class Steps:
         )
         uses_depth = state.depth.is_used or state.stencil.is_used
         depth = attached(DEPTH, DEPTH_FORMAT, "", state.depth.clear) if uses_depth else None
+        drawn_to = targets if depth is None else (*targets, depth)
+        self._samples.check(drawn_to, samples, e.span)
         return RenderStep(
             name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span,
             *(settings.number(setting) for setting in AREAS),

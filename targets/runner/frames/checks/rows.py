@@ -52,6 +52,11 @@ def drawn_to(step: Row) -> Iterator[int]:
             yield row["resolve"]["texture"]
 
 
+def has_samples(plan: Row, attachment: Row) -> bool:
+    """Whether a step draws with several samples there."""
+    return bool(plan["textures"][attachment["texture"]]["samples"] > 1)
+
+
 def uses(step: Row) -> Iterator[Row]:
     """The shaders of a step, with what the frame sets of them."""
     if step["kind"] == "run":
