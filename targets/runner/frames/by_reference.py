@@ -181,10 +181,11 @@ class ReferenceFrames:
         width, height = self.host.drawn_size(step)
         state, depth = self.host.state_of(step), step["depth"]
         rules = replace(
-            self.rules, width=width, height=height, viewport=state.viewport, scissor=state.scissor
-        )
+            self.rules, width=width, height=height, viewport=state.viewport,
+            scissor=state.scissor, samples=shader.render_state.samples,
+        )  # fmt: skip
         canvas = Canvas(
-            width * height, [self.host.clear_of(target) for target in step["targets"]],
+            rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
             depth=1.0 if depth is None else self.host.clear_of(depth)[0],
             blend_constant=state.blend_constant,
