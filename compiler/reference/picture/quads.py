@@ -50,12 +50,14 @@ class Quads:
 
     def places(self) -> tuple[Floats, Floats]:
         """Where the values are, in pixels: (quads, 1, side) and (quads, side, 1)."""
-        steps = np.arange(self.side)
-        across, down = (
-            whole[:, None] + (steps + np.reshape(inside, (-1, 1)))
-            for whole, inside in ((self.x, self.at.x), (self.y, self.at.y))
-        )
+        across = self._each(self.x, self.at.x)
+        down = self._each(self.y, self.at.y)
         return across[:, None, :], down[:, :, None]
+
+    def _each(self, first: Ints, inside: Any) -> Floats:
+        """(quads, side): the places along one side."""
+        steps = np.arange(self.side) + np.reshape(inside, (-1, 1))
+        return np.asarray(first[:, None] + steps, np.float64)
 
 
 def rows_above(rules: RasterRules, side: int) -> int:

@@ -32,10 +32,11 @@ def expected_on(
         several = ends.reshape(3, *shape, 4)
         targets.append(_mean(several, canvas.formats[number], rounds=canvas.rounds))
     layers = canvas.layers.reshape(shape).max(axis=-1)
+    uncertain: Bools = np.asarray(undecided.reshape(shape).any(axis=-1))
     return Expected(
         targets=tuple(target[0] for target in targets),
         covered=layers > 0,
-        undecided=undecided.reshape(shape).any(axis=-1),
+        undecided=uncertain,
         low=tuple(target[1] for target in targets),
         high=tuple(target[2] for target in targets),
         layers=layers,

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from .scene import Floats, Ints, RasterRules
+from .scene import Ints, RasterRules
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,9 +59,3 @@ def location_of(sample: Ints, rules: RasterRules) -> Location:
     number, every = sample % rules.samples, locations(rules)
     x, y = (np.array([getattr(at, axis) for at in every])[number] for axis in "xy")
     return Location(x, y)
-
-
-def by_pixel(of_samples: Floats, rules: RasterRules) -> Floats:
-    """Values (…, samples, lanes) as (…, height, width, samples of a pixel, lanes)."""
-    *before, _, lanes = of_samples.shape
-    return of_samples.reshape(*before, rules.height, rules.width, rules.samples, lanes)
