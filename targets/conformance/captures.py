@@ -22,7 +22,7 @@ from ...compiler.reference.picture import Expected, RasterRules, formats
 from ..runner.binding import pipeline
 from ..runner.capturing import Vertices, captured_by, give_elements
 from ..runner.codes import Codes
-from ..runner.drivers.draw import Device
+from ..runner.drivers.device import Device
 from ..runner.reference import geometry_for, texels_of, values_for
 from ..runner.routes import Route
 from ..runner.runner import Runner

@@ -13,7 +13,7 @@ from threading import Event
 
 from ...frozen import EMPTY
 from ..runner.codes import CodeError, compile_one
-from ..runner.drivers.draw import Device, DriverError
+from ..runner.drivers.device import Device, DriverError
 from ..runner.frames.by_route import lacking
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameSubject, is_frame, is_shader

@@ -16,7 +16,7 @@ import numpy as np
 from ...compiler.diagnostics.nearest import suggestion
 from ...compiler.reference.attribution import Explanation, UncoveredError
 from ...compiler.reference.picture import Expected
-from ..runner.drivers.draw import Device
+from ..runner.drivers.device import Device
 from ..runner.explanation import explained
 from ..runner.frames.host import FrameSubject, is_shader
 from ..runner.kernels import drawable, is_drawn

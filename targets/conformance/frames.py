@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...compiler.ir.shader import Shader
 from ...compiler.reference.picture import Expected, formats
-from ..runner.drivers.draw import Device
+from ..runner.drivers.device import Device
 from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame

@@ -18,7 +18,8 @@ from ...frozen import changed
 from ...stdlib.builtins.accuracy import Platform
 from ..runner.binding import FORMATS, pipeline
 from ..runner.codes import Codes
-from ..runner.drivers.draw import Device, Picture
+from ..runner.drivers.device import Device
+from ..runner.drivers.draw_job import Picture
 from ..runner.drivers.readback import arrays
 from ..runner.kernels import drawable, pictures_of
 from ..runner.reference import Draw, Program, remembered

@@ -10,27 +10,20 @@ from typing import Any
 
 from ...compiler.ir.stages import EVALUATION
 from .codes import Codes
-from .drivers.draw import (
+from .drivers.pipeline import CapturedOutput, Pipeline, StreamOutput, VertexFormat
+from .drivers.pipeline import VertexInput as Input
+from .drivers.render_state import (
     ALL_LANES,
     Blend,
     BlendEquation,
-    BlockSlot,
-    BufferSlot,
-    CapturedOutput,
     DepthBias,
-    ImageSlot,
-    Pipeline,
-    Place,
     RenderTarget,
     Stencil,
     StencilSide,
-    StreamOutput,
     TargetFormat,
-    TextureSlot,
-    VertexFormat,
     Winding,
 )
-from .drivers.draw import VertexInput as Input
+from .drivers.slots import BlockSlot, BufferSlot, ImageSlot, Place, TextureSlot
 from .routes import EVERY_DRIVER, Route
 
 FORMATS: Mapping[str, TargetFormat] = {

@@ -17,7 +17,10 @@ from ...compiler.ir.stages import VERTICES
 from ..toolchain import Toolchain
 from .binding import pipeline
 from .codes import compile_one
-from .drivers.draw import Captured, CaptureJob, DriverError, Pipeline, Written
+from .drivers.capture_job import Captured, CaptureJob
+from .drivers.device import DriverError
+from .drivers.kernel_job import Written
+from .drivers.pipeline import Pipeline
 from .kernels import dispatch_of, elements_of, job_of
 from .mesh_buffers import KINDS, give_mesh, mesh_rows
 from .meshes import Mesh, MeshError

@@ -16,7 +16,9 @@ from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.stages import COMPUTED, RASTERISED
 from ...frozen import changed
-from .drivers.draw import Dispatch, Draw, Job, KernelJob, Picture, Pipeline, Written
+from .drivers.draw_job import Draw, Job, Picture
+from .drivers.kernel_job import Dispatch, KernelJob, Written
+from .drivers.pipeline import Pipeline
 from .instances.instance import Instance
 from .routes import Route
 from .runner import Runner

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...compiler.reference.picture import Geometry, instanced
-from .drivers.draw import Draw
+from .drivers.draw_job import Draw
 from .expanding import as_drawn
 from .instances.instance import Instance
 from .mesh_buffers import give_mesh, mesh_rows

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from burnish.targets.runner.drivers.draw import DriverError, Pipeline, RenderTarget
+from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_checks import check_frame
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
@@ -17,6 +17,8 @@ from burnish.targets.runner.drivers.frame_job import (
     FrameJob,
     FrameStep,
 )
+from burnish.targets.runner.drivers.pipeline import Pipeline
+from burnish.targets.runner.drivers.render_state import RenderTarget
 
 from .frame_kit import (
     PAINT_SLOT,

@@ -10,9 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from .checks import check_dispatch, check_draw
-from .draw import DriverError, Pipeline, TextureSlot
+from .device import DriverError
 from .frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexture
 from .frame_order import check_order
+from .pipeline import Pipeline
+from .slots import TextureSlot
 
 OWN = -1
 """In place of a number: a texture or a buffer that the draw brings along."""

@@ -1,8 +1,8 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-``targets/runner/frames`` makes a job of a plan. Where ``draw.Job`` has one pipeline, and each draw
-a picture of its own, a frame job has as many as it likes, and its steps draw into textures that
-later steps read. Only what is asked for comes back.
+``targets/runner/frames`` makes a job of a plan. Where the ``Job`` of ``draw_job.py`` has one
+pipeline, and each draw a picture of its own, a frame job has as many as it likes, and its steps
+draw into textures that later steps read. Only what is asked for comes back.
 """
 
 from __future__ import annotations
@@ -10,7 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from .draw import DepthFormat, Dispatch, Draw, KernelJob, Pipeline, Sides, TargetFormat
+from .draw_job import Draw
+from .kernel_job import Dispatch, KernelJob, Sides
+from .pipeline import Pipeline
+from .render_state import DepthFormat, TargetFormat
 
 TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as; at first it has no contents."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from .draw import DriverError
+from .device import DriverError
 from .frame_job import Attachment, FrameJob, FrameStep, TextureUse
 
 Part = tuple[int, int]

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
 from ..codes import compile_one
-from ..drivers.draw import Dispatch, Pipeline
 from ..drivers.frame_job import (
     Attachment,
     Barrier,
@@ -29,6 +28,8 @@ from ..drivers.frame_job import (
     TextureUse,
     groups_of,
 )
+from ..drivers.kernel_job import Dispatch
+from ..drivers.pipeline import Pipeline
 from ..kernels import dispatch_of, full_screen_state, has_images
 from ..routes import EVERY_DRIVER, Route
 from ..runner import Runner

@@ -7,7 +7,10 @@ from contextlib import contextmanager
 
 import moderngl
 
-from ..draw import CORNERS, Captured, CaptureJob, Draw, DriverError, Pipeline, StreamOutput
+from ..capture_job import Captured, CaptureJob
+from ..device import DriverError
+from ..draw_job import Draw
+from ..pipeline import CORNERS, Pipeline, StreamOutput
 from .context import Functions
 from .program import link
 from .vertices import MODES, bound_vertices

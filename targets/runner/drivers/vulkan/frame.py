@@ -8,9 +8,10 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import Draw, Image
+from ..draw_job import Draw
 from ..frame_job import Area, Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..readback import TEXEL_LANES, depths_to_float, to_float
+from ..texels import Image
 from .compute import COMPUTE, make_compute_pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
