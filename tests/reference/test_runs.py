@@ -29,7 +29,7 @@ def test_what_is_unknown_in_a_run_makes_its_extreme_unknown() -> None:
 
 
 def test_a_single_run() -> None:
-    assert Extremes(np.maximum, NUMBERS).of(np.int64(3), np.int64(9)) == NUMBERS[3:10].max()
+    assert Extremes(np.maximum, NUMBERS).of(np.array(3), np.array(9)) == NUMBERS[3:10].max()
 
 
 @pytest.mark.parametrize("chosen", [slice(None), slice(5, 9), slice(0, 0)])
