@@ -16,10 +16,8 @@ from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.kernel import Lane, computed
 from ...compiler.reference.picture import RasterRules, Texels
 from .instances.instance import Instance
+from .instances.shapes import STORED
 from .reference import texels_of, values_for
-
-KINDS = {"float": "<f4", "int": "<i4", "uint": "<u4"}
-"""How a lane is stored, by its type."""
 
 ANY = Errors(("vulkan",))
 """Bounds come with the values, and are not asked for."""
@@ -61,13 +59,13 @@ def place_of(lane: Lane) -> tuple[int, str]:
     element = lane.store.buffer.type.element
     type_, offset = place_in(element, lane.store.path)
     start = lane.store.offset * byte_size(stored_element(element)) + offset
-    return start + LANE * lane.lane, KINDS[type_]
+    return start + LANE * lane.lane, STORED[type_]
 
 
 def _words(values: NDArray[np.generic], kind: str) -> NDArray[np.uint8]:
     """A lane of all elements, of shape (elements, 4): numbers too large are infinite, and integers
     wrap."""
-    if kind == KINDS["float"]:
+    if kind == STORED["float"]:
         with np.errstate(over="ignore"):
             stored = values.astype(kind)
     else:
