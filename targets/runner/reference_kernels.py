@@ -11,7 +11,6 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.ir.kernel import ends
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.storage import LANE, byte_size, place_in, stored_element
 from ...compiler.reference.bounds.errors import Errors
@@ -19,14 +18,13 @@ from ...compiler.reference.kernel import Lane, computed
 from ...compiler.reference.picture import RasterRules, Texels
 from ...compiler.reference.storage_buffers import Contents
 from .instances.instance import Instance
+from .instances.shapes import STORED, WHOLE
 from .reference import texels_of, values_for
 
 Floats = NDArray[np.float64]
 
-KINDS = {"float": "<f4", "int": "<i4", "uint": "<u4"}
-"""How a lane is stored, by its type."""
-_INTEGERS = {KINDS["int"]: ends(signed=True), KINDS["uint"]: ends(signed=False)}
-"""The least and the greatest integer that is stored so."""
+_INTEGERS = {STORED[kind]: ends for kind, ends in WHOLE.items()}
+"""The least and the largest integer that is stored so."""
 
 ANY = Errors(("vulkan",))
 """Bounds come with the values, also where nobody asks for those of a device."""
@@ -76,13 +74,13 @@ def place_of(lane: Lane) -> tuple[int, str]:
     element = lane.store.buffer.type.element
     type_, offset = place_in(element, lane.store.path)
     start = lane.store.offset * byte_size(stored_element(element)) + offset
-    return start + LANE * lane.lane, KINDS[type_]
+    return start + LANE * lane.lane, STORED[type_]
 
 
 def _bytes(values: NDArray[np.generic], kind: str) -> NDArray[np.uint8]:
     """A lane of all elements, of shape (elements, 4): numbers too large are infinite, and integers
     wrap."""
-    if kind == KINDS["float"]:
+    if kind == STORED["float"]:
         with np.errstate(over="ignore"):
             stored = values.astype(kind)
     else:
