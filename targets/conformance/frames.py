@@ -131,7 +131,7 @@ class FramePlan:
         def shader(number: int) -> Shader:
             subject = self.subject.shaders[number]
             made = subject.shader if profile is None else subject.emitted(profile)
-            return to_targets(drawable(made), exact=False) if is_drawn(subject) else made
+            return to_targets(drawable(made), exact=False) if is_drawn(subject.reflection) else made
 
         def made() -> list[dict[str, Drawn]]:
             drawing = ReferenceFrames(self._host(self._meant), rules, errors, shader)
