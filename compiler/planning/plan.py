@@ -23,7 +23,7 @@ from .stencils import Stencils
 from .textures import Barrier, PlannedTexture, Shape, State, Textures
 from .unchanging import unchanging
 
-Spot = tuple[Image, int | None, int]
+DrawnPart = tuple[Image, int | None, int]
 """A layer and a level of a result; ``None`` is all of its layers."""
 
 
@@ -124,9 +124,9 @@ class _Planning:
         self._stencils = Stencils.of(frame)
         self._textures = Textures(shares=shares)
         self._texture_of: dict[Image, int] = {}
-        self._samples_of: dict[Spot, int] = {}
+        self._samples_of: dict[DrawnPart, int] = {}
         """The textures that steps with several samples draw to."""
-        self._drawn: set[Spot] = set()
+        self._drawn: set[DrawnPart] = set()
         """What has been drawn to."""
         self._rare = only_first(frame) | unchanging(frame)
         """The names of the steps of the first frame only, which share no textures: they may be left
@@ -197,7 +197,7 @@ class _Planning:
     def _place_samples(self, step: Step, attachment: Attachment) -> None:
         """Find a texture for the samples to which a step draws: the one over which it draws."""
         image, over = attachment.image, attachment.over
-        if _spot(attachment) in self._samples_of:
+        if _part(attachment) in self._samples_of:
             return
         if over is None:
             shape = Shape.of_samples(self._frame, self._stencils, image, attachment.level)
@@ -205,7 +205,7 @@ class _Planning:
         else:
             texture = self._samples_of[over, attachment.layer, attachment.level]
             self._textures.share(texture, image)
-        self._samples_of[_spot(attachment)] = texture
+        self._samples_of[_part(attachment)] = texture
 
     def _found(self, step: Step, image: Image, shape: Shape) -> int:
         """A texture for what a step leaves."""
@@ -235,7 +235,7 @@ class _Planning:
                     self._textures.release(texture, left)
         for attachment in attachments_of(step):
             if attachment.image.samples > 1 and not self._finds_samples(number, attachment):
-                self._textures.release(self._samples_of[_spot(attachment)], attachment.image)
+                self._textures.release(self._samples_of[_part(attachment)], attachment.image)
 
     # --- steps ---
 
@@ -250,22 +250,22 @@ class _Planning:
 
     def _planned(self, number: int, step: Step) -> PlannedStep:
         targets = [self._target(number, each) for each in attachments_of(step)]
-        self._drawn.update(_spot(target.attachment) for target in targets)
+        self._drawn.update(_part(target.attachment) for target in targets)
         barriers = self._textures.barriers(self._used(step, targets))
         has_depth = not isinstance(step, KernelStep) and step.depth is not None
         depth = targets.pop() if has_depth else None
         return PlannedStep(step, barriers, tuple(targets), depth, step.name in self._rare)
 
     def _target(self, number: int, attachment: Attachment) -> Target:
-        image, spot = attachment.image, _spot(attachment)
-        loads = spot in self._drawn or attachment.over is not None
+        image, part = attachment.image, _part(attachment)
+        loads = part in self._drawn or attachment.over is not None
         stencil = image in self._stencils.images, self._stencils.are_needed(number, attachment)
         if image.samples == 1:
             needed = self._is_needed(number, image)
             return Target(attachment, self._texture_of[image], loads, needed, *stencil)
         resolved = self._texture_of[image] if self._resolves(number, attachment) else None
         finds = self._finds_samples(number, attachment)
-        return Target(attachment, self._samples_of[spot], loads, finds, *stencil, resolved)
+        return Target(attachment, self._samples_of[part], loads, finds, *stencil, resolved)
 
     def _is_needed(self, number: int, image: Image) -> bool:
         """Whether somebody reads an image behind a step that draws it."""
@@ -286,21 +286,21 @@ class _Planning:
 
     def _resolves(self, number: int, attachment: Attachment) -> bool:
         """Whether somebody reads what a step has drawn before another one draws there, too."""
-        image, spot = attachment.image, _spot(attachment)
+        image, part = attachment.image, _part(attachment)
         if not self._is_resolved(number, image):
             return False
         for step in self._frame.steps[number + 1 :]:
             if image in set(read_by(step)):
                 return True
-            if any(_spot(each) == spot for each in attachments_of(step)):
+            if any(_part(each) == part for each in attachments_of(step)):
                 return False
         return True
 
     def _finds_samples(self, number: int, attachment: Attachment) -> bool:
         """Whether a later step draws on where a step with several samples has drawn."""
-        image, layer, level = _spot(attachment)
+        image, layer, level = _part(attachment)
         return any(
-            _spot(each) == (image, layer, level)
+            _part(each) == (image, layer, level)
             or (
                 each.image.samples > 1
                 and (each.over, each.layer, each.level) == (image, layer, level)
@@ -322,7 +322,7 @@ class _Planning:
                 yield target.resolved, "target"
 
 
-def _spot(attachment: Attachment) -> Spot:
+def _part(attachment: Attachment) -> DrawnPart:
     """What an attachment draws to."""
     return attachment.image, attachment.layer, attachment.level
 
