@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from ...frozen import changed, frozen
-from ..ir.frame import Attachment, Frame, Image, KernelStep, RenderStep, Step
+from ..ir.frame import Attachment, Elements, Frame, Image, KernelStep, RenderStep, Step
+from .barriers import BufferState, State, Waiting, Waits
 from .lifetimes import (
     ALWAYS,
     Left,
@@ -20,7 +21,7 @@ from .lifetimes import (
     written_by,
 )
 from .stencils import Stencils
-from .textures import Barrier, PlannedTexture, Shape, State, Textures
+from .textures import PlannedTexture, Shape, Textures
 from .unchanging import unchanging
 
 DrawnPart = tuple[Image, int | None, int]
@@ -66,7 +67,8 @@ class PlannedStep:
     """A step of the plan."""
 
     step: Step | Copy
-    barriers: tuple[Barrier, ...]
+    waiting: Waiting
+    """What is waited for before it."""
     targets: tuple[Target, ...] = ()
     depth: Target | None = None
     only_first: bool = False
@@ -108,6 +110,8 @@ class Plan:
     stencils: Stencils
     steps: tuple[PlannedStep, ...]
     kept: tuple[Kept, ...]
+    end: Waiting
+    """What is waited for behind the last step, so that the host and the next frame can read."""
 
 
 def plan(frame: Frame, *, shares: bool = True) -> Plan:
@@ -122,7 +126,8 @@ class _Planning:
         self._shares = shares
         self._lifetimes = Lifetimes.of(frame)
         self._stencils = Stencils.of(frame)
-        self._textures = Textures(shares=shares)
+        self._waits = Waits(self._is_rare)
+        self._textures = Textures(self._waits, shares=shares)
         self._texture_of: dict[Image, int] = {}
         self._samples_of: dict[DrawnPart, int] = {}
         """The textures that steps with several samples draw to."""
@@ -131,6 +136,12 @@ class _Planning:
         self._rare = only_first(frame) | unchanging(frame)
         """The names of the steps of the first frame only, which share no textures: they may be left
         out."""
+        self._rare_buffers = {
+            left
+            for step in frame.steps
+            for left in written_by(step)
+            if step.name in self._rare and isinstance(left, Elements)
+        }
 
     def plan(self) -> Plan:
         kept = tuple(self._kept(left) for left in self._lifetimes.kept)
@@ -144,6 +155,12 @@ class _Planning:
                 planned = changed(planned, continues=True)
             steps.append(planned)
             self._release(number, step)
+        end = self._waits.before(self._images_left(), self._buffers_left())
+        self._textures.join_uses(
+            (each.texture, each.previous)
+            for each in kept
+            if each.texture is not None and each.previous is not None
+        )
         return Plan(
             self._frame,
             tuple(self._textures.made),
@@ -152,7 +169,14 @@ class _Planning:
             self._stencils,
             tuple(steps),
             kept,
+            end,
         )
+
+    def _is_rare(self, used: int | Elements) -> bool:
+        """Whether a texture, or a buffer, is used in the first frame only."""
+        if isinstance(used, Elements):
+            return used in self._rare_buffers
+        return self._textures.lasts(used)
 
     # --- textures ---
 
@@ -161,10 +185,9 @@ class _Planning:
             return Kept(left, None, None)
         shape = self._shape(left)
         texture, previous = (self._textures.new(shape, left) for _ in range(2))
-        for number in (texture, previous):
-            self._textures.keep(number)
+        self._textures.exchange(texture, previous)
         self._texture_of[left] = texture
-        self._textures.is_ready(previous)
+        self._waits.add(previous, "sampled")
         return Kept(left, texture, previous)
 
     def _shape(self, image: Image) -> Shape:
@@ -245,16 +268,16 @@ class _Planning:
         )  # fmt: skip
         self._drawn |= {(copy.into, layer, level) for image, layer, level in self._drawn
                         if image is copy.image}  # fmt: skip
-        barriers = self._textures.barriers((self._texture_of[i], state) for state, i in states)
-        return PlannedStep(copy, barriers, only_first=is_rare)
+        used = ((self._texture_of[i], state) for state, i in states)
+        return PlannedStep(copy, self._waits.before(used, ()), only_first=is_rare)
 
     def _planned(self, number: int, step: Step) -> PlannedStep:
         targets = [self._target(number, each) for each in attachments_of(step)]
         self._drawn.update(_part(target.attachment) for target in targets)
-        barriers = self._textures.barriers(self._used(step, targets))
+        waiting = self._waits.before(self._used(step, targets), _buffers_used(step))
         has_depth = not isinstance(step, KernelStep) and step.depth is not None
         depth = targets.pop() if has_depth else None
-        return PlannedStep(step, barriers, tuple(targets), depth, step.name in self._rare)
+        return PlannedStep(step, waiting, tuple(targets), depth, step.name in self._rare)
 
     def _target(self, number: int, attachment: Attachment) -> Target:
         image, part = attachment.image, _part(attachment)
@@ -321,10 +344,37 @@ class _Planning:
             if target.resolved is not None:
                 yield target.resolved, "target"
 
+    # --- what is left ---
+
+    def _images_left(self) -> Iterator[tuple[int, State]]:
+        """The textures that the host or the next frame reads."""
+        for left in self._left():
+            if isinstance(left, Image):
+                yield self._texture_of[left], "sampled"
+
+    def _buffers_left(self) -> Iterator[tuple[Elements, BufferState]]:
+        """Likewise."""
+        for left in self._left():
+            if isinstance(left, Elements):
+                yield left, "read"
+
+    def _left(self) -> Iterator[Left]:
+        yield from (output.source for output in self._frame.outputs)
+        yield from self._lifetimes.kept
+
 
 def _part(attachment: Attachment) -> DrawnPart:
     """What an attachment draws to."""
     return attachment.image, attachment.layer, attachment.level
+
+
+def _buffers_used(step: Step) -> Iterator[tuple[Elements, BufferState]]:
+    for left in read_by(step):
+        if isinstance(left, Elements):
+            yield left, "read"
+    if isinstance(step, KernelStep):
+        for elements in step.buffers.values():
+            yield elements, "written"
 
 
 def _draws_on(before: PlannedStep, planned: PlannedStep) -> bool:
@@ -340,5 +390,6 @@ def _draws_on(before: PlannedStep, planned: PlannedStep) -> bool:
         and all(layer is not None for _, layer, _ in places)
         and all(target.loads for target in planned.drawn_to)
         and all(target.resolved is None for target in before.drawn_to)
-        and {barrier.texture for barrier in planned.barriers} <= {texture for texture, *_ in places}
+        and not planned.waiting.buffers
+        and {each.texture for each in planned.waiting.textures} <= {place[0] for place in places}
     )

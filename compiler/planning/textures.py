@@ -1,25 +1,18 @@
-"""The textures of a plan while it is made: which results share one, and how each is used.
+"""The textures of a plan while it is made: which results share one.
 
-``plan.py`` asks for a texture for each thing that a step leaves, gives it back when nobody needs
-this any more, and asks which barriers stand between two uses.
+``plan.py`` asks for a texture for each thing that a step leaves, and gives it back when nobody
+needs this any more.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Literal
 
-from ...frozen import fresh, frozen, record
+from ...frozen import frozen, record
 from ..ir.frame import Frame, Image, ImageDimension
 from ..ir.node import Node
+from .barriers import State, Waits
 from .stencils import Stencils
-
-State = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
-"""What a texture is used as: drawn to, written by a kernel, read, copied. At first it has no
-contents: ``undefined``."""
-
-_WRITES = frozenset(("target", "depth", "image", "copied_to"))
-"""Uses behind which even the same use has to wait."""
 
 
 @frozen
@@ -62,41 +55,35 @@ class PlannedTexture:
 
     shape: Shape
     images: list[Image]
-    uses: dict[State, None] = fresh(factory=dict)
+    uses: tuple[State, ...] = ()
+    """All that it is used as, also where it is exchanged with the one that the last frame left."""
     kept: bool = False
     """Whether its contents are needed in the next frame."""
-
-
-@frozen(eq=False)
-class Barrier:
-    """A texture that is used in another way from here on."""
-
-    texture: int
-    before: State
-    after: State
-    only_first: bool
-    """Whether the texture is used in the first frame only."""
 
 
 class Textures:
     """All textures so far; each is named by its place among ``made``."""
 
-    def __init__(self, *, shares: bool) -> None:
+    def __init__(self, waits: Waits, *, shares: bool) -> None:
+        """``waits`` is told of each texture."""
         self.made: list[PlannedTexture] = []
+        self._waits = waits
         self._shares = shares
         self._free: dict[Shape, list[int]] = {}
-        self._states: dict[int, State] = {}
         self._lasting: set[int] = set()
-        """Those that nothing else shares, as steps of the first frame only draw to them."""
 
     def new(self, shape: Shape, image: Image, *, lasts: bool = False) -> int:
-        """A texture of its own; where it ``lasts``, it is never shared."""
+        """A texture of its own; one that ``lasts`` is never shared."""
         self.made.append(PlannedTexture(shape, [image]))
         number = len(self.made) - 1
-        self._states[number] = "undefined"
+        self._waits.add(number)
         if lasts:
             self._lasting.add(number)
         return number
+
+    def lasts(self, number: int) -> bool:
+        """Whether a texture is never shared, as steps of the first frame only draw to it."""
+        return number in self._lasting
 
     def allot(self, shape: Shape, image: Image) -> int:
         """A texture that is free, or else a new one."""
@@ -117,22 +104,17 @@ class Textures:
         if texture.images[-1] is image and number not in self._lasting:
             self._free.setdefault(texture.shape, []).append(number)
 
-    def keep(self, number: int) -> None:
-        """Have the next frame find what a texture holds."""
-        self.made[number].kept = True
+    def exchange(self, one: int, other: int) -> None:
+        """Have two textures take turns from frame to frame: the next one finds what they hold."""
+        for number in (one, other):
+            self.made[number].kept = True
 
-    def is_ready(self, number: int) -> None:
-        """Note that a texture can be read from the beginning: the last frame left something."""
-        self._states[number] = "sampled"
-        self.made[number].uses["sampled"] = None
-
-    def barriers(self, used: Iterable[tuple[int, State]]) -> tuple[Barrier, ...]:
-        """What has to be waited for before textures are used like this."""
-        found = []
-        for number, state in dict.fromkeys(used):
-            before = self._states[number]
-            self.made[number].uses[state] = None
-            if before != state or before in _WRITES:
-                found.append(Barrier(number, before, state, number in self._lasting))
-            self._states[number] = state
-        return tuple(found)
+    def join_uses(self, exchanged: Iterable[tuple[int, int]]) -> None:
+        """Say what each texture is used as; of two that are exchanged, what either is."""
+        uses = self._waits.uses
+        for number, texture in enumerate(self.made):
+            texture.uses = tuple(uses[number])
+        for one, other in exchanged:
+            joined = tuple({**uses[one], **uses[other]})
+            for number in (one, other):
+                self.made[number].uses = joined
