@@ -100,7 +100,8 @@ OPERATIONS = Words(get_args(StencilOperation))
 
 SETTINGS: Mapping[Stated, Mapping[str, Setting]] = {
     ast.Raster: _plain(
-        cull=Words(get_args(Cull)), front=Words(get_args(Winding)), fill=Words(get_args(Fill))
+        cull=Words(get_args(Cull)), front=Words(get_args(Winding)), fill=Words(get_args(Fill)),
+        invariant=SWITCH,
     ),
     ast.Depth: _plain(
         compare=COMPARISONS, write=SWITCH, bias=Whole(-MOST_BIAS, MOST_BIAS), slope_bias=Real(),
