@@ -16,6 +16,8 @@ Winding = Literal["counter_clockwise", "clockwise"]
 """How the corners of a face go around if its front is seen."""
 Fill = Literal["faces", "lines"]
 """What is drawn of a face: all of it, or its edges."""
+SAMPLES = (1, 4)
+"""How many samples a pixel may have: every API has these two."""
 Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
@@ -128,6 +130,8 @@ class RenderState:
     invariant: bool | None = None
     """Whether all shaders that compute a position in the same way get the same one, to the last
     bit; ``None`` where the pass leaves that to what its depths are compared for."""
+    samples: int = 1
+    """At how many places of a pixel it is decided what is seen there, one of ``SAMPLES``."""
     depth: DepthState = DepthState()
     stencil: StencilState = StencilState()
 

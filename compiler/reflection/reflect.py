@@ -101,6 +101,7 @@ def _render_state_row(state: RenderState) -> dict[str, Any]:
         "cull": state.cull,
         "front": state.front,
         "fill": state.fill,
+        "samples": state.samples,
         "depth": _depth_row(state.depth),
         "stencil": _stencil_row(state.stencil) if state.stencil.is_used else None,
     }

@@ -115,8 +115,21 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     this.renderer.show(this.outputOf(output));
   }
 
+  sizeOf(output: string): [number, number] {
+    const [width, height] = this.renderer.sizeOf(this.outputOf(output));
+    return [width, height];
+  }
+
   read(output: string): Promise<Pixels> {
     return this.renderer.read(this.outputOf(output));
+  }
+
+  async readElements(output: string): Promise<Uint8Array<ArrayBuffer>> {
+    const row = this.plan.outputs.find((each) => each.name === output && each.texture === null);
+    const buffer = row && this.resources.written(row.result);
+    const { frame } = this.plan;
+    if (!buffer) throw new Error(`\`${output}\` of ${frame} is no buffer, or was not written yet`);
+    return (await this.renderer.readBuffer(buffer)).subarray(0, this.resources.bytesIn(buffer));
   }
 
   finished(): Promise<void> {
@@ -347,7 +360,7 @@ export class PlanFrame<Texture, Buffer> implements Frame {
 
   private giveBuffer(bound: Bound<Texture, Buffer>, name: string, buffer: Buffer): void {
     const row = bound.values.declared.buffers.find((each) => each.name === name)!;
-    bound.values.count(row, this.renderer.bytesIn(buffer));
+    bound.values.count(row, this.resources.bytesIn(buffer));
     bound.buffers.set(name, buffer);
   }
 

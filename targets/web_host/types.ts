@@ -389,8 +389,12 @@ export interface Frame {
   draw(): void;
   /** Put an output on the canvas, by default the first one that is a picture. */
   show(output?: string): void;
+  /** The width and height of an output's first level. */
+  sizeOf(output: string): [number, number];
   /** The numbers of an output's first level. */
   read(output: string): Promise<Pixels>;
+  /** The elements of an output that is a buffer, as its row of `results` says how they lie. */
+  readElements(output: string): Promise<Uint8Array<ArrayBuffer>>;
   /** Wait until all is drawn; an error tells what the API has refused of it. */
   finished(): Promise<void>;
   /** Give everything back that the frame has made. */

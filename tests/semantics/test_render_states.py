@@ -38,6 +38,7 @@ def test_settings_are_words_and_constants() -> None:
     assert found.depth == DepthState("always", write=False, bias=-2, slope_bias=1.5)
     assert not found.depth.is_used
     assert found.depth.is_biased
+    assert state("raster { samples = mark + 1 }") == RenderState(samples=4)
     found = state("stencil { compare = equal, reference = mark, read_mask = 0x0f }")
     equal = StencilSide("equal")
     assert found.stencil == StencilState(equal, equal, 3, read_mask=15)
@@ -147,7 +148,8 @@ error[B0536]: `reference` is 256, and 0 to 255 are possible
 5 |     stencil { reference = 256, front.reference = 3, front.pas = replace, pass = red + 1 }
   |                           ^^^
   = help: Stencil values and their masks have eight bits. A bias is counted in the smallest steps \
-of depths, of which floats have 2^24 between two powers of two.
+of depths, of which floats have 2^24 between two powers of two. Every API draws with 1 or 4 \
+samples for each pixel, and not every one with another number.
 
 error[B0201]: unknown stencil setting `front.reference`
  --> <test>:5:32

@@ -99,8 +99,20 @@ export class PlanFrame {
     show(output) {
         this.renderer.show(this.outputOf(output));
     }
+    sizeOf(output) {
+        const [width, height] = this.renderer.sizeOf(this.outputOf(output));
+        return [width, height];
+    }
     read(output) {
         return this.renderer.read(this.outputOf(output));
+    }
+    async readElements(output) {
+        const row = this.plan.outputs.find((each) => each.name === output && each.texture === null);
+        const buffer = row && this.resources.written(row.result);
+        const { frame } = this.plan;
+        if (!buffer)
+            throw new Error(`\`${output}\` of ${frame} is no buffer, or was not written yet`);
+        return (await this.renderer.readBuffer(buffer)).subarray(0, this.resources.bytesIn(buffer));
     }
     finished() {
         return this.renderer.finished();
@@ -321,7 +333,7 @@ export class PlanFrame {
     }
     giveBuffer(bound, name, buffer) {
         const row = bound.values.declared.buffers.find((each) => each.name === name);
-        bound.values.count(row, this.renderer.bytesIn(buffer));
+        bound.values.count(row, this.resources.bytesIn(buffer));
         bound.buffers.set(name, buffer);
     }
     run(step) {

@@ -14,7 +14,7 @@ import {
 } from "./textures.js";
 
 type Canvas = HTMLCanvasElement | OffscreenCanvas;
-type Call = DrawCall<Texture, Uint8Array>;
+type Call = DrawCall<Texture, Uint8Array<ArrayBuffer>>;
 
 /** What is drawn of a geometry by one program. */
 interface Uploaded {
@@ -23,7 +23,7 @@ interface Uploaded {
   count: number;
 }
 
-export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
+export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>> {
   readonly profile = PROFILE;
   private readonly gl: Gl;
   private readonly programs: Program[];
@@ -74,6 +74,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
 
   // Storage buffers are only counted here: no text of this profile reads them.
   makeBuffer = (bytes: Uint8Array<ArrayBuffer>) => bytes;
+  readBuffer = async (buffer: Uint8Array<ArrayBuffer>) => buffer;
   freeBuffer(): void {}
   bytesIn = (buffer: Uint8Array) => buffer.length;
   fill(): void {}

@@ -8,7 +8,7 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import DriverError
+from ..device import DriverError
 
 SEVERITIES = (
     vk.VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT
