@@ -14,7 +14,7 @@ from typing import Any
 
 ROOT = Path(__file__).parents[2]
 _REFLECTION = "compiler/reflection"
-_DOCUMENTS = {
+DOCUMENTS = {
     "package": ("targets/web_host", ""),
     "plan": (_REFLECTION, "plan_"),
     "reflection": (_REFLECTION, ""),
@@ -28,7 +28,7 @@ _FOR_VALIDATORS = {"dependentRequired", "if", "then", "pattern", "minimum", "max
 def whole_schema() -> dict[str, Any]:
     """The schema of packages, with everything that it consists of."""
     definitions: dict[str, Any] = {}
-    for name, (folder, prefix) in _DOCUMENTS.items():
+    for name, (folder, prefix) in DOCUMENTS.items():
         path = ROOT / folder / f"{name}.schema.json"
         schema = json.loads(path.read_text(encoding="utf-8"))
         own = {f"{prefix}{key}": each for key, each in schema.pop("$defs").items()}
@@ -68,7 +68,7 @@ def _only_requires(value: Any) -> bool:
 def _reference(reference: str, document: str) -> str:
     file, _, path = reference.partition("#")
     name = file.removesuffix(".schema.json") or document
-    prefix = _DOCUMENTS[name][1]
+    prefix = DOCUMENTS[name][1]
     key = path.removeprefix("/$defs/")
     return f"#/$defs/{prefix}{key}" if key else f"#/$defs/{name}"
 
