@@ -6,7 +6,8 @@ them too, and ``variants`` besides. This module runs the compiler's phases in or
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from importlib import import_module
 from itertools import chain, islice
 from os import PathLike
@@ -19,7 +20,8 @@ from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
-from .compiler.ir.frame import Frame
+from .compiler.ir.frame import Frame, FrameShader
+from .compiler.ir.program import Program
 from .compiler.ir.shader import Shader
 from .compiler.ir.stages import COMPUTED
 from .compiler.passes.lower_stages import keep_stages, lower_stages
@@ -125,7 +127,8 @@ def compile(
         to_textures = frames is not None
         compiled.append(_compiled(shader, staged, lacking, chosen, options, to_textures))
     if frames:
-        _check_filtering(frames, compiled, report)
+        programs = {each.name: each.staged.program for each in compiled}
+        _check_filtering(frames, lambda shader: programs[shader.name], report)
     if report.failed:
         raise CompileError(report.diagnostics)
     made = _compiled_frames(frames or (), compiled)
@@ -140,7 +143,7 @@ def check(
     pass_: str | None = None,
     search_path: Sequence[str | Path] = (),
 ) -> tuple[Diagnostic, ...]:
-    """All diagnostics of a file or text; nothing is emitted.
+    """All diagnostics of a file or text, but for those about a target; nothing is emitted.
 
     Raises ``TypeError`` for arguments of other types, and nothing else.
     """
@@ -148,7 +151,9 @@ def check(
     _check_names(rig=rig, pass_=pass_)
     frontend, module = _opened(source, search_path, report)
     if module is not None:
-        frontend.check(module, rig, pass_)
+        frames = frontend.check(module, rig, pass_)
+        if not report.failed:
+            _check_filtering(frames, cache(_program_of), report)
     return report.diagnostics
 
 
@@ -229,14 +234,18 @@ def _opened(
     return frontend, frontend.open_file(Path(source))
 
 
+def _program_of(shader: FrameShader) -> Program:
+    """What a shader of a frame is compiled to, before it is made legal anywhere."""
+    return stage(lower_stages(shader.shader), Options()).program
+
+
 def _check_filtering(
-    frames: Iterable[Frame], compiled: Iterable[CompiledMaterial], report: Report
+    frames: Iterable[Frame], program_of: Callable[[FrameShader], Program], report: Report
 ) -> None:
     """Report results that are filtered and have a format that many devices cannot filter."""
     from .compiler.reflection.filtering import filtered_in
 
-    programs = {shader.name: shader.staged.program for shader in compiled}
-    for found in chain.from_iterable(filtered_in(frame, programs) for frame in frames):
+    for found in chain.from_iterable(filtered_in(frame, program_of) for frame in frames):
         report.add(
             rules.NOT_FILTERED, found.span, name=found.name, step=found.step, format=found.format
         )

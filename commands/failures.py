@@ -57,7 +57,7 @@ def told() -> Iterator[None]:
     """
     try:
         from ..compiler.diagnostics.diagnostic import CompileError
-        from ..targets.runner.drivers.draw import DriverError
+        from ..targets.runner.drivers.device import DriverError
         from ..targets.runner.routes import UnknownRouteError
 
         of_drawing = drawing_errors()

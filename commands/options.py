@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,10 @@ from .compile_options import HOIST, INCLUDE, NATIVE_STAGES, PASS, RIG, Option
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
+
+MESHES = ("sphere", "plane", "cube", "torus", "cylinder", "capsule", "knot")
+BACKGROUND = "#1b1d21"
+"""The colour behind a mesh."""
 
 file_argument = click.argument("file", type=click.Path(path_type=Path))
 
@@ -45,6 +49,14 @@ instances_option = click.option(
     "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
     help="How often to draw the mesh, if the material distinguishes instances.",
 )  # fmt: skip
+scene_option = click.option(
+    "--scene", metavar="MODEL", type=click.Path(path_type=Path),
+    help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
+)  # fmt: skip
+mesh_option = click.option(
+    "--mesh", type=click.Choice(MESHES), default="sphere", show_default=True,
+    help="The mesh to draw.",
+)  # fmt: skip
 format_option = click.option(
     "--format",
     "form",
@@ -53,6 +65,25 @@ format_option = click.option(
     show_default=True,
     help="Text for people or JSON for programs.",
 )
+
+
+def pairs(
+    _context: click.Context, _option: click.Parameter, given: Sequence[str]
+) -> tuple[tuple[str, str], ...]:
+    """The callback of an option whose values are like ``power=32``."""
+    found = []
+    for text in given:
+        name, _, value = (part.strip() for part in text.partition("="))
+        if not name or not value:
+            raise click.BadParameter(f"'{text}' is not NAME=VALUE")
+        found.append((name, value))
+    return tuple(found)
+
+
+values_option = click.option(
+    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
+    help="A parameter or a texture; may be given many times.",
+)  # fmt: skip
 
 
 def check_device(device: str, routes: Iterable[Route]) -> None:

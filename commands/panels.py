@@ -51,7 +51,7 @@ def panels(
     if there is only one panel, its ``CodeError``, ``DriverError`` or ``UndrawableError`` is raised.
     """
     from ..targets.runner.codes import CodeError
-    from ..targets.runner.drivers.draw import DriverError
+    from ..targets.runner.drivers.device import DriverError
     from ..targets.runner.kernels import UndrawableError
     from ..targets.runner.sheet import Panel
     from ..targets.toolchain import Toolchain

@@ -14,15 +14,20 @@ import click
 from .console import remark
 from .failures import fail, told
 from .options import (
+    BACKGROUND,
     check_device,
     device_option,
     file_argument,
     hoist_option,
     instances_option,
+    mesh_option,
     native_stages_option,
+    pairs,
     pass_option,
     rig_option,
+    scene_option,
     search_option,
+    values_option,
 )
 from .subjects import EVERYTHING, LARGEST, Color, Request, Subject
 from .terminal import FAILED
@@ -34,8 +39,6 @@ if TYPE_CHECKING:
 REFERENCE = "reference"
 LARGEST_SHEET = 2**27
 """The most pixels of all pictures on a sheet together."""
-MESHES = ("sphere", "plane", "cube", "torus", "cylinder", "capsule", "knot")
-BACKGROUND = "#1b1d21"
 
 
 def _names(_context: click.Context, _option: click.Parameter, given: str) -> tuple[str, ...]:
@@ -50,19 +53,6 @@ def _size(_context: click.Context, _option: click.Parameter, given: str) -> tupl
     if not all(1 <= side <= LARGEST for side in size):
         raise click.BadParameter(f"a side has 1 to {LARGEST} pixels")
     return size
-
-
-def pairs(
-    _context: click.Context, _option: click.Parameter, given: Sequence[str]
-) -> tuple[tuple[str, str], ...]:
-    """The callback of an option whose values are like ``power=32``."""
-    found = []
-    for text in given:
-        name, _, value = (part.strip() for part in text.partition("="))
-        if not name or not value:
-            raise click.BadParameter(f"'{text}' is not NAME=VALUE")
-        found.append((name, value))
-    return tuple(found)
 
 
 def _color(_context: click.Context, _option: click.Parameter, given: str) -> Color:
@@ -86,26 +76,14 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="What to draw with: `reference`, routes as `burnish doctor` lists them, or `all`.",
 )  # fmt: skip
 @device_option
-@click.option(
-    "--mesh",
-    type=click.Choice(MESHES),
-    default="sphere",
-    show_default=True,
-    help="The mesh to draw.",
-)
-@click.option(
-    "--scene", metavar="MODEL", type=click.Path(path_type=Path),
-    help="A glTF 2.0 file, .gltf or .glb, whose objects a frame draws instead of meshes.",
-)  # fmt: skip
+@mesh_option
+@scene_option
 @instances_option
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
     help="Pixels of the picture, or of each picture on a sheet.",
 )  # fmt: skip
-@click.option(
-    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
-    help="A parameter or a texture; may be given many times.",
-)  # fmt: skip
+@values_option
 @click.option(
     "--steps", metavar="N", default=1, show_default=True, type=click.IntRange(1, 100_000),
     help="How many steps kernels make, if --again says what goes from step to step.",

@@ -179,8 +179,9 @@ class Frontend:
         passes = (symbol.name for symbol in records_of(module, "pass", abstract=False))
         yield from product(rigs or (None,), (None, *passes))
 
-    def check(self, module: Module, rig: str | None, pass_: str | None) -> None:
+    def check(self, module: Module, rig: str | None, pass_: str | None) -> list[Frame]:
         """Report what is wrong with a file, which needs no materials: it may be for importing.
+        Returns its frames, of which ``api.py`` reports what only their programs tell.
 
         Its materials need not agree with each of its rigs, unless one is named.
         """
@@ -190,13 +191,14 @@ class Frontend:
         pass_symbol = self._pass(module, pass_)
         drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
         reached: set[Symbol] = set()
+        frames: list[Frame | None] = []
         if rigs and (lights := rigs[0]) is not None:
             around = Surroundings(module, lights, self._report, self._records, reached)
-            for frame in _wanted_frames(module, None):
-                frame_of(frame, around)
+            frames = [frame_of(frame, around) for frame in _wanted_frames(module, None)]
         if drawn:
             self._check_unused(module, drawn, (), reached)
         self._kernels(module, records_of(module, "kernel", abstract=False))
+        return [frame for frame in frames if frame is not None]
 
     def _check_unused(
         self,

@@ -228,7 +228,7 @@ class _Making:
     def _failure_of(self, label: str, route: str) -> Iterator[None]:
         """A route that fails has a figure that says so; the other routes draw all the same."""
         from ...targets.runner.codes import CodeError
-        from ...targets.runner.drivers.draw import DriverError
+        from ...targets.runner.drivers.device import DriverError
         from ...targets.runner.frames.checking import PlanError
 
         try:

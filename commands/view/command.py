@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import webbrowser
-from pathlib import Path
 from threading import Thread
 from typing import Any
 
@@ -15,29 +14,22 @@ from ..options import (
     file_argument,
     hoist_option,
     instances_option,
+    mesh_option,
     pass_option,
     rig_option,
+    scene_option,
     search_option,
+    values_option,
 )
-from ..render import MESHES, pairs
 from .request import Request
 
 
 @click.command()
 @file_argument
-@click.option(
-    "--mesh", type=click.Choice(MESHES), default="sphere", show_default=True,
-    help="The mesh to begin with; the page can change it.",
-)  # fmt: skip
-@click.option(
-    "--scene", metavar="MODEL", type=click.Path(path_type=Path),
-    help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
-)  # fmt: skip
+@mesh_option
+@scene_option
 @instances_option
-@click.option(
-    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
-    help="A parameter or a texture to begin with; may be given many times.",
-)  # fmt: skip
+@values_option
 @click.option(
     "--material", metavar="NAME", help="The material, kernel or frame to begin with.",
 )  # fmt: skip

@@ -24,7 +24,7 @@ from ..console import remark, show
 from ..failures import drawing_errors
 from ..frames import scenery_of
 from ..kernels import feed, kernels_of
-from ..render import BACKGROUND, MESHES
+from ..options import BACKGROUND, MESHES
 from ..subjects import set_pictures
 from .request import Choice, Request
 

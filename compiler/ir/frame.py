@@ -156,12 +156,16 @@ class RenderStep:
     """What the factor ``constant`` means in all targets."""
 
     @property
+    def drawn_to(self) -> tuple[Attachment, ...]:
+        """What it draws to, its depths last."""
+        return self.attachments if self.depth is None else (*self.attachments, self.depth)
+
+    @property
     def settings(self) -> tuple[int, ...]:
         """The numbers of all values that say where it draws, and over what."""
-        attachments = (*self.attachments, *(() if self.depth is None else (self.depth,)))
         every = (
             self.viewport, self.scissor, self.blend_constant,
-            *(attachment.clear for attachment in attachments),
+            *(attachment.clear for attachment in self.drawn_to),
         )  # fmt: skip
         return tuple(number for number in every if number is not None)
 

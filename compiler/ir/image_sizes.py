@@ -1,10 +1,15 @@
-"""Sizes that a frame's textures can have.
+"""Sizes that a frame's textures can have, and the parts of them that a step can draw to.
 
-The compiler checks those that it knows, and ``targets/runner/frames/sizes.py`` all others, once
-their values are set.
+The compiler checks those that it knows, and ``sizes.py`` and ``settings.py`` of
+``targets/runner/frames`` all others, once their values are set.
 """
 
 from __future__ import annotations
+
+Area = tuple[int, int, int, int]
+"""A part of a picture: left, top, width and height."""
+Sides = tuple[int, int]
+"""A width and a height."""
 
 LARGEST_SIDE = 1 << 14
 """Of a texture: what devices of today can have."""
@@ -25,3 +30,32 @@ def misfit(dimension: str, levels: int, width: int, height: int) -> str:
     if levels > most:
         return f"there are {levels} mip levels, and {width} x {height} texels have {most}"
     return ""
+
+
+def outside(viewport: Area, size: Sides | None) -> str:
+    """Why a viewport is not within targets of a size, which may be unknown; empty if it is."""
+    left, top, width, height = viewport
+    if min(left, top) < 0 or min(width, height) < 1:
+        is_inside = False
+    else:
+        is_inside = size is None or (left + width <= size[0] and top + height <= size[1])
+    return "" if is_inside else f"{_part(viewport)} is not within {_targets(size)}"
+
+
+def hidden(scissor: Area, size: Sides | None) -> str:
+    """Why a scissor leaves nothing of targets of a size, which may be unknown; empty if it leaves
+    something."""
+    left, top, width, height = scissor
+    is_seen = min(width, height) > 0 and left + width > 0 and top + height > 0
+    if size is not None:
+        is_seen = is_seen and left < size[0] and top < size[1]
+    return "" if is_seen else f"{_part(scissor)} contains nothing of {_targets(size)}"
+
+
+def _part(area: Area) -> str:
+    left, top, width, height = area
+    return f"{width} x {height} texels at {left}, {top}"
+
+
+def _targets(size: Sides | None) -> str:
+    return "its targets" if size is None else f"targets of {size[0]} x {size[1]} texels"

@@ -44,9 +44,7 @@ def sources_of(step: Step) -> Iterator[Source]:
 
 def attachments_of(step: Step) -> tuple[Attachment, ...]:
     """What a pass draws to, its depths last."""
-    if not isinstance(step, RenderStep):
-        return ()
-    return step.attachments if step.depth is None else (*step.attachments, step.depth)
+    return step.drawn_to if isinstance(step, RenderStep) else ()
 
 
 def written_by(step: Step) -> Iterator[Left]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
-from ..ir.frame import Frame, Image, Previous
+from ..ir.frame import Frame, FrameShader, Given, Image, Previous, Use
 from ..ir.program import Program
 from ..planning.lifetimes import uses_of
 from .textures import TextureRows
@@ -25,18 +25,27 @@ class Filtered:
     span: Span
 
 
-def filtered_in(frame: Frame, programs: Mapping[str, Program]) -> Iterator[Filtered]:
-    """All of them; ``programs`` by the names of the frame's shaders."""
+def filtered_in(frame: Frame, program_of: Callable[[FrameShader], Program]) -> Iterator[Filtered]:
+    """All of them. Whether a shader filters shows in its program, which is asked for only where it
+    is given such a format."""
     for step in frame.steps:
         for use in uses_of(step):
-            shader = use.shader
-            rows = TextureRows(shader.shader.resources, programs[shader.name]).textures()
-            filters = {row["name"] for row in rows if row["layout"]["sampleType"] == "float"}
-            for given in use.given:
-                source = given.source.of if isinstance(given.source, Previous) else given.source
-                if (
-                    isinstance(source, Image)
-                    and source.format in UNFILTERABLE
-                    and given.name in filters
-                ):
-                    yield Filtered(given.name, step.name, source.format, step.span)
+            given = list(_unfilterable(use))
+            filters = _filters(use.shader, program_of(use.shader)) if given else frozenset()
+            for each, image in given:
+                if each.name in filters:
+                    yield Filtered(each.name, step.name, image.format, step.span)
+
+
+def _unfilterable(use: Use) -> Iterator[tuple[Given, Image]]:
+    """What a shader is given that cannot be filtered."""
+    for given in use.given:
+        source = given.source.of if isinstance(given.source, Previous) else given.source
+        if isinstance(source, Image) and source.format in UNFILTERABLE:
+            yield given, source
+
+
+def _filters(shader: FrameShader, program: Program) -> frozenset[str]:
+    """The names of the textures that a shader filters."""
+    rows = TextureRows(shader.shader.resources, program).textures()
+    return frozenset(row["name"] for row in rows if row["layout"]["sampleType"] == "float")

@@ -78,6 +78,7 @@ def reflect(
         "textures": textures.textures(),
         "samplers": textures.samplers(),
         "draw": _draw_row(shader),
+        "invariant_position": program.invariant,
         "render_state": _render_state_row(shader.render_state),
         "capture": None if shader.capture is None else capture_row(shader),
         "vertex_inputs": [
@@ -100,6 +101,7 @@ def _render_state_row(state: RenderState) -> dict[str, Any]:
         "cull": state.cull,
         "front": state.front,
         "fill": state.fill,
+        "samples": state.samples,
         "depth": _depth_row(state.depth),
         "stencil": _stencil_row(state.stencil) if state.stencil.is_used else None,
     }

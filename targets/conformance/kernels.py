@@ -19,7 +19,8 @@ from ...compiler.reference.kernel import Lane, computed
 from ...compiler.reference.picture import Expected, RasterRules, formats
 from ..runner.binding import pipeline
 from ..runner.codes import Codes
-from ..runner.drivers.draw import Device, Dispatch, Written
+from ..runner.drivers.device import Device
+from ..runner.drivers.kernel_job import Dispatch, Written
 from ..runner.instances.instance import Instance
 from ..runner.kernels import dispatch_of, elements_of, job_of
 from ..runner.reference import Program, texels_of, values_for

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Expected
-from ..runner.drivers.draw import Device
+from ..runner.drivers.device import Device
 from ..runner.routes import Route
 from .compare import Comparison
 

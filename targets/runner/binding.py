@@ -10,27 +10,20 @@ from typing import Any
 
 from ...compiler.ir.stages import EVALUATION
 from .codes import Codes
-from .drivers.draw import (
+from .drivers.pipeline import CapturedOutput, Pipeline, StreamOutput, VertexFormat
+from .drivers.pipeline import VertexInput as Input
+from .drivers.render_state import (
     ALL_LANES,
     Blend,
     BlendEquation,
-    BlockSlot,
-    BufferSlot,
-    CapturedOutput,
     DepthBias,
-    ImageSlot,
-    Pipeline,
-    Place,
     RenderTarget,
     Stencil,
     StencilSide,
-    StreamOutput,
     TargetFormat,
-    TextureSlot,
-    VertexFormat,
     Winding,
 )
-from .drivers.draw import VertexInput as Input
+from .drivers.slots import BlockSlot, BufferSlot, ImageSlot, Place, TextureSlot
 from .routes import EVERY_DRIVER, Route
 
 FORMATS: Mapping[str, TargetFormat] = {
@@ -183,6 +176,13 @@ def render_target(row: Mapping[str, Any], *, exact: bool = False) -> RenderTarge
         color, alpha = (BlendEquation(**row["blend"][part]) for part in ("color", "alpha"))
         blend = Blend(color, alpha)
     return RenderTarget(format_, blend, row["mask"])
+
+
+def shows_less(reflection: Mapping[str, Any]) -> bool:
+    """Whether targets that are drawn to as the pass declares them show something else than the
+    numbers that shaders write: because of what is there before, or of several samples."""
+    joined = reflection["render_state"]["samples"] > 1
+    return joined or any(map(keeps_something, reflection["targets"]))
 
 
 def keeps_something(row: Mapping[str, Any]) -> bool:

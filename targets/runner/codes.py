@@ -18,7 +18,7 @@ from ...compiler.ir.program import StageName
 from ...compiler.ir.stages import STAGES
 from ..toolchain import Job, Message, Toolchain, Verdict
 from ..toolchain import __file__ as toolchain_file
-from .drivers.draw import Code
+from .drivers.pipeline import Code
 from .routes import Route
 from .store import Store, digest, digest_of_sources
 

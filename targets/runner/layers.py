@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Expected
-from .drivers.draw import Draw, Picture
+from .drivers.draw_job import Draw, Picture
 
 Floats = NDArray[np.float64]
 

@@ -17,17 +17,11 @@ from typing import Any
 
 from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
-from .drivers.draw import (
-    Captured,
-    CaptureJob,
-    Device,
-    DriverError,
-    Job,
-    KernelJob,
-    Picture,
-    Written,
-)
+from .drivers.capture_job import Captured, CaptureJob
+from .drivers.device import Device, DriverError
+from .drivers.draw_job import Job, Picture
 from .drivers.frame_job import FrameJob, FrameTexels
+from .drivers.kernel_job import KernelJob, Written
 from .drivers.wire import from_json, to_json
 from .layers import single_draws, stacked
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions

@@ -19,8 +19,9 @@ from numpy.typing import NDArray
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance
+from ..runner.instances.shapes import stored_as
 from ..runner.looks import PLAIN
-from ..runner.mesh_buffers import KINDS, mesh_rows
+from ..runner.mesh_buffers import mesh_rows
 from ..runner.meshes import Mesh
 from ..runner.scene import texture_roles, value_roles
 from ..runner.scene_state import drawn_state
@@ -211,7 +212,7 @@ def _interleaved(inputs: list[tuple[Row, NDArray[Any]]]) -> str:
     """All inputs of one vertex or instance after the other. WebGPU guarantees 16 of them, but only
     8 buffers."""
     words = [
-        np.ascontiguousarray(values).astype(KINDS[row["representation"][0]]).view("<u4")
+        np.ascontiguousarray(values).astype(stored_as(row["representation"])).view("<u4")
         for row, values in inputs
     ]
     return _base64(np.hstack(words).tobytes()) if words else ""

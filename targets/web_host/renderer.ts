@@ -80,6 +80,7 @@ export interface Renderer<Texture, Buffer> {
 
   show(texture: Texture): void;
   read(texture: Texture): Promise<Pixels>;
+  readBuffer(buffer: Buffer): Promise<Uint8Array<ArrayBuffer>>;
   finished(): Promise<void>;
   dispose(): void;
 }

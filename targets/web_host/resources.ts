@@ -17,6 +17,8 @@ export class Resources<Texture, Buffer> {
   /** By the results that kernels have written, and the host's by the names of `hostBuffer`. */
   readonly buffers = new Map<string, Buffer>();
   private readonly textures = new Map<number, Made<Texture>>();
+  /** How many bytes of a buffer its elements are: of those that kernels have written. */
+  private readonly lengths = new Map<Buffer, number>();
   /** The kernels that this frame has run, by step. */
   private kernels = new Map<string, Bound<Texture, Buffer>>();
 
@@ -49,6 +51,17 @@ export class Resources<Texture, Buffer> {
   shown(result: string, texture: number | null): Texture | undefined {
     const kept = this.from.plan.kept.find((each) => each.result === result);
     return this.textures.get(kept?.previous ?? texture ?? -1)?.texture;
+  }
+
+  /** The buffer that a kernel has written, or undefined if it is none, or was not run yet. */
+  written(result: string): Buffer | undefined {
+    const isKept = this.from.plan.kept.some((each) => each.result === result);
+    return this.buffers.get(isKept ? previousOf(result) : result);
+  }
+
+  /** How many bytes the elements of a buffer have; there may be none. */
+  bytesIn(buffer: Buffer): number {
+    return this.lengths.get(buffer) ?? this.renderer.bytesIn(buffer);
   }
 
   /** Whether a kernel stores to a texture, and is not drawn over it. */
@@ -108,7 +121,9 @@ export class Resources<Texture, Buffer> {
       const [elements] = bound.values.evaluated(count, sizeOf) as number[];
       const bytes = new Uint8Array(Math.max(elements, 1) * stride);
       if (initial !== null) new Int32Array(bytes.buffer).fill(initial | 0);
-      bound.buffers.set(name, this.buffer(result, bytes, initial !== null));
+      const buffer = this.buffer(result, bytes, initial !== null);
+      this.lengths.set(buffer, Math.max(elements, 0) * stride);
+      bound.buffers.set(name, buffer);
     }
   }
 
@@ -118,7 +133,10 @@ export class Resources<Texture, Buffer> {
       if (isFilled) this.renderer.fill(known, bytes);
       return known;
     }
-    if (known) this.renderer.freeBuffer(known);
+    if (known) {
+      this.renderer.freeBuffer(known);
+      this.lengths.delete(known);
+    }
     const made = this.renderer.makeBuffer(bytes);
     this.buffers.set(result, made);
     return made;

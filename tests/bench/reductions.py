@@ -15,7 +15,7 @@ from burnish.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.draw import KernelJob
+from burnish.targets.runner.drivers.kernel_job import KernelJob
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
 from burnish.targets.runner.kernels import dispatch_of, job_of
 from burnish.targets.runner.routes import ROUTES

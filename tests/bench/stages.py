@@ -19,7 +19,7 @@ import burnish
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
 from burnish.targets.runner.meshes import Mesh
 from burnish.targets.runner.routes import ROUTES, inspect_tools

@@ -22,7 +22,8 @@ from burnish.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.draw import Code, Dispatch, KernelJob
+from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
+from burnish.targets.runner.drivers.pipeline import Code
 from burnish.targets.runner.drivers.vulkan import compute
 from burnish.targets.runner.drivers.vulkan.device import recording
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver

@@ -15,11 +15,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
 
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Page
 
-from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, FLAGS, START_LIMIT
-from burnish.targets.toolchain.tools import tool_named
-
+from ..suite import browsers
 from ..view.kit import viewing
 from .table import Row, Section
 
@@ -51,15 +49,9 @@ _WATCH = """() => {
 
 def measure() -> Iterator[Section]:
     """A row for each file."""
-    paths = tool_named("chromium").find()
-    assert paths is not None
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=paths[0], args=(*FLAGS, *CANVAS_FLAGS), timeout=START_LIMIT
-        )
+    with browsers.browser() as browser:
         context = browser.new_context(viewport=SIZE)  # type: ignore[arg-type]
         rows = [_row(name, context.new_page()) for name in FILES]
-        browser.close()
     yield Section("view", "Milliseconds by the clock from a saved file to its picture", rows)
 
 

@@ -12,7 +12,7 @@ import burnish
 from burnish.api import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES, Route

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import sync_playwright
 
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance import plan
@@ -21,6 +20,7 @@ from burnish.targets.runner.reference import remembered
 from burnish.targets.toolchain import tools
 from burnish.targets.toolchain.tools import Tool, ToolState, tool_named
 
+from ..suite import browsers
 from .kit import invoke, tree
 
 UP = "material Up { color = 0.5 + 0.5 * normal }\n"
@@ -428,10 +428,7 @@ def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
     )
     line = ("m.burnish", "w.burnish", "--routes", "llvmpipe:gl330,chromium", "--report", "out")
     assert invoke("conform", *line).exit_code == 1
-    chromium = tool_named("chromium").find()
-    assert chromium is not None
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium[0], args=["--no-sandbox"])
+    with browsers.browser() as browser:
         page = browser.new_page(viewport={"width": 500, "height": 600})
         asked: list[str] = []
         page.on("request", lambda request: asked.append(request.url))
@@ -445,7 +442,6 @@ def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
         pictures = page.locator("img").count()
         wide = page.evaluate("document.documentElement.scrollWidth")
         text = page.inner_text("body")
-        browser.close()
     names = ["m.burnish: Up", "w.burnish: Wall", "w.burnish: Wall × Two"]
     assert [re.split(r"\s*\t\s*", row)[0] for row in cells] == names
     assert all(re.search(r"\tagrees\n[\d.]+ steps\n\tnot run\tnot run$", row) for row in cells)

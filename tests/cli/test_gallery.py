@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from burnish.commands.gallery.catalogue import catalogue, title_of
 from burnish.compiler.syntax.highlighting import pieces
-from burnish.targets.toolchain.tools import tool_named
 
+from ..suite import browsers
 from .kit import invoke, tree
 
 UP = """//! A colour for each direction.
@@ -82,12 +82,8 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Path, str]]
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    chromium = tool_named("chromium").find()
-    assert chromium is not None
-    with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=chromium[0], args=["--no-sandbox"])
-        yield started
-        started.close()
+    with browsers.browser() as browser:
+        yield browser
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from burnish import Texture
-from burnish.commands.render import MESHES
+from burnish.commands.options import MESHES
 
 from .kit import invoke, shell, tree
 

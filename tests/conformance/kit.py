@@ -17,7 +17,7 @@ from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.closing import Closing
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES

@@ -13,7 +13,8 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw import DriverError, Job
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import DEVICE_ROUTES

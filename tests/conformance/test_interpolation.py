@@ -18,7 +18,7 @@ from burnish.targets.conformance.compare import Comparison, compare
 from burnish.targets.conformance.plan import bounds_of, to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES

@@ -18,7 +18,8 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import stage
 from burnish.targets.runner import kernels as running
-from burnish.targets.runner.drivers.draw import Dispatch, KernelJob, Pipeline
+from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
+from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.routes import ROUTES
 

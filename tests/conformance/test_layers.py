@@ -20,7 +20,7 @@ from burnish.compiler.semantics.shading import elaborate
 from burnish.compiler.semantics.shading.layers import layer_of
 from burnish.frozen import changed
 from burnish.targets.runner import binding, layers, runner
-from burnish.targets.runner.drivers.draw import Draw
+from burnish.targets.runner.drivers.draw_job import Draw
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.render import by_reference
 from burnish.targets.runner.routes import ROUTES

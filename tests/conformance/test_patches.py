@@ -29,7 +29,7 @@ from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.fields import Fields
 from burnish.targets.emit.views import TessellationView
 from burnish.targets.runner import binding, expanding
-from burnish.targets.runner.drivers.draw import Pipeline
+from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.meshes import Indices, plane, sphere
 from burnish.targets.runner.patches import pattern
 from burnish.targets.runner.routes import ROUTES

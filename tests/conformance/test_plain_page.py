@@ -21,7 +21,7 @@ from burnish.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.browser.chromium import Chromium
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.meshes import Mesh, sphere
 from burnish.targets.runner.patches import patches

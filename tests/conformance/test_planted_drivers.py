@@ -8,7 +8,7 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.frames import FramePlan
-from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.routes import ROUTES, DriverRow
 from burnish.targets.runner.runner import Runner
 

@@ -14,7 +14,7 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.frames import FramePlan
-from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import Attachment, Barrier
 from burnish.targets.runner.frames import by_route
 from burnish.targets.runner.frames.by_route import draw_frames

@@ -20,7 +20,7 @@ from burnish.targets.conformance.pixel_maps import EDGES, bound_map, decision_ma
 from burnish.targets.conformance.report import as_json, page
 from burnish.targets.conformance.rows import CaseResult, Row, Status
 from burnish.targets.conformance.summary import cells, counted, details, messages
-from burnish.targets.runner.drivers.draw import Device
+from burnish.targets.runner.drivers.device import Device
 from burnish.targets.runner.routes import ROUTES
 
 SIZE = (4, 6)

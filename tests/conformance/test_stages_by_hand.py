@@ -22,7 +22,8 @@ from burnish.compiled import CompiledMaterial
 from burnish.compiler.ir.stages import STAGES
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw import Job, Pipeline
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.kernels import dispatch_of, elements_of, job_of

@@ -50,7 +50,8 @@ from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw import Job, Pipeline, Primitive
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.pipeline import Pipeline, Primitive
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.meshes import Indices
 from burnish.targets.runner.routes import ROUTES

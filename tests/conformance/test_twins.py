@@ -26,14 +26,10 @@ from burnish.targets.conformance.plan import bounds_of, to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.codes import Codes, compile_one
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
-    Job,
-    Pipeline,
-    Place,
-    RenderTarget,
-    VertexInput,
-)
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.pipeline import Pipeline, VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget
+from burnish.targets.runner.drivers.slots import BlockSlot, Place
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES, Route

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,

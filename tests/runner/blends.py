@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from burnish.compiler.ir import blending
-from burnish.targets.runner.drivers.draw import Blend, BlendEquation, Factor, Operation
+from burnish.targets.runner.drivers.render_state import Blend, BlendEquation, Factor, Operation
 
 
 def as_job(blend: blending.Blend) -> Blend | None:

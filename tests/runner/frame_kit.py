@@ -14,21 +14,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
-    BufferSlot,
-    Code,
-    Dispatch,
-    Draw,
-    DriverError,
-    ImageSlot,
-    Pipeline,
-    Place,
-    RenderTarget,
-    TargetFormat,
-    TextureSlot,
-    VertexInput,
-)
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.draw_job import Draw
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,
@@ -38,6 +25,16 @@ from burnish.targets.runner.drivers.frame_job import (
     FrameStep,
     FrameTexels,
     FrameTexture,
+)
+from burnish.targets.runner.drivers.kernel_job import Dispatch
+from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
+from burnish.targets.runner.drivers.slots import (
+    BlockSlot,
+    BufferSlot,
+    ImageSlot,
+    Place,
+    TextureSlot,
 )
 from burnish.targets.runner.drivers.wire import from_json, to_json
 from burnish.targets.toolchain.workers import Answer

@@ -13,20 +13,11 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from burnish.targets.runner.drivers.draw import (
-    TEXELS,
-    Code,
-    Dimension,
-    Draw,
-    Image,
-    Job,
-    Pipeline,
-    Place,
-    RenderTarget,
-    Sample,
-    TextureFormat,
-    TextureSlot,
-)
+from burnish.targets.runner.drivers.draw_job import Draw, Job
+from burnish.targets.runner.drivers.pipeline import Code, Pipeline
+from burnish.targets.runner.drivers.render_state import RenderTarget
+from burnish.targets.runner.drivers.slots import Place, TextureSlot
+from burnish.targets.runner.drivers.texels import TEXELS, Dimension, Image, Sample, TextureFormat
 
 from . import textual_kit, vulkan_kit
 

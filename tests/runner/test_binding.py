@@ -10,15 +10,9 @@ import burnish
 from burnish.compiler.semantics.shading.formats import FORMATS as TARGET_FORMATS
 from burnish.targets.runner.binding import EXACT, FORMATS, VERTEX_FORMATS, pipeline
 from burnish.targets.runner.codes import Codes
-from burnish.targets.runner.drivers import draw
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
-    Code,
-    Place,
-    RenderTarget,
-    TextureSlot,
-    VertexInput,
-)
+from burnish.targets.runner.drivers.pipeline import Code, VertexFormat, VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
+from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.routes import ROUTES
 
 from .blends import named
@@ -55,9 +49,9 @@ def reflection(text: str = TEXT, pass_: str | None = "Both", **options: Any) -> 
 
 def test_every_table_is_whole() -> None:
     assert FORMATS.keys() == TARGET_FORMATS.keys()
-    assert set(FORMATS.values()) <= set(get_args(draw.TargetFormat))
+    assert set(FORMATS.values()) <= set(get_args(TargetFormat))
     assert EXACT.keys() == {str(type_) for type_ in TARGET_FORMATS.values()}
-    assert set(VERTEX_FORMATS.values()) == set(get_args(draw.VertexFormat))
+    assert set(VERTEX_FORMATS.values()) == set(get_args(VertexFormat))
 
 
 def test_where_places_are_numbers() -> None:

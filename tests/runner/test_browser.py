@@ -14,7 +14,8 @@ import pytest
 
 from burnish.targets.runner.drivers.browser import chromium
 from burnish.targets.runner.drivers.browser.driver import APIS, Browser
-from burnish.targets.runner.drivers.draw import DriverError, Job
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.wire import to_json
 
 from ..suite.processes import Program, run, started, until

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from burnish.targets.runner.drivers.choice import chosen
-from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.drivers.device import DriverError
 
 NAMES = ("llvmpipe", "NVIDIA RTX 4070", "Intel Arc by D3D12", "Intel Arc by Vulkan")
 HARDWARE = (False, True, True, True)

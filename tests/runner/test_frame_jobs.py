@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,
@@ -16,6 +15,7 @@ from burnish.targets.runner.drivers.frame_job import (
     FrameStep,
     TextureUse,
 )
+from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 
 from .blends import named
 from .frame_kit import (

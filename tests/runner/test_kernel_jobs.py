@@ -8,16 +8,10 @@ import pytest
 
 import burnish
 from burnish.targets.runner.drivers.checks import check_groups, check_kernel
-from burnish.targets.runner.drivers.draw import (
-    BufferSlot,
-    Dispatch,
-    DriverError,
-    KernelJob,
-    Pipeline,
-    Place,
-    Sides,
-    Written,
-)
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob, Sides, Written
+from burnish.targets.runner.drivers.pipeline import Pipeline
+from burnish.targets.runner.drivers.slots import BufferSlot, Place
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.kernels import dispatch_of, elements_of, job_of
 

@@ -9,8 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import BlockSlot, Code, DriverError, Job
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.opengl.driver import OpenGL
+from burnish.targets.runner.drivers.pipeline import Code
+from burnish.targets.runner.drivers.slots import BlockSlot
 
 from . import textual_shaders as shaders
 from .textual_kit import NEAREST, SIZE, Floats, floats, full, image, pipeline, place, read, shoot

@@ -10,13 +10,13 @@ import numpy.typing as npt
 import pytest
 
 from burnish.compiler.ir.blending import NAMED
-from burnish.targets.runner.drivers.draw import (
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.render_state import (
     Blend,
     BlendEquation,
     Compare,
     Cull,
     Factor,
-    Job,
     Operation,
     RenderTarget,
     TargetFormat,

@@ -6,14 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
-    BufferSlot,
-    DriverError,
-    Job,
-    RenderTarget,
-    VertexInput,
-)
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.pipeline import VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget
+from burnish.targets.runner.drivers.slots import BlockSlot, BufferSlot
 
 from . import textual_kit as kit
 from . import textual_shaders as shaders

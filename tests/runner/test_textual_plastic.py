@@ -11,7 +11,7 @@ import pytest
 import burnish
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
 from burnish.targets.runner.routes import ROUTES

@@ -7,12 +7,10 @@ import re
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import (
-    Compare,
-    DriverError,
-    Sampling,
-    TextureFormat,
-)
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.render_state import Compare
+from burnish.targets.runner.drivers.slots import Sampling
+from burnish.targets.runner.drivers.texels import TextureFormat
 
 from .kinds_kit import DRIVERS, faces, picture_of, read, read_all, slot_for
 

@@ -9,19 +9,17 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.pipeline import VertexFormat, VertexInput
+from burnish.targets.runner.drivers.readback import TEXEL_LANES
+from burnish.targets.runner.drivers.render_state import (
     Compare,
     Factor,
-    Job,
     Operation,
-    Place,
     RenderTarget,
     TargetFormat,
-    VertexFormat,
-    VertexInput,
 )
-from burnish.targets.runner.drivers.readback import TEXEL_LANES
+from burnish.targets.runner.drivers.slots import BlockSlot, Place
 
 from .blends import blended, both, named
 from .vulkan_kit import (

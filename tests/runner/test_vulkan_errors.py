@@ -14,18 +14,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
-    Code,
-    DriverError,
-    Image,
-    Job,
-    Pipeline,
-    Place,
-    RenderTarget,
-    TextureSlot,
-    VertexInput,
-)
+from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget
+from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
+from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.drivers.wire import to_json
 
 from ..suite.processes import Background, run

@@ -14,7 +14,7 @@ import burnish
 from burnish.targets.runner import meshes
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.vulkan.blocks import block_sizes
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.routes import ROUTES, Route

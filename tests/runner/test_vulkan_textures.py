@@ -7,16 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
-    Image,
-    Job,
-    Mip,
-    Place,
-    TextureFormat,
-    TextureSlot,
-    Wrap,
-)
+from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.slots import BlockSlot, Mip, Place, TextureSlot, Wrap
+from burnish.targets.runner.drivers.texels import Image, TextureFormat
 
 from .vulkan_kit import SIZE, WHOLE, Asker, Floats, draw_of, flat_pipeline, floats, pixels
 

@@ -16,23 +16,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from burnish.targets.runner.drivers.draw import (
-    BlockSlot,
-    Code,
-    Device,
-    Draw,
-    DriverError,
-    Image,
-    Job,
-    Picture,
-    Pipeline,
-    Place,
-    RenderTarget,
-    TextureFormat,
-    TextureSlot,
-    VertexFormat,
-    VertexInput,
-)
+from burnish.targets.runner.drivers.device import Device, DriverError
+from burnish.targets.runner.drivers.draw_job import Draw, Job, Picture
+from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexFormat, VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget
+from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
+from burnish.targets.runner.drivers.texels import Image, TextureFormat
 from burnish.targets.runner.drivers.wire import from_json, to_json
 from burnish.targets.toolchain.workers import Answer, Worker
 

@@ -16,18 +16,11 @@ import numpy as np
 import numpy.typing as npt
 
 from burnish.targets import toolchain
-from burnish.targets.runner.drivers.draw import (
-    Code,
-    Device,
-    Draw,
-    DriverError,
-    Image,
-    Job,
-    Picture,
-    Pipeline,
-    RenderTarget,
-    VertexInput,
-)
+from burnish.targets.runner.drivers.device import Device, DriverError
+from burnish.targets.runner.drivers.draw_job import Draw, Job, Picture
+from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget
+from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.drivers.wire import from_json, to_json
 from burnish.targets.runner.routes import DRIVERS
 from burnish.targets.toolchain import Toolchain

@@ -90,6 +90,20 @@ def test_each_mistake_is_told_once_and_nothing_else(name: str) -> None:
     assert sorted(map(place, told(name))) == marked(name)
 
 
+FRAMES = [name for name in BROKEN if name in RULES and RULES[name].code.startswith("B08")]
+
+
+@pytest.mark.parametrize("name", FRAMES)
+def test_checking_says_what_compiling_says(name: str) -> None:
+    try:
+        compiled = burnish.compile(Path(f"{name}.burnish"), ("wgsl",)).diagnostics
+    except burnish.CompileError as error:
+        compiled = error.diagnostics
+    checked = burnish.check(Path(f"{name}.burnish"))
+    of_errors = [found for found in checked if found.severity == "error"]
+    assert render_all(of_errors or checked) == render_all(compiled)
+
+
 @pytest.mark.parametrize("name", [name for name in BROKEN if not name.startswith("many_")])
 def test_a_rule_is_shown_alone(name: str) -> None:
     codes = {found.rule.code for found in told(name)}

@@ -38,10 +38,31 @@ def test_settings_are_words_and_constants() -> None:
     assert found.depth == DepthState("always", write=False, bias=-2, slope_bias=1.5)
     assert not found.depth.is_used
     assert found.depth.is_biased
+    assert state("raster { samples = mark + 1 }") == RenderState(samples=4)
     found = state("stencil { compare = equal, reference = mark, read_mask = 0x0f }")
     equal = StencilSide("equal")
     assert found.stencil == StencilState(equal, equal, 3, read_mask=15)
     assert found.stencil.tests and not found.stencil.writes
+
+
+@pytest.mark.parametrize(
+    ("settings", "is_invariant"),
+    [
+        ("", False),
+        ("depth { compare = equal }", True),
+        ("depth { compare = less_equal }", True),
+        ("depth { compare = not_equal }", True),
+        ("depth { compare = greater_equal }", True),
+        ("depth { compare = greater }", False),
+        ("depth { compare = always }", False),
+        ("raster { invariant = true }", True),
+        ("depth { compare = equal } raster { invariant = false }", False),
+    ],
+)
+def test_positions_are_invariant_where_equal_depths_decide_or_the_pass_says_so(
+    settings: str, is_invariant: bool
+) -> None:
+    assert state(settings).is_invariant == is_invariant
 
 
 def test_a_setting_of_one_side_counts_more_than_one_of_both_wherever_it_stands() -> None:
@@ -127,7 +148,8 @@ error[B0536]: `reference` is 256, and 0 to 255 are possible
 5 |     stencil { reference = 256, front.reference = 3, front.pas = replace, pass = red + 1 }
   |                           ^^^
   = help: Stencil values and their masks have eight bits. A bias is counted in the smallest steps \
-of depths, of which floats have 2^24 between two powers of two.
+of depths, of which floats have 2^24 between two powers of two. Every API draws with 1 or 4 \
+samples for each pixel, and not every one with another number.
 
 error[B0201]: unknown stencil setting `front.reference`
  --> <test>:5:32

@@ -20,7 +20,7 @@ OUTSIDE = {
     "compiler/semantics/frames/drawn.py": "`vertices(n)` is a word of the language",
     "compiler/syntax/advice.py": "`@vertex` is a word of the language",
     "targets/runner/drivers/checks.py": "what reads the vertex inputs",
-    "targets/runner/drivers/draw.py": "the vertex inputs' steps, which WebGPU calls so",
+    "targets/runner/drivers/pipeline.py": "the vertex inputs' steps, which WebGPU calls so",
     "targets/runner/drivers/opengl/program.py": "a call that takes both stages",
     "targets/runner/drivers/opengl/vertices.py": "the library's words for steps",
     "targets/runner/drivers/wgpu/pipeline.py": "the library's words for both stages",

@@ -9,11 +9,9 @@ from pathlib import Path
 
 import pytest
 from PIL import Image
-from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
+from playwright.sync_api import Browser, Page, ViewportSize
 
-from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, FLAGS, START_LIMIT
-from burnish.targets.toolchain.tools import tool_named
-
+from ..suite import browsers
 from ..suite.processes import LIMIT, until
 from .kit import FLAT, Viewer, viewing
 
@@ -51,17 +49,8 @@ frame Brighter {
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    paths = tool_named("chromium").find()
-    assert paths is not None
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=paths[0],
-            headless=True,
-            args=(*FLAGS, *CANVAS_FLAGS),
-            timeout=START_LIMIT,
-        )
+    with browsers.browser() as browser:
         yield browser
-        browser.close()
 
 
 @pytest.fixture(scope="module")

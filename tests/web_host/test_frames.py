@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from burnish.targets.runner.drivers.browser.driver import APIS, Browser
-from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import FrameTexels
 
 PROFILE = "wgsl:webgpu"

@@ -3,28 +3,27 @@
 from __future__ import annotations
 
 import io
+import json
 from collections.abc import Iterator
 from contextlib import chdir
-from functools import partial
 from pathlib import Path
-from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Page, Route, sync_playwright
+from playwright.sync_api import Page
 
-from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, FLAGS, START_LIMIT
-from burnish.targets.toolchain.tools import tool_named
+import burnish
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.scenery import Scenery
+from burnish.targets.web_host.package import frame_package
 
 from ..docs.kit import ROOT, blocks
+from ..suite import browsers
 from ..suite.processes import until
 
 DOCUMENT = ROOT / "docs" / "hosts.md"
 ADDRESS = "https://burnish.invalid/"
-LIMIT = 30_000.0
-"""How many milliseconds a page may take for something."""
-TYPES = {".js": "text/javascript", ".json": "application/json", ".html": "text/html"}
 
 
 @pytest.fixture(scope="module")
@@ -40,30 +39,12 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "site"
 
 
-def serve(site: Path, route: Route) -> None:
-    path = site / (urlsplit(route.request.url).path.removeprefix("/") or "index.html")
-    if path.is_file():
-        route.fulfill(body=path.read_bytes(), content_type=TYPES[path.suffix])
-    else:
-        route.fulfill(status=404)
-
-
 @pytest.fixture
 def page(site: Path) -> Iterator[Page]:
-    paths = tool_named("chromium").find()
-    assert paths is not None
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=paths[0],
-            headless=True,
-            args=(*FLAGS, *CANVAS_FLAGS),
-            timeout=START_LIMIT,
-        )
+    with browsers.browser() as browser:
         opened = browser.new_page()
-        opened.set_default_timeout(LIMIT)
-        opened.route("**/*", partial(serve, site))
+        browsers.serve(opened, site)
         yield opened
-        browser.close()
 
 
 def colors(page: Page) -> int:
@@ -146,3 +127,55 @@ def test_what_a_frame_can_be_told(page: Page) -> None:
         "Shadows has no output `other`",
         "this frame was opened without a canvas",
     ]
+
+
+COUNTED = """
+kernel Squares {
+    param count : int in 0..8 = 3
+    result squares : vec2[count] = vec2(float(index), float(index * index))
+}
+kernel Sum {
+    buffer squares : vec2[]
+    result sum : int[2] = squares.count
+}
+frame Counted {
+    param count : int in 0..8 = 3
+    made  = Squares() with { count = count }
+    added = Sum() with { squares = made.squares }
+    output squares = made.squares
+    output sum     = added.sum
+}
+"""
+READ = """async () => {
+  const { openFrame } = await import("./host/host.js");
+  const frame = await openFrame(null, await (await fetch("Counted.json")).json());
+  const elements = async (count) => {
+    frame.set("count", count);
+    frame.draw();
+    const squares = await frame.readElements("squares");
+    const sum = await frame.readElements("sum");
+    return [[...new Float32Array(squares.buffer, 0, squares.length / 4)],
+            [...new Int32Array(sum.buffer, 0, sum.length / 4)]];
+  };
+  const found = [await elements(3), await elements(0), await elements(2)];
+  const wrong = await frame.readElements("none").catch((error) => error.message);
+  frame.dispose();
+  return { found, wrong };
+}"""
+
+
+def test_the_elements_of_buffers(page: Page, site: Path) -> None:
+    """Also of one without any, whose reader is told so."""
+    file = site / "counted.burnish"
+    file.write_text(COUNTED)
+    (frame,) = burnish.compile(file, targets=("wgsl:webgpu",)).frames
+    package = frame_package(FrameHost(frame, Scenery(()), (8, 8)))
+    (site / "Counted.json").write_text(json.dumps(package))
+    page.goto(ADDRESS)
+    told = page.evaluate(READ)
+    assert told["found"] == [
+        [[0, 0, 1, 1, 2, 4], [3, 3]],
+        [[], [0, 0]],
+        [[0, 0, 1, 1], [2, 2]],
+    ]
+    assert told["wrong"] == "`none` of Counted is no buffer, or was not written yet"

@@ -16,7 +16,7 @@ from burnish.api import CompiledMaterial
 from burnish.targets.conformance.sample import sample_buffers, sample_textures, sample_values
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery

@@ -70,7 +70,7 @@ class Destinations:
             if (other.dimension, other.layers) != (first.dimension, first.layers):
                 self._differ(first, other, "they have different layers", written.span)
                 return None
-            one, two = (self._known_size(each.size, each.size.level) for each in (first, other))
+            one, two = (self.known_size(each.size, each.size.level) for each in (first, other))
             if one and two and one != two:
                 reason = f"one is {one[0]} x {one[1]}, the other {two[0]} x {two[1]}"
                 self._differ(first, other, reason, written.span)
@@ -79,7 +79,7 @@ class Destinations:
 
     def check_size(self, image: Image, span: Span) -> bool:
         """Whether an image can have its size, as far as that is known; reported if not."""
-        whole = self._known_size(image.size, 0)
+        whole = self.known_size(image.size, 0)
         if whole is None:
             return True
         reason = misfit("2d", 1, *whole)
@@ -90,13 +90,7 @@ class Destinations:
             self._ctx.report.add(rules.NO_SUCH_SIZE, span, name=image.name, reason=reason)
         return not reason
 
-    def _differ(self, first: Image, second: Image, reason: str, span: Span) -> None:
-        """Report that two results cannot be drawn over at once."""
-        self._ctx.report.add(
-            rules.PLACES_DIFFER, span, first=first.name, second=second.name, reason=reason
-        )
-
-    def _known_size(self, size: Size, level: int) -> tuple[int, int] | None:
+    def known_size(self, size: Size, level: int) -> tuple[int, int] | None:
         """A size in a mip level, if it is known when compiling."""
         if size.value is None:
             return None
@@ -104,6 +98,12 @@ class Destinations:
             case (int(width), int(height)):
                 return (halved(width, level), halved(height, level)) if level else (width, height)
         return None
+
+    def _differ(self, first: Image, second: Image, reason: str, span: Span) -> None:
+        """Report that two results cannot be drawn over at once."""
+        self._ctx.report.add(
+            rules.PLACES_DIFFER, span, first=first.name, second=second.name, reason=reason
+        )
 
     def _is_step(self, e: ast.Expression, around: Around) -> bool:
         """Whether an expression is about steps, and no number."""

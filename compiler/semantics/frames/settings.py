@@ -14,6 +14,7 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.blending import OF_CONSTANT, REPLACES
 from ...ir.frame import DEPTH
+from ...ir.image_sizes import Sides, hidden, outside
 from ...ir.node import Node
 from ...ir.shader import RenderTarget, Shader
 from ...ir.stages import TARGET
@@ -51,6 +52,8 @@ class Settings:
     scope: Scope
     failed: bool = False
     """Whether something is wrong, which has been reported."""
+    _known: dict[str, object] = fresh(factory=dict)
+    """What the whole step is set to, where that is known when compiling."""
     _cleared: set[str] = fresh(factory=set)
     """The names of the clear values that belong to something."""
 
@@ -69,7 +72,10 @@ class Settings:
         if name not in self.written:
             return None
         _, value = self.written[name]
-        return self._numbered(typed(self.ctx, value, self.scope, *AREAS[name]), value.span)
+        node = typed(self.ctx, value, self.scope, *AREAS[name])
+        if not isinstance(node, Failure):
+            self._known[name] = self.ctx.constants.known(node)
+        return self._numbered(node, value.span)
 
     def cleared(self, target: str, state: RenderTarget | float, over: Span | None) -> int | None:
         """The number of what a target, or depths, are cleared to: what the step says or else the
@@ -110,9 +116,11 @@ class Settings:
             return None
         return number
 
-    def check(self, shader: Shader, step: str, span: Span) -> bool:
-        """Whether everything is right that is said of the step; what is not is reported."""
+    def check(self, shader: Shader, step: str, span: Span, sides: Sides | None) -> bool:
+        """Whether everything is right that is said of the step; what is not is reported. ``sides``
+        are the width and height of its targets, if they are known."""
         self._check_blending(shader, step, span)
+        self._check_areas(step, sides)
         known = [result.name for result in shader.results_of(TARGET)]
         for name, (written, _) in self.written.items():
             if name.startswith(CLEAR) and name not in self._cleared:
@@ -120,6 +128,18 @@ class Settings:
                 what, found = f"target of `{step}`", name.removeprefix(CLEAR)
                 unknown(self.ctx, what, found, written.span, [*known, DEPTH])
         return not self.failed
+
+    def _check_areas(self, step: str, sides: Sides | None) -> None:
+        """Report a constant viewport outside of the targets, and a scissor without any of them."""
+        for name, misfit in ((VIEWPORT, outside), (SCISSOR, hidden)):
+            match self._known.get(name):
+                case (int(left), int(top), int(width), int(height)):
+                    if reason := misfit((left, top, width, height), sides):
+                        self.failed = True
+                        _, value = self.written[name]
+                        self.ctx.report.add(
+                            rules.AREA_OUTSIDE, value.span, area=name, step=step, reason=reason
+                        )
 
     def _check_blending(self, shader: Shader, step: str, span: Span) -> None:
         """Report targets that cannot be blended, or are blended by what nobody has said."""

@@ -317,18 +317,19 @@ class Steps:
             return FAILURE
         shader = draws[0].uses[0].shader
         step = self._step(name, shader, draws, over, settings, changed(around, place=place), e)
-        first = next(iter(self._all_left(step).values()))
-        if not self._destinations.check_size(first, e.span):
+        first = step.drawn_to[0]
+        if not self._destinations.check_size(first.image, e.span):
             return FAILURE
-        if not settings.check(shader.shader, symbol.name, e.span):
+        size = first.image.size
+        sides = self._destinations.known_size(size, size.level + first.level)
+        if not settings.check(shader.shader, symbol.name, e.span, sides):
             return FAILURE
         self.steps.append(step)
         return StepValue(around.name, self._all_left(step))
 
     @staticmethod
     def _all_left(step: RenderStep) -> dict[str, Image]:
-        attachments = [*step.attachments, *([step.depth] if step.depth else [])]
-        return {each.target: each.image for each in attachments}
+        return {each.target: each.image for each in step.drawn_to}
 
     def _inputs(self, given: Replacements, around: Around) -> Inputs:
         def made(e: ast.Expression, name: str) -> Made:

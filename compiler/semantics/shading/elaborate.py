@@ -43,6 +43,7 @@ from .host_names import check_host_names
 from .instances import pass_scope
 from .layers import layer_count, layer_of
 from .render_states import render_state_of
+from .samples import check_samples, check_samples_of_lines
 from .slot_checks import check_rig, check_slots
 
 
@@ -70,7 +71,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
-    render_state_of(ctx, passing.record)
+    check_samples(ctx, passing.record, render_state_of(ctx, passing.record))
     layers = layer_count(ctx, passing.record)
     return (
         *layer_of(ctx, passing, layers),
@@ -163,6 +164,7 @@ def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result
     captured, name = captures(passing.record), passing.record.name
     for step in surface.steps:
         yield from step.results
+        check_samples_of_lines(ctx, passing.record, step)
         expansion = step.expansion
         if expansion is None:
             continue

@@ -14,6 +14,7 @@ from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.render_state import (
     MOST_BIAS,
+    SAMPLES,
     STENCIL_MOST,
     Compare,
     Cull,
@@ -54,6 +55,27 @@ class Whole:
     least: int
     most: int
 
+    def allows(self, number: int) -> bool:
+        """Whether it can be set to this."""
+        return self.least <= number <= self.most
+
+    def __str__(self) -> str:
+        return f"{self.least} to {self.most}"
+
+
+@frozen
+class OneOf:
+    """A setting that is one of some whole numbers."""
+
+    numbers: tuple[int, ...]
+
+    def allows(self, number: int) -> bool:
+        """Whether it can be set to this."""
+        return number in self.numbers
+
+    def __str__(self) -> str:
+        return " and ".join(map(str, self.numbers))
+
 
 @frozen
 class Real:
@@ -66,15 +88,16 @@ class Setting:
 
     fields: tuple[str, ...]
     """Of the state: several where one setting sets both sides."""
-    values: Words | Whole | Real
+    values: Meant
 
 
+Meant = Words | Whole | OneOf | Real
 SWITCH = Words(("true", "false"))
 BYTE = Whole(0, STENCIL_MOST)
 SIDES = ("front", "back")
 
 
-def _plain(**values: Words | Whole | Real) -> Mapping[str, Setting]:
+def _plain(**values: Meant) -> Mapping[str, Setting]:
     """Settings with the names of the fields."""
     return {name: Setting((name,), each) for name, each in values.items()}
 
@@ -100,7 +123,9 @@ OPERATIONS = Words(get_args(StencilOperation))
 
 SETTINGS: Mapping[Stated, Mapping[str, Setting]] = {
     ast.Raster: _plain(
-        cull=Words(get_args(Cull)), front=Words(get_args(Winding)), fill=Words(get_args(Fill))
+        cull=Words(get_args(Cull)), front=Words(get_args(Winding)), fill=Words(get_args(Fill)),
+        invariant=SWITCH,
+        samples=OneOf(SAMPLES),
     ),
     ast.Depth: _plain(
         compare=COMPARISONS, write=SWITCH, bias=Whole(-MOST_BIAS, MOST_BIAS), slope_bias=Real(),
@@ -163,9 +188,8 @@ def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
 
 
 def _value(
-    ctx: Context, name: ast.Name, written: ast.Expression, wanted: Words | Whole | Real,
-    scope: Scope,
-) -> Any:  # fmt: skip
+    ctx: Context, name: ast.Name, written: ast.Expression, wanted: Meant, scope: Scope
+) -> Any:
     """What a setting is set to; ``None`` after reporting that it cannot be."""
     span = written.span
     match wanted:
@@ -175,13 +199,16 @@ def _value(
                 return word == "true" if wanted is SWITCH else word
             unknown_word(ctx, f"value for `{name.text}`", ast.Name(word, span), wanted.words)
             return None
-        case Whole():
+        case Whole() | OneOf():
             number = ctx.constants.integer(typed(ctx, written, scope, INT, "int"), span)
-            if number is not None and not wanted.least <= number <= wanted.most:
+            if number is not None and not wanted.allows(number):
                 ctx.report.add(
-                    rules.SETTING_TOO_LARGE, span, name=name.text, value=number,
-                    least=wanted.least, most=wanted.most,
-                )  # fmt: skip
+                    rules.IMPOSSIBLE_SETTING,
+                    span,
+                    name=name.text,
+                    value=number,
+                    possible=str(wanted),
+                )
                 return None
             return number
         case Real():

@@ -10,21 +10,14 @@ import re
 from collections.abc import Sequence
 from typing import get_args
 
-from .draw import (
-    TEXELS,
-    BlockSlot,
-    BufferSlot,
-    CaptureJob,
-    Dispatch,
-    Draw,
-    DriverError,
-    Image,
-    Job,
-    KernelJob,
-    Pipeline,
-    TargetFormat,
-    TextureSlot,
-)
+from .capture_job import CaptureJob
+from .device import DriverError
+from .draw_job import Draw, Job
+from .kernel_job import Dispatch, KernelJob
+from .pipeline import Pipeline
+from .render_state import TargetFormat
+from .slots import BlockSlot, BufferSlot, TextureSlot
+from .texels import TEXELS, Image
 
 
 def check(job: Job) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .draw import DriverError
+from .device import DriverError
 
 
 def chosen(names: Sequence[str], hardware: Sequence[bool], wanted: str) -> int:

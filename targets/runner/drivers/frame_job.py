@@ -1,8 +1,8 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-``targets/runner/frames`` makes a job of a plan. Where ``draw.Job`` has one pipeline, and each draw
-a picture of its own, a frame job has as many as it likes, and its steps draw into textures that
-later steps read. Only what is asked for comes back.
+``targets/runner/frames`` makes a job of a plan. Where the ``Job`` of ``draw_job.py`` has one
+pipeline, and each draw a picture of its own, a frame job has as many as it likes, and its steps
+draw into textures that later steps read. Only what is asked for comes back.
 """
 
 from __future__ import annotations
@@ -10,10 +10,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from .draw import DepthFormat, Dispatch, Draw, KernelJob, Pipeline, Sides, TargetFormat
+from .draw_job import Draw
+from .kernel_job import Dispatch, KernelJob, Sides
+from .pipeline import Pipeline
+from .render_state import DepthFormat, TargetFormat
 
 TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as; at first it has no contents."""
+
+BufferUse = Literal["undefined", "written", "read"]
+"""What a storage buffer is used as; at first it has what ``FrameBuffer`` says."""
 
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
@@ -57,6 +63,15 @@ class Barrier:
     texture: int
     before: TextureUse
     after: TextureUse
+
+
+@dataclass(frozen=True, slots=True)
+class BufferBarrier:
+    """From here on, a storage buffer is used in another way."""
+
+    buffer: int
+    before: BufferUse
+    after: BufferUse
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +132,7 @@ class FrameStep:
     """From which texture to which other one, if it is a copy."""
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
+    buffer_barriers: tuple[BufferBarrier, ...] = ()
 
     def areas(self, width: int, height: int) -> tuple[Area, Area]:
         """The viewport in targets of this size, and all that is drawn to."""

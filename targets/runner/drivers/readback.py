@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....compiler.reference.transfer import decode_srgb
-from .draw import Picture, TargetFormat
+from .draw_job import Picture
+from .render_state import TargetFormat
 
 TexelLanes = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
 

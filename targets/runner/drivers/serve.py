@@ -13,9 +13,12 @@ import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol, runtime_checkable
 
-from .draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from .capture_job import Captured, CaptureJob
+from .device import Device, DriverError
+from .draw_job import Job, Picture
 from .frame_checks import check_frame
 from .frame_job import FrameJob, FrameTexels
+from .kernel_job import KernelJob, Written
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0

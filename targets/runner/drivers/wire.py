@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 def to_json(value: Any) -> Any:
-    """A record of ``draw``, or a part of one, as JSON; bytes become base64."""
+    """A record of a job or of an answer, or a part of one, as JSON; bytes become base64."""
     if isinstance(value, bytes):
         return base64.b64encode(value).decode("ascii")
     if isinstance(value, tuple):

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ....compiler.ir.image_sizes import outside
 from ....compiler.reference.picture.scene import Area
 from ..scene_state import CLEAR, Color
 from .checks.rows import Row, fail, step_name
@@ -38,15 +39,8 @@ def step_state(plan: Row, step: Row, size: Size, number: Number) -> StepState:
         None if step[name] is None else _area(number(step[name]))
         for name in ("viewport", "scissor")
     )
-    if viewport is not None:
-        left, top, width, height = viewport
-        inside = left >= 0 and left + width <= size[0] and top >= 0 and top + height <= size[1]
-        if not inside or min(width, height) < 1:
-            fail(
-                plan, step_name(step),
-                f"the viewport of {width} x {height} texels at {left}, {top} is not within targets "
-                f"of {size[0]} x {size[1]} texels",
-            )  # fmt: skip
+    if viewport is not None and (reason := outside(viewport, size)):
+        fail(plan, step_name(step), f"the viewport of {reason}")
     constant = step["blend_constant"]
     return StepState(viewport, scissor, CLEAR if constant is None else _color(number(constant)))
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drivers.draw import Dimension, TextureFormat
+from ..drivers.texels import Dimension, TextureFormat
 from .kinds import FACES, Kind, PictureError
 from .mipmaps import Texels
 

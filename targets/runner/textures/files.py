@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageOps, UnidentifiedImageError
 
-from ..drivers.draw import Dimension
+from ..drivers.texels import Dimension
 from .arrays import MAX_SIDE, check_sides
 from .high_range import format_of, read_floats
 from .kinds import FACES, Kind, PictureError

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....compiler.reference.transfer import decode_srgb, encode_srgb
-from ..drivers.draw import TEXELS, Dimension, TextureFormat
+from ..drivers.texels import TEXELS, Dimension, TextureFormat
 
 Texels = NDArray[np.uint8 | np.float32 | np.uint32 | np.int32]
 """Texels as stored, of shape (depth, height, width, lanes)."""

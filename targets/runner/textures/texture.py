@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from ....arguments import expect, expect_all
-from ..drivers.draw import TEXELS, Dimension, Image, TextureFormat
+from ..drivers.texels import TEXELS, Dimension, Image, TextureFormat
 from ..instances.literals import color_channels
 from .kinds import FACES, Kind, PictureError
 

@@ -13,6 +13,14 @@ export type Stages = string[];
  */
 export type PlanSteps = Step[];
 /**
+ * The textures that are waited for.
+ */
+export type PlanBarriers = PlanBarrier[];
+/**
+ * The buffers of results that are waited for.
+ */
+export type PlanBufferBarriers = PlanBufferBarrier[];
+/**
  * What becomes of a stencil value; only the bits of `write_mask` change.
  */
 export type StencilOperation =
@@ -186,6 +194,13 @@ export interface Plan {
    * What the host does, in this order.
    */
   steps: (PlanDraw | PlanRun | PlanCopy)[];
+  /**
+   * What is waited for behind the last step and before the exchange of `kept`, so that the host can read the outputs and the next frame what is kept.
+   */
+  end: {
+    barriers: PlanBarriers;
+    buffer_barriers: PlanBufferBarriers;
+  };
   /**
    * What the next frame reads. Behind the last step the host exchanges each texture (or, where the numbers are null, the result's buffer) with the previous one. Before the first frame, these textures are transparent black, or depths of 1.
    */
@@ -630,7 +645,7 @@ export interface PlanTexture {
    */
   levels: number;
   /**
-   * What steps use it as. The two textures of a row of `kept` are exchanged, and so each needs the uses of both.
+   * What steps use it as, and the host or the next frame behind them; of the two textures of a row of `kept`, what either is used as.
    */
   uses: ("target" | "depth" | "image" | "sampled" | "copied_from" | "copied_to")[];
   /**
@@ -702,10 +717,8 @@ export interface PlanDraw {
    * The pass.
    */
   pass: string;
-  /**
-   * What happens before it.
-   */
-  barriers: PlanBarrier[];
+  barriers: PlanBarriers;
+  buffer_barriers: PlanBufferBarriers;
   /**
    * Whether it is needed in the first frame only.
    */
@@ -760,6 +773,27 @@ export interface PlanBarrier {
    * How it is used.
    */
   to: "target" | "depth" | "image" | "sampled" | "copied_from" | "copied_to";
+}
+/**
+ * From here on, the buffer of a result is used in another way. What was written before has to be there, and what was read before has been read.
+ */
+export interface PlanBufferBarrier {
+  /**
+   * The result.
+   */
+  result: string;
+  /**
+   * How it was used; `undefined` means that its contents do not matter.
+   */
+  from: "undefined" | "written" | "read";
+  /**
+   * How it is used.
+   */
+  to: "written" | "read";
+  /**
+   * Whether the barrier stands in the first frame only.
+   */
+  only_first: boolean;
 }
 /**
  * What a target of the pass, or its depths, is drawn to.
@@ -916,10 +950,8 @@ export interface PlanRun {
    * The step.
    */
   name: string;
-  /**
-   * What happens before it.
-   */
-  barriers: PlanBarrier[];
+  barriers: PlanBarriers;
+  buffer_barriers: PlanBufferBarriers;
   /**
    * Whether it is needed in the first frame only.
    */
@@ -973,10 +1005,8 @@ export interface PlanCopy {
    * Whether the first frame is enough.
    */
   only_first?: boolean;
-  /**
-   * What happens before it.
-   */
-  barriers: PlanBarrier[];
+  barriers: PlanBarriers;
+  buffer_barriers: PlanBufferBarriers;
   from: PlanRead;
   to: PlanRead;
 }
@@ -1165,6 +1195,10 @@ export interface Reflection {
   samplers: Sampler[];
   draw: Draw;
   /**
+   * Whether the position of a vertex is the same number, bit by bit, in all programs that compute it in the same way, so that their depths are equal. The texts say so.
+   */
+  invariant_position: boolean;
+  /**
    * What the host sets of the pipeline, as the pass asks for it.
    */
   render_state: {
@@ -1180,6 +1214,10 @@ export interface Reflection {
      * What is drawn of a triangle: all of it, or its edges as lines.
      */
     fill: "faces" | "lines";
+    /**
+     * How many samples each pixel of the targets and of the depths has. With several, the targets are resolved at the end: each pixel becomes the mean of its samples.
+     */
+    samples: 1 | 4;
     /**
      * The depth test.
      */

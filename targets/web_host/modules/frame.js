@@ -111,6 +111,20 @@ export class PlanFrame {
     show(output) {
         this.renderer.show(this.outputOf(output));
     }
+    /** The width and height of an output's first level. */
+    sizeOf(output) {
+        const [width, height] = this.renderer.sizeOf(this.outputOf(output));
+        return [width, height];
+    }
+    /** The elements of an output that is a buffer, as its row of `results` says how they lie. */
+    async readElements(output) {
+        const row = this.plan.outputs.find((each) => each.name === output && each.texture === null);
+        const buffer = row && this.resources.written(row.result);
+        const { frame } = this.plan;
+        if (!buffer)
+            throw new Error(`\`${output}\` of ${frame} is no buffer, or was not written yet`);
+        return (await this.renderer.readBuffer(buffer)).subarray(0, this.resources.bytesIn(buffer));
+    }
     /** The numbers of an output's first level. */
     read(output) {
         return this.renderer.read(this.outputOf(output));
@@ -311,7 +325,7 @@ export class PlanFrame {
     /** Returns the name of the parameter that says how many elements it has. */
     giveBuffer(bound, name, buffer) {
         const row = bound.values.declared.buffers.find((each) => each.name === name);
-        bound.values.count(row, this.renderer.bytesIn(buffer));
+        bound.values.count(row, this.resources.bytesIn(buffer));
         bound.buffers.set(name, buffer);
         return row.count;
     }

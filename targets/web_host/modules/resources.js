@@ -9,6 +9,8 @@ export class Resources {
     /** By the results that kernels have written, and the host's by the names of `hostBuffer`. */
     buffers = new Map();
     textures = new Map();
+    /** How many bytes of a buffer its elements are: of those that kernels have written. */
+    lengths = new Map();
     /** The kernels that this frame has run, by step. */
     kernels = new Map();
     constructor(from, renderer, values) {
@@ -39,6 +41,15 @@ export class Resources {
     shown(result, texture) {
         const kept = this.from.plan.kept.find((each) => each.result === result);
         return this.textures.get(kept?.previous ?? texture ?? -1)?.texture;
+    }
+    /** The buffer that a kernel has written, or undefined if it is none, or was not run yet. */
+    written(result) {
+        const isKept = this.from.plan.kept.some((each) => each.result === result);
+        return this.buffers.get(isKept ? previousOf(result) : result);
+    }
+    /** How many bytes the elements of a buffer have; there may be none. */
+    bytesIn(buffer) {
+        return this.lengths.get(buffer) ?? this.renderer.bytesIn(buffer);
     }
     /** Whether a kernel stores to a texture, and is not drawn over it. */
     isStored(number) {
@@ -91,7 +102,9 @@ export class Resources {
             const bytes = new Uint8Array(Math.max(elements, 1) * stride);
             if (initial !== null)
                 new Int32Array(bytes.buffer).fill(initial | 0);
-            bound.buffers.set(name, this.buffer(result, bytes, initial !== null));
+            const buffer = this.buffer(result, bytes, initial !== null);
+            this.lengths.set(buffer, Math.max(elements, 0) * stride);
+            bound.buffers.set(name, buffer);
         }
     }
     buffer(result, bytes, isFilled) {
@@ -101,8 +114,10 @@ export class Resources {
                 this.renderer.fill(known, bytes);
             return known;
         }
-        if (known)
+        if (known) {
             this.renderer.freeBuffer(known);
+            this.lengths.delete(known);
+        }
         const made = this.renderer.makeBuffer(bytes);
         this.buffers.set(result, made);
         return made;

@@ -17,7 +17,7 @@ import {
 } from "./textures.js";
 
 type Canvas = HTMLCanvasElement | OffscreenCanvas;
-type Call = DrawCall<Texture, Uint8Array>;
+type Call = DrawCall<Texture, Uint8Array<ArrayBuffer>>;
 
 /** What is drawn of a mesh by one program. */
 interface Uploaded {
@@ -26,7 +26,7 @@ interface Uploaded {
   count: number;
 }
 
-export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
+export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>> {
   readonly profile = PROFILE;
   private readonly gl: Gl;
   private readonly programs: Program[];
@@ -77,6 +77,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array> {
 
   // Storage buffers are only counted here: no text of this profile reads them.
   makeBuffer = (bytes: Uint8Array<ArrayBuffer>) => bytes;
+  readBuffer = async (buffer: Uint8Array<ArrayBuffer>) => buffer;
   freeBuffer(): void {}
   bytesIn = (buffer: Uint8Array) => buffer.length;
   fill(): void {}

@@ -56,6 +56,24 @@ export class Device {
     this.gpu.queue.writeBuffer(buffer, 0, bytes);
     return buffer;
   }
+
+  /** The bytes that are copied to a buffer which the host can read. */
+  async bytesOf(
+    size: number, copy: (encoder: GPUCommandEncoder, to: GPUBuffer) => void,
+  ): Promise<Uint8Array<ArrayBuffer>> {
+    const usage = BufferUsage.COPY_DST | BufferUsage.MAP_READ;
+    const buffer = this.gpu.createBuffer({ size, usage });
+    const encoder = this.gpu.createCommandEncoder();
+    copy(encoder, buffer);
+    this.gpu.queue.submit([encoder.finish()]);
+    try {
+      await buffer.mapAsync(MAP_READ);
+      this.check();
+      return new Uint8Array(buffer.getMappedRange()).slice();
+    } finally {
+      buffer.destroy();
+    }
+  }
 }
 
 /** Small pieces of data in large buffers: the uniform blocks of a frame's draws. */

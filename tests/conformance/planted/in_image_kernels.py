@@ -13,7 +13,7 @@ from burnish.compiler.ir.types import IVEC2
 from burnish.compiler.passes import pipeline
 from burnish.frozen import changed
 from burnish.targets.runner import binding, kernels
-from burnish.targets.runner.drivers.draw import Dispatch, KernelJob
+from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
 
 from .planting import Plant, Planted, form, framebuffer, replaced, skeleton, supplied
 

@@ -9,7 +9,9 @@ from typing import Any
 import numpy as np
 
 from burnish.targets.runner.drivers.checks import level_size
-from burnish.targets.runner.drivers.draw import DepthBias, Draw, Image, Job
+from burnish.targets.runner.drivers.draw_job import Draw, Job
+from burnish.targets.runner.drivers.render_state import DepthBias
+from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.instances import blocks, derived, instance, shapes
 from burnish.targets.runner.instances.shapes import Numbers, Shape
 from burnish.targets.runner.textures.texture import Texture

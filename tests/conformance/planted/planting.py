@@ -18,7 +18,7 @@ from burnish.targets.description.profile import Profile
 from burnish.targets.description.shading_language import Language
 from burnish.targets.description.spellings import Spelling
 from burnish.targets.emit import templates
-from burnish.targets.runner.drivers.draw import Job, Picture
+from burnish.targets.runner.drivers.draw_job import Job, Picture
 from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
 

@@ -74,7 +74,8 @@ def told_to_drivers(material: CompiledMaterial) -> Iterator[tuple[str, object]]:
     from burnish.targets.conformance.cases import series_of
     from burnish.targets.runner.binding import pipeline
     from burnish.targets.runner.codes import Codes
-    from burnish.targets.runner.drivers.draw import Code, Job
+    from burnish.targets.runner.drivers.draw_job import Job
+    from burnish.targets.runner.drivers.pipeline import Code
     from burnish.targets.runner.drivers.wire import to_json
     from burnish.targets.runner.routes import ROUTES
 

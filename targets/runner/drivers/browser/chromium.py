@@ -16,7 +16,7 @@ from urllib.parse import urlsplit
 from playwright.sync_api import Error, Route, sync_playwright
 
 from ....toolchain.tools import tool_named
-from ..draw import DriverError
+from ..device import DriverError
 
 # Only a page with a secure origin may use WebGPU. This address is never requested from the network,
 # because `_serve` answers.

@@ -11,23 +11,15 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ....toolchain.tools import tool_named
+from ..capture_job import Captured, CaptureJob
 from ..checks import check, check_capture, check_kernel, check_names
-from ..draw import (
-    Captured,
-    CaptureJob,
-    Device,
-    Dispatch,
-    Draw,
-    DriverError,
-    Job,
-    KernelJob,
-    Picture,
-    Pipeline,
-    TargetFormat,
-    Written,
-)
+from ..device import Device, DriverError
+from ..draw_job import Draw, Job, Picture
 from ..frame_job import FrameTexels
+from ..kernel_job import Dispatch, KernelJob, Written
+from ..pipeline import Pipeline
 from ..readback import to_float
+from ..render_state import TargetFormat
 from ..wire import from_json, to_json
 
 if TYPE_CHECKING:

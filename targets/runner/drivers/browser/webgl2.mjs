@@ -1,4 +1,4 @@
-// Draws jobs with WebGL 2. A job and its pictures are those of draw.py, as JSON.
+// Draws jobs with WebGL 2. A job and its pictures are those of draw_job.py, as JSON.
 
 import { answer, LostBrowser, Refusal } from "./answers.mjs";
 import { captureVertices } from "./webgl2_capture.mjs";

@@ -1,4 +1,4 @@
-// Draws jobs with WebGPU. A job and its pictures are those of draw.py, as JSON.
+// Draws jobs with WebGPU. A job and its pictures are those of draw_job.py, as JSON.
 
 export { frames } from "./frames.mjs";
 

@@ -8,7 +8,11 @@ from typing import Protocol
 
 import moderngl
 
-from ..draw import Dispatch, Draw, Image, Pipeline, Place, TextureSlot
+from ..draw_job import Draw
+from ..kernel_job import Dispatch
+from ..pipeline import Pipeline
+from ..slots import Place, TextureSlot
+from ..texels import Image
 from .context import Functions
 from .texture_units import bound_texture
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Mapping, Sequence
 
-from ..draw import Factor, Operation, RenderTarget
+from ..render_state import Factor, Operation, RenderTarget
 from .context import GL_BLEND, Functions
 
 FACTORS: Mapping[Factor, int] = {

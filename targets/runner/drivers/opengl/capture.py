@@ -7,7 +7,10 @@ from contextlib import contextmanager
 
 import moderngl
 
-from ..draw import CORNERS, Captured, CaptureJob, Draw, DriverError, Pipeline, StreamOutput
+from ..capture_job import Captured, CaptureJob
+from ..device import DriverError
+from ..draw_job import Draw
+from ..pipeline import CORNERS, Pipeline, StreamOutput
 from .context import Functions
 from .program import link
 from .vertices import MODES, bound_vertices
@@ -78,7 +81,9 @@ def _recording(
     functions.glEnable(GL_RASTERIZER_DISCARD)
     functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.glo)
     functions.glBeginTransformFeedback(MODES[stream.primitive])
-    yield
-    functions.glEndTransformFeedback()
-    functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0)
-    functions.glDisable(GL_RASTERIZER_DISCARD)
+    try:
+        yield
+    finally:
+        functions.glEndTransformFeedback()
+        functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0)
+        functions.glDisable(GL_RASTERIZER_DISCARD)

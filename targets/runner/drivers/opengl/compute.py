@@ -5,7 +5,8 @@ from __future__ import annotations
 import moderngl
 
 from ..checks import check_groups
-from ..draw import Dispatch, DriverError, KernelJob, Written
+from ..device import DriverError
+from ..kernel_job import Dispatch, KernelJob, Written
 from .bindings import all_bound
 from .context import Functions
 from .program import link_kernel

@@ -10,7 +10,7 @@ import moderngl
 
 from ....toolchain.tools import tool_named
 from .. import mesa
-from ..draw import DriverError
+from ..device import DriverError
 
 ENVIRONMENT = {
     # Use the software renderer even if there is a GPU, so that pictures are the same everywhere.

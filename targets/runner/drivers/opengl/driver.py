@@ -6,9 +6,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
+from ..capture_job import Captured, CaptureJob
 from ..checks import check, check_capture, check_kernel, check_names
-from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from ..device import Device, DriverError
+from ..draw_job import Job, Picture
 from ..frame_job import FrameJob, FrameTexels
+from ..kernel_job import KernelJob, Written
 
 if TYPE_CHECKING:
     from .renderer import Renderer

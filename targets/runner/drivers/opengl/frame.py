@@ -9,8 +9,11 @@ from typing import Any
 
 import moderngl
 
-from ..draw import Dispatch, Draw, DriverError, Pipeline
+from ..device import DriverError
+from ..draw_job import Draw
 from ..frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
+from ..kernel_job import Dispatch
+from ..pipeline import Pipeline
 from .bindings import bound, bound_at
 from .blending import set_blending, write_all_lanes
 from .context import (

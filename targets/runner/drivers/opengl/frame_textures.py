@@ -5,9 +5,9 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass
 
-from ..draw import TextureSlot
 from ..frame_job import Attachment, FrameTexels, FrameTexture
 from ..readback import depths_to_float, to_float
+from ..slots import TextureSlot
 from .context import (
     GL_COLOR_ATTACHMENT0,
     GL_FRAMEBUFFER,

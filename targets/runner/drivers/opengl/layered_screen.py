@@ -6,7 +6,7 @@ import ctypes
 
 import moderngl
 
-from ..draw import Pipeline
+from ..pipeline import Pipeline
 from ..readback import to_float
 from .context import (
     GL_COLOR_ATTACHMENT0,

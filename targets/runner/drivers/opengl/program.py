@@ -7,7 +7,8 @@ from collections.abc import Iterable
 import moderngl
 
 from ..checks import check_block_size, lane_count
-from ..draw import DriverError, Pipeline
+from ..device import DriverError
+from ..pipeline import Pipeline
 from .bindings import bound_at
 from .context import Functions
 

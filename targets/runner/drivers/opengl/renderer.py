@@ -6,19 +6,12 @@ from collections.abc import Sequence
 
 import moderngl
 
-from ..draw import (
-    Captured,
-    CaptureJob,
-    Device,
-    Draw,
-    DriverError,
-    Job,
-    KernelJob,
-    Picture,
-    Pipeline,
-    Written,
-)
+from ..capture_job import Captured, CaptureJob
+from ..device import Device, DriverError
+from ..draw_job import Draw, Job, Picture
 from ..frame_job import FrameJob, FrameTexels
+from ..kernel_job import KernelJob, Written
+from ..pipeline import Pipeline
 from .blending import set_blending
 from .capture import capture_job
 from .compute import compute_job

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 import moderngl
 
-from ..draw import DepthFormat, Pipeline, RenderTarget, TargetFormat
+from ..pipeline import Pipeline
 from ..readback import to_float
+from ..render_state import DepthFormat, RenderTarget, TargetFormat
 from .blending import write_all_lanes
 from .context import (
     GL_COLOR,

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 import moderngl
 
-from ..draw import Fill, Pipeline, StencilOperation
+from ..pipeline import Pipeline
+from ..render_state import Fill, StencilOperation
 from .context import CLIP_CONTROL, Functions
 from .texture_units import COMPARES
 

@@ -10,7 +10,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from ..checks import level_size
-from ..draw import Compare, Dimension, Filter, Image, Mip, TextureFormat, TextureSlot, Wrap
+from ..render_state import Compare
+from ..slots import Filter, Mip, TextureSlot, Wrap
+from ..texels import Dimension, Image, TextureFormat
 from .context import Functions
 
 GL_TEXTURE0 = 0x84C0

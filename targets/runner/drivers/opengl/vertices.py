@@ -7,7 +7,8 @@ from contextlib import contextmanager
 
 import moderngl
 
-from ..draw import Draw, Pipeline, Primitive, StepMode
+from ..draw_job import Draw
+from ..pipeline import Pipeline, Primitive, StepMode
 from .bindings import all_bound
 from .context import Functions
 from .program import attribute_layout

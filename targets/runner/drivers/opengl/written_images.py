@@ -7,8 +7,9 @@ from contextlib import contextmanager
 
 import moderngl
 
-from ..draw import ImageSlot, Sides
+from ..kernel_job import Sides
 from ..readback import TEXEL_LANES, to_float
+from ..slots import ImageSlot
 from .bindings import bound_at
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import Blend, BlendEquation, Factor, Operation, RenderTarget
+from ..render_state import Blend, BlendEquation, Factor, Operation, RenderTarget
 
 FACTORS: dict[Factor, int] = {
     "zero": vk.VK_BLEND_FACTOR_ZERO,

@@ -9,8 +9,10 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import Picture, Pipeline, RenderTarget
+from ..draw_job import Picture
+from ..pipeline import Pipeline
 from ..readback import TEXEL_LANES, to_float
+from ..render_state import RenderTarget
 from .device import Gpu
 from .formats import ASPECTS, DEPTHS, TARGETS
 from .memory import Buffer, ImageSpec, make_buffer, make_image

@@ -10,8 +10,11 @@ from typing import Any
 
 import vulkan as vk
 
+from ..capture_job import Captured, CaptureJob
 from ..checks import check_capture
-from ..draw import Captured, CaptureJob, Code, DriverError, Job, Pipeline
+from ..device import DriverError
+from ..draw_job import Job
+from ..pipeline import Code, Pipeline
 from .device import Gpu
 from .job import Painter
 from .limits import check_limits

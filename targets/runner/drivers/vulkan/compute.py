@@ -8,7 +8,8 @@ from typing import Any
 import vulkan as vk
 
 from ..checks import check_kernel
-from ..draw import Dispatch, KernelJob, Pipeline, Sides, Written
+from ..kernel_job import Dispatch, KernelJob, Sides, Written
+from ..pipeline import Pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
 from .graphics_pipeline import make_layout, make_stage

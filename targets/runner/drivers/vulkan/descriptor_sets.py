@@ -10,7 +10,8 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import Pipeline, Place, TextureSlot
+from ..pipeline import Pipeline
+from ..slots import Place, TextureSlot
 from .device import Gpu
 from .memory import Buffer, make_buffer
 from .texture_images import READ, make_sampler

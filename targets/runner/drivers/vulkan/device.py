@@ -12,7 +12,7 @@ from typing import Any
 import vulkan as vk
 
 from ..choice import chosen
-from ..draw import Device, DriverError
+from ..device import Device, DriverError
 from .errors import Messages, explained
 
 VALIDATION_LAYER = "VK_LAYER_KHRONOS_validation"

@@ -11,8 +11,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....closing import Closing
-from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from ..capture_job import Captured, CaptureJob
+from ..device import Device, DriverError
+from ..draw_job import Job, Picture
 from ..frame_job import FrameJob, FrameTexels
+from ..kernel_job import KernelJob, Written
 
 if TYPE_CHECKING:
     from .device import Gpu

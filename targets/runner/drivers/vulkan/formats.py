@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import vulkan as vk
 
-from ..draw import DepthFormat, Dimension, TargetFormat, TextureFormat, VertexFormat
+from ..pipeline import VertexFormat
+from ..render_state import DepthFormat, TargetFormat
+from ..texels import Dimension, TextureFormat
 
 DEPTHS: dict[DepthFormat, int] = {
     "depth32float": vk.VK_FORMAT_D32_SFLOAT,

@@ -9,19 +9,8 @@ from typing import Any
 import vulkan as vk
 
 from ..checks import lane_count
-from ..draw import (
-    Code,
-    Cull,
-    Fill,
-    Pipeline,
-    Primitive,
-    Stencil,
-    StencilOperation,
-    StencilSide,
-    StepMode,
-    VertexInput,
-    Winding,
-)
+from ..pipeline import Code, Pipeline, Primitive, StepMode, VertexInput
+from ..render_state import Cull, Fill, Stencil, StencilOperation, StencilSide, Winding
 from .blending import blend_state
 from .device import Gpu
 from .formats import VERTICES

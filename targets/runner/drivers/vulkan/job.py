@@ -9,7 +9,8 @@ from typing import Any
 import vulkan as vk
 
 from ..checks import check
-from ..draw import Draw, Image, Job, Picture
+from ..draw_job import Draw, Job, Picture
+from ..texels import Image
 from .canvas import Canvas, make_canvas, make_render_pass
 from .descriptor_sets import make_descriptor_sets
 from .device import Gpu, recording

@@ -9,7 +9,12 @@ import vulkan as vk
 
 from ....toolchain.spirv import SpirvError
 from ..checks import check_block_size, check_groups
-from ..draw import Dispatch, Draw, DriverError, Image, Job, KernelJob, Pipeline, TextureSlot
+from ..device import DriverError
+from ..draw_job import Draw, Job
+from ..kernel_job import Dispatch, KernelJob
+from ..pipeline import Pipeline
+from ..slots import TextureSlot
+from ..texels import Image
 from .blocks import block_sizes
 from .device import Gpu
 from .formats import DEPTHS, TARGETS, TEXTURES

@@ -9,7 +9,7 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import DriverError
+from ..device import DriverError
 from .device import Gpu
 
 MAPPED = vk.VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | vk.VK_MEMORY_PROPERTY_HOST_COHERENT_BIT

@@ -11,7 +11,8 @@ from collections.abc import Iterator
 from itertools import chain
 
 from ....toolchain.spirv import HEADER_WORDS, Op, instructions
-from ..draw import DriverError, StreamOutput
+from ..device import DriverError
+from ..pipeline import StreamOutput
 
 TRANSFORM_FEEDBACK = 53
 """The capability."""

@@ -8,7 +8,9 @@ from typing import Any
 import vulkan as vk
 
 from ..checks import level_size
-from ..draw import TEXELS, Compare, Filter, Image, Mip, TextureSlot, Wrap
+from ..render_state import Compare
+from ..slots import Filter, Mip, TextureSlot, Wrap
+from ..texels import TEXELS, Image
 from .device import Gpu, recording
 from .formats import TEXTURES, VIEWS
 from .memory import ImageSpec, filled_buffer, make_image

@@ -9,8 +9,9 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import ImageSlot, Sides
+from ..kernel_job import Sides
 from ..readback import TEXEL_LANES, to_float
+from ..slots import ImageSlot
 from .device import Gpu
 from .formats import TARGETS
 from .memory import Buffer, ImageSpec, make_buffer, make_image

@@ -7,7 +7,9 @@ from typing import Any
 
 import wgpu
 
-from ..draw import BlockSlot, BufferSlot, Dispatch, Draw, ImageSlot
+from ..draw_job import Draw
+from ..kernel_job import Dispatch
+from ..slots import BlockSlot, BufferSlot, ImageSlot
 from .device import Gpu
 from .pipeline import Bound, Groups
 from .textures import make_sampler, make_view

@@ -7,7 +7,8 @@ from typing import Any
 import wgpu
 
 from ..checks import check_groups
-from ..draw import Dispatch, ImageSlot, KernelJob, Sides, Written
+from ..kernel_job import Dispatch, KernelJob, Sides, Written
+from ..slots import ImageSlot
 from .bindings import bind_groups, make_storage
 from .device import Gpu, explained
 from .drawing import read_texels

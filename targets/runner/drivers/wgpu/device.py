@@ -10,7 +10,7 @@ from typing import Any
 import wgpu
 
 from ..choice import chosen
-from ..draw import Device, DriverError
+from ..device import Device, DriverError
 
 BACKENDS = ("D3D12", "Metal", "Vulkan")
 """The APIs that it may draw with. Its OpenGL cannot do all that a job may ask for."""

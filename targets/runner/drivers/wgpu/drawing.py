@@ -9,8 +9,10 @@ import numpy as np
 import wgpu
 
 from ..checks import lane_count
-from ..draw import Draw, Job, Picture, Pipeline, TargetFormat
+from ..draw_job import Draw, Job, Picture
+from ..pipeline import Pipeline
 from ..readback import TEXEL_LANES, to_float
+from ..render_state import TargetFormat
 from .bindings import bind_groups, make_buffer, make_storage
 from .device import Gpu, explained
 from .pipeline import DEPTH, Buffer, Made, make_pipeline

@@ -6,8 +6,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
+from ..capture_job import Captured, CaptureJob
 from ..checks import check, check_kernel, check_names
-from ..draw import Captured, CaptureJob, Device, DriverError, Job, KernelJob, Picture, Written
+from ..device import Device, DriverError
+from ..draw_job import Job, Picture
+from ..kernel_job import KernelJob, Written
 
 if TYPE_CHECKING:
     from .device import Gpu

@@ -9,18 +9,10 @@ from typing import Any
 import wgpu
 
 from ..checks import lane_count
-from ..draw import (
-    BlendEquation,
-    BlockSlot,
-    BufferSlot,
-    DriverError,
-    ImageSlot,
-    Pipeline,
-    RenderTarget,
-    StencilSide,
-    TextureSlot,
-    VertexInput,
-)
+from ..device import DriverError
+from ..pipeline import Pipeline, VertexInput
+from ..render_state import BlendEquation, RenderTarget, StencilSide
+from ..slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 from .device import Gpu
 
 DEPTH = "depth32float"

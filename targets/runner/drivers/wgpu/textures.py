@@ -8,7 +8,9 @@ from typing import Any
 import wgpu
 
 from ..checks import level_size
-from ..draw import TEXELS, DriverError, Image, TextureSlot
+from ..device import DriverError
+from ..slots import TextureSlot
+from ..texels import TEXELS, Image
 from .device import Gpu
 from .pipeline import DEPTH, VIEWS
 

@@ -51,6 +51,7 @@ export class WebGl2Renderer {
     }
     // Storage buffers are only counted here: no text of this profile reads them.
     makeBuffer = (bytes) => bytes;
+    readBuffer = async (buffer) => buffer;
     freeBuffer() { }
     bytesIn = (buffer) => buffer.length;
     fill() { }

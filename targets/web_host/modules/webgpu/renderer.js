@@ -1,7 +1,7 @@
 // Draws frames with WebGPU.
 import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { Presenter } from "./canvas.js";
-import { Arena, BufferUsage, MAP_READ } from "./device.js";
+import { Arena, BufferUsage } from "./device.js";
 import { Pipelines } from "./pipelines.js";
 import { PROFILE } from "./slots.js";
 import { layerOf, makePicture, makeSampler, makeTexture } from "./textures.js";
@@ -40,7 +40,7 @@ export class WebGpuRenderer {
         return this.own(makePicture(this.device, picture));
     }
     makeBuffer(bytes) {
-        const buffer = this.device.buffer(bytes, BufferUsage.STORAGE);
+        const buffer = this.device.buffer(bytes, BufferUsage.STORAGE | BufferUsage.COPY_SRC);
         this.owned.add(buffer);
         return buffer;
     }
@@ -191,27 +191,22 @@ export class WebGpuRenderer {
         const [lanes, bytesPerLane] = lanesOf(format);
         const row = width * lanes * bytesPerLane;
         const bytesPerRow = Math.ceil(row / ROW_ALIGNMENT) * ROW_ALIGNMENT;
-        const buffer = this.device.gpu.createBuffer({
-            size: bytesPerRow * height * layers, usage: BufferUsage.COPY_DST | BufferUsage.MAP_READ,
-        });
-        const encoder = this.device.gpu.createCommandEncoder();
         const aspect = isDepth(format) ? "depth-only" : "all";
-        const target = { buffer, bytesPerRow, rowsPerImage: height };
-        encoder.copyTextureToBuffer({ texture: gpu, aspect }, target, [width, height, layers]);
-        this.device.gpu.queue.submit([encoder.finish()]);
-        try {
-            await buffer.mapAsync(MAP_READ);
-            this.device.check();
-            const padded = new Uint8Array(buffer.getMappedRange());
-            const packed = new Uint8Array(row * height * layers);
-            for (let y = 0; y < height * layers; y++) {
-                packed.set(padded.subarray(y * bytesPerRow, y * bytesPerRow + row), y * row);
-            }
-            return { width, height, layers, texels: toFloats(format, packed) };
+        const padded = await this.device.bytesOf(bytesPerRow * height * layers, (encoder, buffer) => {
+            const target = { buffer, bytesPerRow, rowsPerImage: height };
+            encoder.copyTextureToBuffer({ texture: gpu, aspect }, target, [width, height, layers]);
+        });
+        const packed = new Uint8Array(row * height * layers);
+        for (let y = 0; y < height * layers; y++) {
+            packed.set(padded.subarray(y * bytesPerRow, y * bytesPerRow + row), y * row);
         }
-        finally {
-            buffer.destroy();
-        }
+        return { width, height, layers, texels: toFloats(format, packed) };
+    }
+    readBuffer(buffer) {
+        const { size } = buffer;
+        return this.device.bytesOf(size, (encoder, to) => {
+            encoder.copyBufferToBuffer(buffer, 0, to, 0, size);
+        });
     }
 }
 function depthAttachment({ texture, layer, target, clear }) {

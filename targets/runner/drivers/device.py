@@ -1,0 +1,25 @@
+"""What drivers say of themselves, and how they say that they could not draw."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """A driver's description of itself."""
+
+    name: str
+    """For example ``llvmpipe (LLVM 15.0.6, 256 bits)``."""
+    version: str
+    """The driver's version, for example ``Mesa 22.3.6``."""
+    subpixel_bits: int
+    """To how many binary places of a pixel vertices are snapped."""
+    subtexel_bits: int
+    """The binary places of a linear filter's weights; 0 if the API does not tell."""
+    mip_bits: int
+    """The binary places of the weights between mip levels; 0 if the API does not tell."""
+
+
+class DriverError(Exception):
+    """A driver could not draw; the text tells people why."""

@@ -1,0 +1,52 @@
+"""Jobs that run kernels, and what a driver answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .pipeline import Pipeline
+from .texels import Image
+
+Sides = tuple[int, int, int]
+"""Lengths along x, y and z."""
+
+
+@dataclass(frozen=True, slots=True)
+class Dispatch:
+    """One run of a kernel: the bytes for every slot, and how many elements it computes."""
+
+    extent: Sides
+    """The elements along x, y and z; a buffer's stand along x. Of images, the width, the height and
+    1."""
+    blocks: tuple[bytes, ...]
+    textures: tuple[Image, ...]
+    buffers: tuple[bytes, ...]
+    """What all storage buffers hold before it, in the pipeline's order: also those that it
+    writes."""
+
+
+@dataclass(frozen=True, slots=True)
+class KernelJob:
+    """A pipeline with a kernel as its only stage, and what to compute with it."""
+
+    pipeline: Pipeline
+    work_group: Sides
+    """The invocations in a work group, as the text declares them."""
+    dispatches: tuple[Dispatch, ...]
+
+    def groups(self, dispatch: Dispatch) -> Sides:
+        """How many work groups a dispatch takes along x, y and z."""
+        x, y, z = (
+            -(-length // side)
+            for length, side in zip(dispatch.extent, self.work_group, strict=True)
+        )
+        return x, y, z
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """What a dispatch has written: all bytes of each buffer that the pipeline writes, in order."""
+
+    buffers: tuple[bytes, ...]
+    images: tuple[bytes, ...] = ()
+    """The texels of each image, as ``Picture`` has them."""
