@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -17,7 +18,7 @@ def validator() -> Draft202012Validator:
     paths = [ROOT / folder / f"{name}.schema.json" for name, (folder, _) in DOCUMENTS.items()]
     schemas = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in paths}
     resources = [(name, Resource.from_contents(each)) for name, each in schemas.items()]
-    registry: Registry[object] = Registry().with_resources(resources)
+    registry: Registry[Any] = Registry().with_resources(resources)
     return Draft202012Validator(schemas["package.schema.json"], registry=registry)
 
 
