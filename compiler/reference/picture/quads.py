@@ -324,7 +324,8 @@ def _single(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bounded:
         quads = Quads(part.face, pixel % rules.width, pixel // rules.width, 1, at)
         depth = Barycentric(faces, quads, rules).depth
         found.append((depth.value, depth.low, depth.high))
-    return Bounded(*(np.concatenate(ends)[:, 0, 0] for ends in zip(*found, strict=True)))
+    value, low, high = (np.concatenate(ends)[:, 0, 0] for ends in zip(*found, strict=True))
+    return Bounded(value, low, high)
 
 
 def _most(corners: Floats) -> Floats:
