@@ -19,7 +19,7 @@ Severity = Literal["error", "warning", "note"]
 
 @frozen
 class Rule:
-    """One row of ``rules.py``: what all diagnostics of one kind have in common."""
+    """One row of ``rules``: what all diagnostics of one kind have in common."""
 
     code: str
     severity: Severity

@@ -21,7 +21,7 @@ from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
 from ..runner.frames.scenery import in_a_row
-from ..runner.kernels import drawable
+from ..runner.kernels import drawable, is_drawn
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..toolchain import Toolchain
@@ -131,7 +131,7 @@ class FramePlan:
         def shader(number: int) -> Shader:
             subject = self.subject.shaders[number]
             made = subject.shader if profile is None else subject.emitted(profile)
-            return to_targets(drawable(made), exact=False)
+            return to_targets(drawable(made), exact=False) if is_drawn(subject.reflection) else made
 
         def made() -> list[dict[str, Drawn]]:
             drawing = ReferenceFrames(self._host(self._meant), rules, errors, shader)

@@ -152,8 +152,10 @@ class Plan:
     def _wanted(
         self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
     ) -> Expected:
-        if not compares_neighbours(program.shader, rules):
-            # Which rows make a quad is all that the rules for some drivers differ in.
+        alone = program.shader.render_state.samples == 1
+        if alone and not compares_neighbours(program.shader, rules):
+            # Which rows make a quad, and where samples lie, is all that the rules for some drivers
+            # differ in.
             rules = replace(rules, bottom_up=False)
         key = program.text, id(state), rules, errors
         return self._expected.value(
@@ -280,8 +282,11 @@ def precise(rules: RasterRules) -> RasterRules:
 
 
 def to_targets(shader: Shader, *, exact: bool) -> Shader:
-    """The shader with the targets that a series draws to; ``exact`` ones hold every float."""
-    return changed(shader, results=tuple(_to_target(one, exact=exact) for one in shader.results))
+    """The shader with the targets that a series draws to; ``exact`` ones hold every float, and have
+    one sample for each pixel."""
+    state = changed(shader.render_state, samples=1) if exact else shader.render_state
+    results = tuple(_to_target(one, exact=exact) for one in shader.results)
+    return changed(shader, results=results, render_state=state)
 
 
 def _to_target(result: Result, *, exact: bool) -> Result:

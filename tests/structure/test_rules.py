@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from string import Formatter
 
 import pytest
@@ -32,6 +33,17 @@ def test_every_rule_is_reported_somewhere() -> None:
 def test_rules_stand_in_the_order_of_their_codes() -> None:
     codes = [rule.code for rule in RULES.values()]
     assert codes == sorted(set(codes))
+
+
+def test_each_section_has_a_file_of_its_own() -> None:
+    """No row stands in the file of another section, and none hides one of the same name."""
+    found: dict[str, str] = {}
+    for section in sorted(Path(rules.__file__).parent.glob("b0*.py")):
+        names = re.findall(r"^([A-Z_]+) = ", section.read_text("utf-8"), re.MULTILINE)
+        assert {RULES[name].code[:3] for name in names} == {section.name[:3].upper()}
+        assert not found.keys() & names
+        found |= dict.fromkeys(names, section.name)
+    assert found.keys() == RULES.keys()
 
 
 @pytest.mark.parametrize("rule", RULES.values(), ids=lambda rule: rule.code)

@@ -130,8 +130,8 @@ class RasterRules:
     """The binary places of the texel beyond a cube's corner, where the device is known to read the
     mean of the three around it, as Vulkan recommends; ``None``: it may read one of them."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters for levels and
-    derivatives."""
+    """Whether the device counts rows from below. Then a quad's first pixel is the lower left one,
+    which matters for levels and derivatives, and the samples of a pixel lie turned over."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
     Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
@@ -143,11 +143,18 @@ class RasterRules:
     drawn outside of it."""
     scissor: Area | None = None
     """To which part of the picture is drawn, likewise."""
+    samples: int = 1
+    """How many samples each pixel has."""
 
     @property
     def port(self) -> Area:
         """The viewport."""
         return (0, 0, self.width, self.height) if self.viewport is None else self.viewport
+
+    @property
+    def sample_count(self) -> int:
+        """How many samples the whole picture has."""
+        return self.width * self.height * self.samples
 
     @property
     def drawn(self) -> Area:

@@ -29,6 +29,8 @@ SIZE = f"{STEP}.size"
 _DEPTH = "depth"
 _DEPTH_FORMATS = {False: "depth32f", True: "depth32f_stencil8"}
 """Without and with stencil values."""
+_NEW = "undefined"
+"""What a texture is used as before anything is drawn to it."""
 _PLACE: Row = {"file": "", "line": 1, "column": 1, "length": 0}
 """Nobody has written the plan."""
 _IVEC2 = {"type": "ivec2", "representation": "ivec2"}
@@ -109,12 +111,19 @@ def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
         "textures": [],
         "results": [],
         "steps": [],
+        "end": {},
         "kept": [],
         "outputs": [],
     }
     _add_images(plan, reflection, is_kernel=is_kernel)
     _add_buffers(plan, reflection)
     plan["steps"] = [_run(plan) if is_kernel else _draw(plan, subject, background)]
+    use = "image" if is_kernel else "target"
+    pictures, buffers = _outputs(plan)
+    plan["end"] = {
+        "barriers": [_barrier(row, use, "sampled") for row in pictures],
+        "buffer_barriers": [_buffer_barrier(row, "written", "read") for row in buffers],
+    }
     return SingleFrame(subject.name, plan, (shader,))
 
 
@@ -192,7 +201,7 @@ def _add_images(plan: dict[str, Any], reflection: Row, *, is_kernel: bool) -> No
                 "level": 0,
             },
             "layers": layers["count"] if layers else 1, "levels": 1,
-            "uses": [use], "kept": False, "results": [result],
+            "uses": [use, "sampled"], "kept": False, "results": [result],
         })  # fmt: skip
         _add_output(plan, target, number)
 
@@ -246,9 +255,10 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
     return {
         "kind": "draw", "name": STEP, "pass": reflection["pass"], "only_first": False,
         "barriers": [
-            *(_barrier(row["texture"], "target") for row in targets),
-            *([_barrier(depth["texture"], _DEPTH)] if depth else []),
+            *(_barrier(row, _NEW, "target") for row in targets),
+            *([_barrier(depth, _NEW, _DEPTH)] if depth else []),
         ],
+        "buffer_barriers": [],
         "targets": targets,
         "depth": depth,
         "viewport": None, "scissor": None, "blend_constant": None,
@@ -281,19 +291,30 @@ def _value(plan: dict[str, Any], lanes: Sequence[float]) -> int:
 
 
 def _run(plan: dict[str, Any]) -> Row:
-    images = [row for row in plan["outputs"] if row["texture"] is not None]
-    buffers = [row for row in plan["outputs"] if row["texture"] is None]
+    images, buffers = _outputs(plan)
     return {
         "kind": "run", "name": STEP, "only_first": False, "shader": 0, "inputs": [],
-        "barriers": [_barrier(row["texture"], "image") for row in images],
+        "barriers": [_barrier(row, _NEW, "image") for row in images],
+        "buffer_barriers": [_buffer_barrier(row, _NEW, "written") for row in buffers],
         "images": [{key: row[key] for key in ("name", "result", "texture")} for row in images],
         "buffers": [{key: row[key] for key in ("name", "result")} for row in buffers],
         "source": _PLACE,
     }  # fmt: skip
 
 
-def _barrier(texture: int, to: str) -> Row:
-    return {"texture": texture, "from": "undefined", "to": to, "only_first": False}
+def _outputs(plan: dict[str, Any]) -> tuple[list[Row], list[Row]]:
+    """Those that are pictures, and those that are buffers."""
+    rows: list[Row] = plan["outputs"]
+    pictures = [row for row in rows if row["texture"] is not None]
+    return pictures, [row for row in rows if row["texture"] is None]
+
+
+def _barrier(row: Row, before: str, after: str) -> Row:
+    return {"texture": row["texture"], "from": before, "to": after, "only_first": False}
+
+
+def _buffer_barrier(row: Row, before: str, after: str) -> Row:
+    return {"result": row["result"], "from": before, "to": after, "only_first": False}
 
 
 def captures(frame: SingleFrame) -> bool:

@@ -1,0 +1,77 @@
+"""B00: files and the command line."""
+
+from __future__ import annotations
+
+from .row import error
+
+MISSING_FILE = error(
+    "B0001",
+    "there is no file `{path}`",
+    "Check the path: it is taken relative to the folder the command is run in.",
+)
+NOT_A_FILE = error(
+    "B0002",
+    "`{path}` is a folder, not a file",
+    "Name the `.burnish` files to compile; folders are not searched.",
+)
+UNREADABLE_FILE = error(
+    "B0003",
+    "`{path}` cannot be read: {reason}",
+    "The system does not allow this file to be read. Check its name, its permissions, and those of "
+    "the folders that it lies in.",
+)
+NOT_TEXT = error(
+    "B0004",
+    "`{path}` is not UTF-8 text: {reason}",
+    "Burnish files are UTF-8 text. Save the file as UTF-8, or check that it is the file you meant.",
+)
+TOO_LARGE = error(
+    "B0005",
+    "`{path}` is larger than {limit}",
+    "A material of this size is almost certainly not the file you meant. Generated text should be "
+    "split into several files that import each other.",
+)
+MISSING_IMPORT = error(
+    "B0006",
+    "cannot find `{path}`",
+    "`import std.lights` looks for `std/lights.burnish` along the search path; a quoted import is "
+    "taken relative to the importing file.",
+)
+IMPORT_ESCAPES = error(
+    "B0007",
+    "`{path}` leads out of the search path",
+    "Imports may not leave the folders of the search path: a material has to compile the same way "
+    "wherever it is checked out. Move the file inside, or add its folder to the search path.",
+)
+IMPORT_CYCLE = error(
+    "B0008",
+    "these files import each other: {cycle}",
+    "Imports must not form a cycle. Move what both files need into a third one.",
+)
+UNWRITABLE_OUTPUT = error(
+    "B0009",
+    "cannot write to `{path}`: {reason}",
+    "Output folders are made where needed; check that the place may be written to.",
+)
+UNKNOWN_TARGET = error(
+    "B0010",
+    "unknown target `{name}`",
+    "`burnish targets` lists the known targets. Separate several targets by commas.",
+)
+UNKNOWN_PROFILE = error(
+    "B0011",
+    "target `{target}` has no profile `{name}`",
+    "A profile is a version of a target's language, such as `glsl:es300`.",
+)
+UNKNOWN_EXPORT = error(
+    "B0012",
+    "`{path}` does not declare `{name}`",
+    "Only what a file declares itself can be imported from it, not what it imports in turn.",
+    of_absence=True,
+)
+MISSING_FOLDER = error(
+    "B0013",
+    "there is no folder `{path}` to look for imports in",
+    "The search path consists of the folders that `--include` or `search_path=` names. Check "
+    "their names.",
+)

@@ -1,0 +1,37 @@
+"""B07: what targets do not have, and the tools that check their texts."""
+
+from __future__ import annotations
+
+from .row import error, warning
+
+UNSUPPORTED = error(
+    "B0701",
+    "{target} has no {feature}",
+    "The target's language cannot express this, and no exact replacement is known.",
+)
+TOO_MANY = error(
+    "B0702",
+    "{count} {what}, but {target} has only {limit}",
+    "The limit is what every device of the target is guaranteed to have, and its compilers take.",
+)
+REJECTED = error(
+    "B0703",
+    "{checker} rejects `{file}`: {text}",
+    "Every text that Burnish writes should be accepted, so this is a fault of Burnish and not of "
+    "the material. Please report it together with the material.",
+)
+DOUBTED = warning(
+    "B0704",
+    "{checker} about `{file}`: {text}",
+    "The text was accepted, but with this remark.",
+)
+TOOL_BROKE = error(
+    "B0705",
+    "{checker} gives no answer about `{file}`: {reason}",
+    "The tool crashed or took too long. That is the tool's fault. The shader has not been checked.",
+)
+TOOL_MISSING = error(
+    "B0706",
+    "{checker} cannot check anything: {problem}",
+    "`burnish doctor` lists the tools, with a command that installs each missing one.",
+)

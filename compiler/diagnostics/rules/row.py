@@ -1,0 +1,15 @@
+"""How the files of this package declare a diagnostic: an error or a warning."""
+
+from __future__ import annotations
+
+from ..diagnostic import Rule
+
+
+def error(code: str, message: str, help: str, *, of_absence: bool = False) -> Rule:
+    """The row of an error; ``Rule`` explains the columns."""
+    return Rule(code, "error", message, help, of_absence)
+
+
+def warning(code: str, message: str, help: str) -> Rule:
+    """The row of a warning."""
+    return Rule(code, "warning", message, help)
