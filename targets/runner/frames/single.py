@@ -6,7 +6,7 @@ and passes that capture; who writes an engine can do the same with any reflectio
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -121,7 +121,7 @@ def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
     use = "image" if is_kernel else "target"
     pictures, buffers = _outputs(plan)
     plan["end"] = {
-        "barriers": [_barrier(row, use, "sampled") for row in pictures],
+        "barriers": [_barrier(row["texture"], use, "sampled") for row in pictures],
         "buffer_barriers": [_buffer_barrier(row, "written", "read") for row in buffers],
     }
     return SingleFrame(subject.name, plan, (shader,))
@@ -200,7 +200,7 @@ def _add_images(plan: dict[str, Any], reflection: Row, *, is_kernel: bool) -> No
                 "extent_of": STEP if is_kernel else None,
                 "level": 0,
             },
-            "layers": layers["count"] if layers else 1, "levels": 1,
+            "layers": layers["count"] if layers else 1, "levels": 1, "samples": 1,
             "uses": [use, "sampled"], "kept": False, "results": [result],
         })  # fmt: skip
         _add_output(plan, target, number)
@@ -238,6 +238,8 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
             target["clear"] = _value(plan, row["clear"])
     depth = None
     state = reflection["render_state"]
+    if state["samples"] > 1:
+        _draw_samples(plan, targets, state["samples"])
     stencil = state["stencil"] is not None
     if state[_DEPTH]["write"] or state[_DEPTH]["compare"] != "always":
         depth = _target(_DEPTH, len(plan["textures"]), layers, store=False)
@@ -248,15 +250,17 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
         plan["textures"].append({
             **plan["textures"][0],
             "format": _DEPTH_FORMATS[stencil],
+            "samples": state["samples"],
             "uses": [_DEPTH],
             "results": [depth["result"]],
         })  # fmt: skip
-        plan["results"].append(_result_row(depth["result"], depth["texture"], ""))
+        found = depth["texture"] if state["samples"] == 1 else None
+        plan["results"].append(_result_row(depth["result"], found, ""))
     return {
         "kind": "draw", "name": STEP, "pass": reflection["pass"], "only_first": False,
         "barriers": [
-            *(_barrier(row, _NEW, "target") for row in targets),
-            *([_barrier(depth, _NEW, _DEPTH)] if depth else []),
+            *(_barrier(number, _NEW, "target") for row in targets for number in _drawn_to(row)),
+            *([_barrier(depth["texture"], _NEW, _DEPTH)] if depth else []),
         ],
         "buffer_barriers": [],
         "targets": targets,
@@ -270,11 +274,29 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
     }  # fmt: skip
 
 
+def _draw_samples(plan: dict[str, Any], targets: Sequence[dict[str, Any]], samples: int) -> None:
+    """Have targets drawn with several samples, which are resolved to what they were drawn to."""
+    for target in targets:
+        resolved = target["texture"]
+        target["resolve"] = {"texture": resolved, "layer": 0, "level": 0}
+        target["texture"], target["store"] = len(plan["textures"]), False
+        plan["textures"].append(
+            {**plan["textures"][resolved], "samples": samples, "uses": ["target"]}
+        )
+
+
+def _drawn_to(target: Row) -> Iterator[int]:
+    """The textures to which something is written."""
+    yield target["texture"]
+    if target["resolve"] is not None:
+        yield target["resolve"]["texture"]
+
+
 def _target(name: str, texture: int, layers: Row | None, *, store: bool) -> dict[str, Any]:
     return {
         "name": name, "result": f"{STEP}.{name}", "texture": texture,
         "layer": None if layers else 0, "level": 0, "load": "clear", "clear": None, "store": store,
-        "over": None,
+        "resolve": None, "over": None,
     }  # fmt: skip
 
 
@@ -294,7 +316,7 @@ def _run(plan: dict[str, Any]) -> Row:
     images, buffers = _outputs(plan)
     return {
         "kind": "run", "name": STEP, "only_first": False, "shader": 0, "inputs": [],
-        "barriers": [_barrier(row, _NEW, "image") for row in images],
+        "barriers": [_barrier(row["texture"], _NEW, "image") for row in images],
         "buffer_barriers": [_buffer_barrier(row, _NEW, "written") for row in buffers],
         "images": [{key: row[key] for key in ("name", "result", "texture")} for row in images],
         "buffers": [{key: row[key] for key in ("name", "result")} for row in buffers],
@@ -309,8 +331,8 @@ def _outputs(plan: dict[str, Any]) -> tuple[list[Row], list[Row]]:
     return pictures, [row for row in rows if row["texture"] is None]
 
 
-def _barrier(row: Row, before: str, after: str) -> Row:
-    return {"texture": row["texture"], "from": before, "to": after, "only_first": False}
+def _barrier(texture: int, before: str, after: str) -> Row:
+    return {"texture": texture, "from": before, "to": after, "only_first": False}
 
 
 def _buffer_barrier(row: Row, before: str, after: str) -> Row:
