@@ -2,14 +2,14 @@
 
 import { bytesOf, halved } from "./bytes.js";
 import type {
-  Camera, FramePackage, Light, Model, PackagedShader, Plan, PlanDraw, PlanDrawn, PlanInput, PlanRun,
+  Camera, FramePackage, Model, PackagedShader, Plan, PlanDraw, PlanDrawn, PlanInput, PlanRun,
   PlanTarget, PlanUse, Value,
 } from "./generated/documents.js";
 import { bareMesh, checkLevels, meshOf, type Mesh } from "./geometry.js";
 import type { Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer } from "./renderer.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
 import { settingsOf } from "./settings.js";
-import { Values } from "./values.js";
+import { Values, type LightRow } from "./values.js";
 
 const VERSION = 1;
 /** How many frames are told apart, and how many vertices: as many as float32 can. */
@@ -265,7 +265,7 @@ export class PlanFrame<Texture, Buffer> {
 
   /** The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it is
    * that of something else as well. */
-  private light(entry: string): Light | undefined {
+  private light(entry: string): LightRow | undefined {
     const { rig, lights } = this.plan;
     return lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
   }

@@ -1,16 +1,17 @@
 // Named values of a frame or a shader, and the bytes of uniform blocks that they become.
 
 import type {
-  Buffer, Derived, Light, Member, Parameter, Reflection, Step, Value,
+  Buffer, Derived, Member, Parameter, Reflection, Step, Value,
 } from "./generated/documents.js";
 import { compute, kindOf, type Datum, type Inputs } from "./steps.js";
 
 /** What of a plan or a reflection says which values there are. */
 export type Declarations = {
   parameters: Parameter[];
-  lights: Light[];
   buffers: Buffer[];
-} & Pick<Reflection, "blocks" | "derived">;
+} & Pick<Reflection, "blocks" | "derived" | "lights">;
+
+export type LightRow = Reflection["lights"][number];
 
 /** A value, and where its lanes are. */
 type Placed = Pick<Member, "name" | "representation" | "layout"> &
@@ -126,7 +127,7 @@ export class Values {
     return undefined;
   }
 
-  private lightOf(name: string): Light | undefined {
+  private lightOf(name: string): LightRow | undefined {
     return this.declared.lights.find((each) => each.name === name && each.capacity === null);
   }
 }
