@@ -154,3 +154,10 @@ AREA_OUTSIDE = error(
     "and height, counted from the upper left corner. Those that are known only when the frame is "
     "drawn are checked then.",
 )
+BLEND_CONSTANT_UNUSED = error(
+    "B0825",
+    "no target of `{step}` is blended by a constant",
+    "`blend_constant` is what the factors `constant` and `one_minus_constant` mean. A pass says "
+    "them: `target color : rgba16f = e blend { source = constant, destination = "
+    "one_minus_constant }`.",
+)
