@@ -9,17 +9,16 @@ from . import formats
 from .drawing import draw, draw_onto, expected_on, written_by
 from .hulls import Hulls
 from .resolve import Canvas
-from .scene import Expected, Geometry, RasterRules, Texels, instanced
-from .stage_evaluation import compares_neighbours
+from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
 
 __all__ = [
     "Canvas",
+    "Counted",
     "Expected",
     "Geometry",
     "Hulls",
     "RasterRules",
     "Texels",
-    "compares_neighbours",
     "draw",
     "draw_onto",
     "expected_on",

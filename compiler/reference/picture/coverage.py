@@ -90,6 +90,14 @@ def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
     )
 
 
+def has_level_edges(faces: Faces) -> bool:
+    """Whether the middles of pixels may lie exactly on a level edge, so that it counts which of two
+    faces owns them."""
+    x, y = faces.x, faces.y
+    is_level = (y == np.roll(y, -1, axis=1)) & (x != np.roll(x, -1, axis=1))
+    return bool((is_level & (y % 1.0 == 0.5)).any())
+
+
 def _covered(faces: Faces, edges: _Edges, spans: _Spans, rules: RasterRules) -> Coverage:
     """Which pixels of some spans are covered."""
     face = np.repeat(spans.face, spans.length)

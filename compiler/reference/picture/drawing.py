@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,12 +14,24 @@ from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
 from .copies import place_numbers
-from .coverage import Coverage, Fragments, coverage_of, joined
+from .coverage import Coverage, Fragments, coverage_of, has_level_edges, joined
 from .faces import Faces
 from .hulls import Hulls
+from .lines import LineFaces
 from .quads import Barycentric, Quads, depths_of, out_of_range, quads_of
 from .resolve import BLACK, Canvas, Shades, nearest, with_missing
-from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
+from .scene import (
+    LEVEL_EDGES,
+    LINES,
+    NEIGHBOURS,
+    Bools,
+    Expected,
+    Floats,
+    Geometry,
+    Ints,
+    RasterRules,
+    Texels,
+)
 from .stage_evaluation import StageEvaluator, Vertices
 from .stencil import StencilTest
 
@@ -107,6 +119,7 @@ def expected_on(
         high=tuple(picture(_known(target[2], np.inf)) for target in canvas.targets),
         layers=canvas.layers.reshape(shape),
         broken=broken,
+        counted=canvas.counted,
     )
 
 
@@ -147,6 +160,16 @@ class _Drawing:
         )
         """Whether of several fragments at a pixel only the nearest one counts."""
         self._canvas = canvas
+        canvas.counted |= rules.counted(self._rare())
+
+    def _rare(self) -> Iterator[str]:
+        """The names of the rare rules on which this draw hangs."""
+        if isinstance(self._faces, LineFaces):
+            yield from LINES
+        if has_level_edges(self._faces):
+            yield from LEVEL_EDGES
+        if self._stages.side > 1:
+            yield from NEIGHBOURS
 
     @property
     def broken(self) -> frozenset[int]:

@@ -19,6 +19,7 @@ from ....compiler.ir.shader import Shader
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
     Canvas,
+    Counted,
     Expected,
     Hulls,
     RasterRules,
@@ -105,6 +106,8 @@ class ReferenceFrames:
     """How many have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
     buffers: dict[str, bytes] = field(default_factory=dict)
+    counted: Counted = frozenset()
+    """The rare rules on which it hangs what has been drawn so far."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -195,6 +198,7 @@ class ReferenceFrames:
         for draw in draws:
             self._onto(canvas, hulls, draw, rules, layer)
         self._store(canvas, hulls, step, layer, rules)
+        self.counted |= canvas.counted
 
     def _shader(self, number: int) -> Shader:
         if self.shader_of is not None:
