@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .console import remark
 from .failures import fail
@@ -14,14 +14,10 @@ if TYPE_CHECKING:
     from ..targets.runner.instances.instance import Instance
 
 
-def is_over_buffers(reflection: Mapping[str, Any]) -> bool:
-    """Whether something compiled is a kernel over buffers, which has no picture of its own."""
-    return bool(reflection["results"]) and reflection["capture"] is None
-
-
 def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
     """The kernels over buffers among what a file declares: each once, whatever the rigs are."""
     from ..targets.runner.feeding import Kernel
+    from ..targets.runner.kernels import is_over_buffers
 
     found = {each.name: each for each in materials if is_over_buffers(each.reflection)}
     return [Kernel(material, material.instance()) for material in found.values()]

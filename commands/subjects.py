@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from .console import remark, show
 from .failures import fail
-from .kernels import feed, is_over_buffers, kernels_of
+from .kernels import feed, kernels_of
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial
@@ -86,10 +86,12 @@ def subjects(
     which part of their steps is done. Warnings and notes are printed. An error in a material, a
     value or a name is raised, or ends the command.
     """
+    from ..targets.runner.kernels import is_drawn, is_over_buffers
+
     compiled = list(_compiled(request, routes))
     kernels = kernels_of(_all_of_file(request, [material for _titles, material in compiled]))
     pictures = [pair for pair in compiled if not is_over_buffers(pair[1].reflection)]
-    drawn_ones = [pair for pair in pictures if pair[1].reflection["capture"] is None]
+    drawn_ones = [pair for pair in pictures if is_drawn(pair[1].reflection)]
     if pictures and not drawn_ones:
         _refuse_captures(pictures)
     found = [(titles, material, _scene_state(material, request)) for titles, material in drawn_ones]

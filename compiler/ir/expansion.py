@@ -18,12 +18,43 @@ StripShape = Literal["strip", "list", "line", "points"]
 
 
 @frozen
+class StripKind:
+    """What all strips of one shape have in common."""
+
+    emits: DrawnPrimitive
+    """What the vertices are."""
+    is_joined: bool
+    """Whether each primitive but the first consists of one vertex more, and of what came before."""
+
+    @property
+    def corners(self) -> int:
+        """How many vertices each primitive has."""
+        return CORNERS[self.emits]
+
+    @property
+    def step(self) -> int:
+        """How many vertices further each primitive begins."""
+        return 1 if self.is_joined else self.corners
+
+    def is_whole(self, vertices: int) -> bool:
+        """Whether so many vertices are a whole number of primitives, and at least one."""
+        return vertices >= self.corners and (vertices - self.corners) % self.step == 0
+
+
+STRIP_KINDS: Mapping[StripShape, StripKind] = {
+    "strip": StripKind("triangle", is_joined=True),
+    "list": StripKind("triangle", is_joined=False),
+    "line": StripKind("line", is_joined=True),
+    "points": StripKind("point", is_joined=False),
+}
+"""Points are emitted only by a pass that captures them."""
+
+
+@frozen
 class EmittedStrips:
     """One group of strips."""
 
     shape: StripShape
-    """Triangles that each share two vertices with the one before, or that share none; lines from
-    each vertex to the next one; or points, which only a pass can emit that captures them."""
     vertices: int
     """Of each strip."""
     strips: int
@@ -34,23 +65,19 @@ class EmittedStrips:
     """What the number of a vertex in its strip is called."""
 
     @property
-    def triangles(self) -> int:
-        """Of each strip."""
-        whole = {"strip": self.vertices - 2, "list": self.vertices // 3}
-        return whole.get(self.shape, 0)
+    def kind(self) -> StripKind:
+        """What it shares with others of its shape."""
+        return STRIP_KINDS[self.shape]
 
     @property
-    def emits(self) -> DrawnPrimitive:
-        """What its vertices are."""
-        emitted: Mapping[StripShape, DrawnPrimitive] = {"line": "line", "points": "point"}
-        return emitted.get(self.shape, "triangle")
+    def primitives(self) -> int:
+        """Of each strip."""
+        return max((self.vertices - self.kind.corners) // self.kind.step + 1, 0)
 
     @property
     def listed_each(self) -> int:
         """How many vertices each strip has as a list of triangles, of lines, or of points."""
-        if self.shape == "line":
-            return 2 * (self.vertices - 1)
-        return self.vertices if self.shape == "points" else 3 * self.triangles
+        return self.kind.corners * self.primitives
 
     @property
     def listed(self) -> int:
@@ -87,7 +114,7 @@ class Expansion:
     @property
     def emits(self) -> DrawnPrimitive:
         """What the emitted vertices are; all groups agree in that."""
-        return self.groups[0].emits
+        return self.groups[0].kind.emits
 
     @property
     def starts(self) -> tuple[int, ...]:

@@ -7,6 +7,7 @@ read.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from operator import itemgetter
 
@@ -46,6 +47,14 @@ def placed(shader: Shader, is_there: Node, position: Node) -> Node:
     value = shader.graph.node("select", VEC4, (is_there, position, nowhere))
     shader.notes.names.setdefault(value.id, "placed")
     return value
+
+
+def at_number(graph: Graph, names: dict[int, str], values: Sequence[Node], number: Node) -> Node:
+    """The one of the values at all corners that a number says."""
+    if number.operands:  # Else it has a name, or is a variable of a loop.
+        names.setdefault(number.id, "corner")
+    whole = graph.node("array", Array(values[0].type, len(values)), tuple(values))
+    return build.index(graph, whole, number)
 
 
 class CornerInputs:
@@ -103,9 +112,8 @@ class CornerInputs:
             return self._input(place, 0)
         if number.op == "constant" and isinstance(number.data, int):
             return self._input(place, number.data)
-        found = tuple(self._input(place, corner) for corner in range(self._corners))
-        whole = self._graph.node("array", Array(leaf.type, len(found)), found)
-        return build.index(self._graph, whole, number)
+        found = [self._input(place, corner) for corner in range(self._corners)]
+        return at_number(self._graph, self._notes.names, found, number)
 
     def _input(self, place: int, corner: int) -> Node:
         info = self._infos[place]

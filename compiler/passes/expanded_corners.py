@@ -11,8 +11,8 @@ from ..ir.expansion import Expansion
 from ..ir.node import Node
 from ..ir.shader import AttributeInfo, Result, Shader
 from ..ir.tessellation import Tessellation
-from ..ir.types import INT, UINT, Array, Type
-from .corner_inputs import VERTEX_INDEX, CornerInputs, listed_vertex
+from ..ir.types import INT, UINT, Type
+from .corner_inputs import VERTEX_INDEX, CornerInputs, at_number, listed_vertex
 from .patch_vertices import PatchVertices, levels_of, most_cells
 
 
@@ -90,9 +90,8 @@ class CellCorners:
         if number.op == "constant" and isinstance(number.data, int):
             return self._known_place(number.data)
         if number not in self._places:
-            found = tuple(map(self._known_place, range(self._patches.kind.cell)))
-            whole = self._graph.node("array", Array(found[0].type, len(found)), found)
-            place = self._places[number] = build.index(self._graph, whole, number)
+            found = [*map(self._known_place, range(self._patches.kind.cell))]
+            place = self._places[number] = at_number(self._graph, self._names, found, number)
             self._names.setdefault(place.id, self._patches.kind.coordinate.name)
         return self._places[number]
 

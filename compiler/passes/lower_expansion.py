@@ -206,19 +206,21 @@ class EmittedNumbers:
         group, place = self._groups[number], self._within(number)
         if group.strips > 1:
             place = self._call("mod", place, self._number(group.listed_each))
-        if group.shape == "line" and group.vertices > 2:
-            part, end = (self._call(name, place, self._number(2)) for name in ("div", "mod"))
-            return self._call("add", part, end)
-        if group.shape != "strip" or group.triangles == 1:
+        if not group.kind.is_joined or group.primitives == 1:
             return place
-        triangle = self._call("div", place, self._number(3))
-        corner = self._call("mod", place, self._number(3))
-        # In every second triangle of a strip, the vertices after the first one are exchanged.
+        corners = self._number(group.kind.corners)
+        primitive, corner = (self._call(name, place, corners) for name in ("div", "mod"))
+        if group.kind.emits == "triangle":
+            corner = self._turned(primitive, corner)
+        return self._call("add", primitive, corner)
+
+    def _turned(self, triangle: Node, corner: Node) -> Node:
+        """A corner of a triangle of a strip: in every second one, those after the first are
+        exchanged."""
         odd = self._call("mod", triangle, self._number(2))
         is_later = (self._call("ne", number, self._number(0)) for number in (odd, corner))
         turned = self._call("sub", self._number(3), corner)
-        corner = self._graph.node("select", INT, (self._call("and", *is_later), turned, corner))
-        return self._call("add", triangle, corner)
+        return self._graph.node("select", INT, (self._call("and", *is_later), turned, corner))
 
     def _number(self, value: int) -> Node:
         return build.constant(self._graph, INT, value)

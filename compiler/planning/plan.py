@@ -7,10 +7,10 @@ writes what comes of it as JSON.
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator, Mapping
-from typing import Literal
 
-from ...frozen import changed, fresh, frozen, record
-from ..ir.frame import Attachment, Frame, Image, KernelStep, RenderStep, Step
+from ...frozen import changed, frozen, record
+from ..ir.frame import Attachment, Elements, Frame, Image, KernelStep, RenderStep, Step
+from .barriers import BufferState, State, Waiting, Waits
 from .lifetimes import (
     ALWAYS,
     Left,
@@ -23,33 +23,16 @@ from .lifetimes import (
 from .stencils import Stencils
 from .unchanging import unchanging
 
-State = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
-"""What a texture is used as: drawn to, written by a kernel, read, copied. At first it has no
-contents: ``undefined``."""
-
-_WRITES = frozenset(("target", "depth", "image", "copied_to"))
-"""Uses behind which even the same use has to wait."""
-
 
 @record
 class PlannedTexture:
     """A texture that the host makes, for one result after the other."""
 
     images: list[Image]
-    uses: dict[State, None] = fresh(factory=dict)
+    uses: tuple[State, ...] = ()
+    """All that it is used as, also where it is exchanged with the one that the last frame left."""
     kept: bool = False
     """Whether its contents are needed in the next frame."""
-
-
-@frozen(eq=False)
-class Barrier:
-    """A texture that is used in another way from here on."""
-
-    texture: int
-    before: State
-    after: State
-    only_first: bool
-    """Whether the texture is used in the first frame only."""
 
 
 @frozen(eq=False)
@@ -82,7 +65,8 @@ class PlannedStep:
     """A step of the plan."""
 
     step: Step | Copy
-    barriers: tuple[Barrier, ...]
+    waiting: Waiting
+    """What is waited for before it."""
     targets: tuple[Target, ...] = ()
     depth: Target | None = None
     only_first: bool = False
@@ -120,6 +104,8 @@ class Plan:
     stencils: Stencils
     steps: tuple[PlannedStep, ...]
     kept: tuple[Kept, ...]
+    end: Waiting
+    """What is waited for behind the last step, so that the host and the next frame can read."""
 
 
 def plan(frame: Frame, *, shares: bool = True) -> Plan:
@@ -137,13 +123,19 @@ class _Planning:
         self._textures: list[PlannedTexture] = []
         self._texture_of: dict[Image, int] = {}
         self._free: dict[Hashable, list[int]] = {}
-        self._states: dict[int, State] = {}
+        self._waits = Waits(self._is_rare)
         self._drawn: set[tuple[Image, int | None, int]] = set()
         """Layers and levels that have been drawn to."""
         self._rare = only_first(frame) | unchanging(frame)
         """The names of the steps of the first frame only."""
         self._rare_textures: set[int] = set()
         """Theirs, which nothing else shares: these steps may be left out."""
+        self._rare_buffers = {
+            left
+            for step in frame.steps
+            for left in written_by(step)
+            if step.name in self._rare and isinstance(left, Elements)
+        }
 
     def plan(self) -> Plan:
         kept = tuple(self._kept(left) for left in self._lifetimes.kept)
@@ -157,6 +149,8 @@ class _Planning:
                 planned = changed(planned, continues=True)
             steps.append(planned)
             self._release(number, step)
+        end = self._waits.before(self._images_left(), self._buffers_left())
+        self._join_uses(kept)
         return Plan(
             self._frame,
             tuple(self._textures),
@@ -165,7 +159,12 @@ class _Planning:
             self._stencils,
             tuple(steps),
             kept,
+            end,
         )
+
+    def _is_rare(self, used: int | Elements) -> bool:
+        """Whether a texture, or a buffer, is used in the first frame only."""
+        return used in (self._rare_buffers if isinstance(used, Elements) else self._rare_textures)
 
     # --- textures ---
 
@@ -176,14 +175,24 @@ class _Planning:
         for number in (texture, previous):
             self._textures[number].kept = True
         self._texture_of[left] = texture
-        self._states[previous] = "sampled"
-        self._textures[previous].uses["sampled"] = None
+        self._waits.add(previous, "sampled")
         return Kept(left, texture, previous)
 
     def _new(self, image: Image) -> int:
         self._textures.append(PlannedTexture([image]))
-        self._states[len(self._textures) - 1] = "undefined"
+        self._waits.add(len(self._textures) - 1)
         return len(self._textures) - 1
+
+    def _join_uses(self, kept: Iterable[Kept]) -> None:
+        """Say what each texture is used as; of two that are exchanged, what either is."""
+        uses = self._waits.uses
+        for number, texture in enumerate(self._textures):
+            texture.uses = tuple(uses[number])
+        for each in kept:
+            if each.texture is not None and each.previous is not None:
+                joined = tuple({**uses[each.texture], **uses[each.previous]})
+                for number in (each.texture, each.previous):
+                    self._textures[number].uses = joined
 
     def _key(self, image: Image) -> Hashable:
         """What two images have in common that can share a texture."""
@@ -259,18 +268,18 @@ class _Planning:
         )  # fmt: skip
         self._drawn |= {(copy.into, layer, level) for image, layer, level in self._drawn
                         if image is copy.image}  # fmt: skip
-        barriers = self._barriers((self._texture_of[i], state) for state, i in states)
-        return PlannedStep(copy, barriers, only_first=is_rare)
+        used = ((self._texture_of[i], state) for state, i in states)
+        return PlannedStep(copy, self._waits.before(used, ()), only_first=is_rare)
 
     def _planned(self, number: int, step: Step) -> PlannedStep:
-        barriers = self._barriers(self._used(step))
+        waiting = self._waits.before(self._used(step), _buffers_used(step))
         targets = [self._target(number, each) for each in attachments_of(step)]
         for target in targets:
             attachment = target.attachment
             self._drawn.add((attachment.image, attachment.layer, attachment.level))
         has_depth = not isinstance(step, KernelStep) and step.depth is not None
         depth = targets.pop() if has_depth else None
-        return PlannedStep(step, barriers, tuple(targets), depth, step.name in self._rare)
+        return PlannedStep(step, waiting, tuple(targets), depth, step.name in self._rare)
 
     def _target(self, number: int, attachment: Attachment) -> Target:
         image = attachment.image
@@ -303,15 +312,32 @@ class _Planning:
         if step.depth is not None:
             yield self._texture_of[step.depth.image], "depth"
 
-    def _barriers(self, used: Iterable[tuple[int, State]]) -> tuple[Barrier, ...]:
-        found = []
-        for texture, state in dict.fromkeys(used):
-            before = self._states[texture]
-            self._textures[texture].uses[state] = None
-            if before != state or before in _WRITES:
-                found.append(Barrier(texture, before, state, texture in self._rare_textures))
-            self._states[texture] = state
-        return tuple(found)
+    # --- what is left ---
+
+    def _images_left(self) -> Iterator[tuple[int, State]]:
+        """The textures that the host or the next frame reads."""
+        for left in self._left():
+            if isinstance(left, Image):
+                yield self._texture_of[left], "sampled"
+
+    def _buffers_left(self) -> Iterator[tuple[Elements, BufferState]]:
+        """Likewise."""
+        for left in self._left():
+            if isinstance(left, Elements):
+                yield left, "read"
+
+    def _left(self) -> Iterator[Left]:
+        yield from (output.source for output in self._frame.outputs)
+        yield from self._lifetimes.kept
+
+
+def _buffers_used(step: Step) -> Iterator[tuple[Elements, BufferState]]:
+    for left in read_by(step):
+        if isinstance(left, Elements):
+            yield left, "read"
+    if isinstance(step, KernelStep):
+        for elements in step.buffers.values():
+            yield elements, "written"
 
 
 def _draws_on(before: PlannedStep, planned: PlannedStep) -> bool:
@@ -327,5 +353,6 @@ def _draws_on(before: PlannedStep, planned: PlannedStep) -> bool:
         and before.only_first == planned.only_first
         and all(layer is not None for _, layer, _ in places)
         and all(each.loads for each in every)
-        and {barrier.texture for barrier in planned.barriers} <= {texture for texture, *_ in places}
+        and not planned.waiting.buffers
+        and {each.texture for each in planned.waiting.textures} <= {place[0] for place in places}
     )

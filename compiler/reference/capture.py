@@ -215,11 +215,11 @@ def _numbered(expansion: Expansion, primitives: int) -> dict[str, Ints]:
 
 def _listed(group: EmittedStrips) -> Sequence[int]:
     """The vertices of a strip as a list of triangles, in Vulkan's order; of lines; or of points."""
-    if group.shape == "line":
-        return [end for start in range(group.vertices - 1) for end in (start, start + 1)]
-    if group.shape != "strip":
+    if not group.kind.is_joined:
         return range(group.vertices)
-    triangles = range(group.triangles)
+    if group.kind.emits == "line":
+        return [n for line in range(group.primitives) for n in (line, line + 1)]
+    triangles = range(group.primitives)
     return [n for t in triangles for n in (t, t + 1 + t % 2, t + 2 - t % 2)]
 
 

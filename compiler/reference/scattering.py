@@ -7,7 +7,8 @@ invocation joins, a device may have any of the results.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from ..ir.kernel import ScatterOperator, ends, neutral
 from ..ir.shader import Store
 from ..ir.types import INT
 from .bounds import Bounded
+from .runs import added_to_runs, joined_with_runs
 
 Array = NDArray[Any]
 
@@ -38,69 +40,79 @@ def joined(
     assert operator is not None
     signed = store.buffer.type.element == INT
     start = np.full(length, neutral(operator, signed=signed), np.int64)
-    exact, low, high = start.copy(), start.copy(), start.copy()
+    found = start.copy()
     values, places = _integers(value.value), _integers(place.value)
     chosen = np.asarray(condition.value, np.bool_) & (places >= 0) & (places < length)
-    JOINING[operator].at(exact, places[chosen], values[chosen])
-    certain = _certain(value, place, condition)
-    sure = chosen & certain
-    JOINING[operator].at(low, places[sure], values[sure])
-    JOINING[operator].at(high, places[sure], values[sure])
-    everything = ends(signed=signed)
-    for at in np.flatnonzero(~certain):
-        for element in _possible(place, condition, int(at), length):
-            joining = int(value.low[at]), int(value.high[at])
-            low[element], high[element] = _widened(
-                operator, (int(low[element]), int(high[element])), joining, everything
-            )
-    least, most = everything
-    around = (low < least) | (high > most)
-    if (low != high).any():
-        low, high = np.where(around, least, low), np.where(around, most, high)
+    JOINING[operator].at(found, places[chosen], values[chosen])
+    joins = _Joins.of(length, value, place, condition)
+    low, high = _ends(operator, start, joins, ends(signed=signed))
     return (
-        _wrapped(exact, signed=signed),
+        _wrapped(found, signed=signed),
         _wrapped(low, signed=signed),
         _wrapped(high, signed=signed),
     )
 
 
+@dataclass(frozen=True, slots=True)
+class _Joins:
+    """What the invocations may join that join anything."""
+
+    low: Array
+    high: Array
+    """Between which numbers the value is."""
+    first: Array
+    last: Array
+    """Between which elements the one is that it is joined with."""
+    certain: Array
+    """Whether it is joined for certain, and with which element."""
+
+    @classmethod
+    def of(cls, length: int, value: Bounded, place: Bounded, condition: Bounded) -> _Joins:
+        low, high = _integers(value.low), _integers(value.high)
+        least, most = _integers(place.low), _integers(place.high)
+        first, last = np.maximum(least, 0), np.minimum(most, length - 1)
+        here = np.asarray(condition.high, np.bool_) & (first <= last)
+        certain = np.asarray(condition.low, np.bool_) & (least == most)
+        return cls(*(each[here] for each in (low, high, first, last, certain)))
+
+    def chosen(self, which: Array) -> _Joins:
+        """Some of them."""
+        every = (self.low, self.high, self.first, self.last, self.certain)
+        return _Joins(*(each[which] for each in every))
+
+
+def _ends(
+    operator: ScatterOperator, start: Array, joins: _Joins, everything: tuple[int, int]
+) -> tuple[Array, Array]:
+    """The least and the most that elements may become."""
+    certain = joins.certain
+    if operator in ("and", "or"):
+        # The bits of a number that is between two others may be anything.
+        certain = certain & (joins.low == joins.high)
+    sure, may = joins.chosen(certain), joins.chosen(~certain)
+    low, high = start.copy(), start.copy()
+    JOINING[operator].at(low, sure.first, sure.low)
+    JOINING[operator].at(high, sure.first, sure.high)
+    least, most = everything
+    match operator:
+        case "add":
+            low = added_to_runs(low, may.first, may.last, np.minimum(may.low, 0))
+            high = added_to_runs(high, may.first, may.last, np.maximum(may.high, 0))
+        case "min":
+            low = joined_with_runs(np.minimum, most, low, may.first, may.last, may.low)
+        case "max":
+            high = joined_with_runs(np.maximum, least, high, may.first, may.last, may.high)
+        case "and" | "or":
+            ones = np.ones_like(may.first)
+            touched = added_to_runs(np.zeros_like(start), may.first, may.last, ones) > 0
+            low, high = np.where(touched, least, low), np.where(touched, most, high)
+    around = (low != high) & ((low < least) | (high > most))
+    return np.where(around, least, low), np.where(around, most, high)
+
+
 def _integers(values: Any) -> Array:
     made: Array = np.asarray(values).astype(np.int64)
     return made
-
-
-def _certain(value: Bounded, place: Bounded, condition: Bounded) -> Array:
-    """Which invocations do the same on every device."""
-    holds = np.asarray(condition.low, np.bool_) == np.asarray(condition.high, np.bool_)
-    never: Array = ~np.asarray(condition.high, np.bool_)
-    same = _integers(value.low) == _integers(value.high)
-    there: Array = same & (_integers(place.low) == _integers(place.high))
-    certain: Array = never | (holds & there)
-    return certain
-
-
-def _possible(place: Bounded, condition: Bounded, at: int, length: int) -> Iterator[int]:
-    """The elements that an invocation may choose."""
-    if np.asarray(condition.high)[at]:
-        first, last = max(int(place.low[at]), 0), min(int(place.high[at]), length - 1)
-        yield from range(first, last + 1)
-
-
-def _widened(
-    operator: ScatterOperator,
-    known: tuple[int, int],
-    value: tuple[int, int],
-    everything: tuple[int, int],
-) -> tuple[int, int]:
-    """The ends of an element with which a value may be joined, or not."""
-    low, high = known
-    if operator == "add":
-        return low + min(0, value[0]), high + max(0, value[1])
-    if operator == "min":
-        return min(low, value[0]), high
-    if operator == "max":
-        return low, max(high, value[1])
-    return everything
 
 
 def _wrapped(values: Array, *, signed: bool) -> Array:

@@ -6,8 +6,9 @@ is the value of the ``buffer`` leaf.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..ir.leaves import Buffer
 from ..ir.storage import (
+    LANE,
     ROW,
     byte_size,
     element_stride,
@@ -33,23 +35,27 @@ from ..ir.types import (
     Type,
     Vector,
 )
-from .bounds import Bounded, exact, given, hull
+from .bounds import Bounded, between, given, remembered
 from .namespace import Lanes
+from .runs import Extremes
 
 Table = Any
-"""An element with a column for each lane, which holds that lane of all elements."""
+"""An element with a ``_Column`` for each lane, which holds that lane of all elements."""
 
 _KINDS: Mapping[ScalarKind, str] = {"float": "<f4", "int": "<i4", "uint": "<u4", "bool": "<u4"}
-
-FEW = 16
-"""Elements that are looked at one by one, where rounding may choose between some."""
+_NUMBERS: Mapping[ScalarKind, type] = {"float": np.float64, "bool": np.bool_}
+"""The types of arrays for numbers; for all others it is ``int64``."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """The bytes of a storage buffer, at least one element of them."""
+    """What a storage buffer holds: at least one element."""
 
     data: bytes
+    ends: NDArray[np.float64] | None = None
+    """Of what a kernel has written: for each four bytes the number that they stand for, and between
+    which numbers that of a device is, (3, words). It is not rounded to 32 bits, and float64 has
+    every integer of 32 bits. Without it, devices have just what ``data`` says."""
 
 
 class BufferReader:
@@ -61,42 +67,23 @@ class BufferReader:
         is_stored = type_ == stored_type(leaf.type) and type_ != leaf.type
         stride = byte_size(type_.element) if is_stored else element_stride(leaf.type.element)
         self._rows = np.frombuffer(contents.data, np.uint8).reshape(-1, stride)
+        ends = contents.ends
+        self._ends = None if ends is None else ends.reshape(len(ends), -1, stride // LANE)
         self._table: Table = self._lanes(type_.element, 0, is_stored=is_stored)
 
     def element(self, position: Any) -> Lanes:
-        """The elements at these positions, which lie within bounds or do not matter."""
-        if not isinstance(position, Bounded):
-            return self._taken(position)
-        if position.is_exact:
-            return self._exactly(position.value)
-        return self._between(position)
+        """The elements at these positions, which lie within bounds or do not matter.
 
-    # --- positions --------------------------------------------------------------------------------
-
-    def _taken(self, position: Any) -> Lanes:
-        at = np.clip(np.asarray(position), 0, len(self._rows) - 1)
-        if at.ndim:
-            taken: Lanes = _mapped(self._table, lambda column: column[at])
-        else:
-            taken = _mapped(self._table, lambda column: column[at].item())
-        return taken
-
-    def _exactly(self, position: Any) -> Lanes:
-        lanes: Lanes = _mapped(self._taken(position), given)
-        return lanes
-
-    def _between(self, position: Bounded) -> Lanes:
-        """Where rounding may tip which element is read: any of them."""
+        Where rounding may tip which element is read, it may be any of them.
+        """
         last = len(self._rows) - 1
-        low, high = (np.clip(end, 0, last) for end in (position.low, position.high))
-        found: Lanes = self._exactly(position.value)
-        if (high - low).max() > FEW:
-            ends = _mapped(self._table, lambda column: (column.min(), column.max()))
-            whole: Lanes = _joined(found, ends)
-            return whole
-        for step in range(int((high - low).max()) + 1):
-            found = _hulls(found, self._exactly(np.minimum(low + step, high)))
-        return found
+        lanes: Lanes
+        if isinstance(position, Bounded):
+            lanes = _mapped(self._table, lambda column: column.bounded(position, last))
+        else:
+            at = np.clip(np.asarray(position), 0, last)
+            lanes = _mapped(self._table, lambda column: column.plain(at))
+        return lanes
 
     # --- elements ---------------------------------------------------------------------------------
 
@@ -105,7 +92,7 @@ class BufferReader:
             case Scalar(kind):
                 return (self._column(kind, offset),)
             case Vector(kind, size):
-                return tuple(self._column(kind, offset + 4 * lane) for lane in range(size))
+                return tuple(self._column(kind, offset + LANE * lane) for lane in range(size))
             case Matrix(size):
                 return self._columns(size, size, offset)
             case TallMatrix(columns):
@@ -124,16 +111,53 @@ class BufferReader:
 
     def _columns(self, count: int, rows: int, offset: int) -> Table:
         return tuple(
-            tuple(self._column("float", offset + 16 * column + 4 * row) for row in range(rows))
+            tuple(self._column("float", offset + ROW * column + LANE * row) for row in range(rows))
             for column in range(count)
         )
 
-    def _column(self, kind: ScalarKind, offset: int) -> NDArray[Any]:
-        lane = np.ascontiguousarray(self._rows[:, offset : offset + 4]).view(_KINDS[kind])[:, 0]
-        if kind == "bool":
-            return np.asarray(lane, np.bool_)
-        number: NDArray[Any] = np.asarray(lane, np.float64 if kind == "float" else np.int64)
-        return number
+    def _column(self, kind: ScalarKind, offset: int) -> _Column:
+        number = _NUMBERS.get(kind, np.int64)
+        if self._ends is not None:
+            value, *ends = (each.astype(number) for each in self._ends[:, :, offset // LANE])
+            return _Column(value, *(() if all((end == value).all() for end in ends) else ends))
+        lane = np.ascontiguousarray(self._rows[:, offset : offset + LANE]).view(_KINDS[kind])
+        return _Column(lane[:, 0].astype(number))
+
+
+class _Column:
+    """One lane of all elements."""
+
+    def __init__(self, value: NDArray[Any], *ends: NDArray[Any]) -> None:
+        """``ends`` are the lower and the upper ones, of what a device may have otherwise."""
+        self._value = value
+        self._ends = ends
+
+    def plain(self, at: NDArray[Any]) -> Any:
+        """What it means at these positions; a plain number at a single one."""
+        found = self._value[at]
+        return found if at.ndim else found.item()
+
+    def bounded(self, position: Bounded, last: int) -> Bounded:
+        """What a device may have at these positions, of which ``last`` is the largest one."""
+        value, low, high = (
+            np.clip(end, 0, last) for end in (position.value, position.low, position.high)
+        )
+        found = self._value[value]
+        if not position.is_exact:
+            least, largest = self._extremes
+            made = between(found, least.of(low, high), largest.of(low, high))
+        elif self._ends:
+            made = between(found, *(end[value] for end in self._ends))
+        else:
+            made = given(found)
+        kept: Bounded = remembered(made)
+        return kept
+
+    @cached_property
+    def _extremes(self) -> tuple[Extremes, Extremes]:
+        whole = given(self._value)
+        low, high = self._ends or (whole.low, whole.high)
+        return Extremes(np.minimum, low), Extremes(np.maximum, high)
 
 
 def _members(struct: Struct, *, is_stored: bool) -> Iterator[tuple[Type, int]]:
@@ -156,20 +180,7 @@ def _stride(array: Array) -> int:
     return byte_size(stored_type(array)) // array.count
 
 
-def _mapped(value: Any, change: Any) -> Any:
+def _mapped(value: Any, change: Callable[[_Column], Any]) -> Any:
     if isinstance(value, tuple):
         return tuple(_mapped(part, change) for part in value)
     return change(value)
-
-
-def _hulls(value: Any, other: Any) -> Any:
-    if isinstance(value, tuple):
-        return tuple(_hulls(a, b) for a, b in zip(value, other, strict=True))
-    return hull(value, other)
-
-
-def _joined(value: Any, ends: Any) -> Any:
-    if isinstance(value, tuple):
-        return tuple(_joined(a, b) for a, b in zip(value, ends, strict=True))
-    low, high = ends
-    return hull(hull(value, exact(low)), exact(high))

@@ -21,7 +21,8 @@ from ..ir.frame import (
 from ..ir.leaves import Resource
 from ..ir.shader import ResourceInfo
 from ..ir.types import Texture
-from ..planning.plan import Barrier, Copy, Plan, PlannedStep, Target
+from ..planning.barriers import Barrier, BufferBarrier, Waiting
+from ..planning.plan import Copy, Plan, PlannedStep, Target
 from .buffers import buffer_row
 from .parameters import Places, light_rows, parameter_row
 from .values import steps
@@ -79,6 +80,7 @@ class _Document:
             "textures": list(self._texture_rows()),
             "results": list(self._result_rows()),
             "steps": [self._step_row(planned) for planned in self._plan.steps],
+            "end": _waiting_rows(self._plan.end),
             "kept": list(self._kept_rows()),
             "outputs": [
                 {
@@ -160,12 +162,12 @@ class _Document:
     # --- what is done ---
 
     def _step_row(self, planned: PlannedStep) -> dict[str, Any]:
-        barriers = [_barrier_row(barrier) for barrier in planned.barriers]
+        waiting = _waiting_rows(planned.waiting)
         match planned.step:
             case Copy() as copy:
                 return {
                     "kind": "copy",
-                    "barriers": barriers,
+                    **waiting,
                     "only_first": planned.only_first,
                     "from": {"result": copy.image.name, "texture": self._texture(copy.image)},
                     "to": {"result": copy.into.name, "texture": self._texture(copy.into)},
@@ -175,7 +177,7 @@ class _Document:
                     "kind": "draw",
                     "name": step.name,
                     "pass": step.pass_name,
-                    "barriers": barriers,
+                    **waiting,
                     "only_first": planned.only_first,
                     "continues": planned.continues,
                     "targets": [self._target_row(target) for target in planned.targets],
@@ -190,7 +192,7 @@ class _Document:
                 return {
                     "kind": "run",
                     "name": step.name,
-                    "barriers": barriers,
+                    **waiting,
                     "only_first": planned.only_first,
                     **self._use_row(step.use),
                     "images": [
@@ -262,13 +264,17 @@ def _stencil_row(target: Target) -> dict[str, Any]:
     return {"load": load, "store": target.stores_stencil, "clear": 0}
 
 
-def _barrier_row(barrier: Barrier) -> dict[str, Any]:
+def _waiting_rows(waiting: Waiting) -> dict[str, Any]:
     return {
-        "texture": barrier.texture,
-        "from": barrier.before,
-        "to": barrier.after,
-        "only_first": barrier.only_first,
+        "barriers": [{"texture": each.texture, **_from_to(each)} for each in waiting.textures],
+        "buffer_barriers": [
+            {"result": each.elements.name, **_from_to(each)} for each in waiting.buffers
+        ],
     }
+
+
+def _from_to(barrier: Barrier | BufferBarrier) -> dict[str, Any]:
+    return {"from": barrier.before, "to": barrier.after, "only_first": barrier.only_first}
 
 
 def _shader_row(shader: FrameShader) -> dict[str, Any]:

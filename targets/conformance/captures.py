@@ -23,6 +23,7 @@ from ..runner.binding import pipeline
 from ..runner.capturing import Vertices, captured_by, give_elements
 from ..runner.codes import Codes
 from ..runner.drivers.device import Device
+from ..runner.kernels import UndrawableError
 from ..runner.reference import geometry_for, texels_of, values_for
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -48,11 +49,11 @@ class CapturePlan:
         self, label: str, subject: Subject, seed: int, size: Size, meant: Subject | None = None
     ) -> None:
         """``meant`` is the form of the material that the reference captures instead of stages that
-        divide patches. Raises ``ValueError`` if it is needed and missing.
+        divide patches. Raises ``UndrawableError`` if it is needed and missing.
         """
         form = subject if subject.shader.chain in LISTED else meant
         if form is None:
-            raise ValueError(f"{subject.name} has other stages than the reference can capture.")
+            raise UndrawableError(subject.name, "capture")
         self.label = label
         self.subject = subject
         self._form = form

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ..runner.binding import keeps_something
+from ..runner.binding import shows_less
 from ..runner.cameras import looking
 from ..runner.instances.instance import Instance
 from ..runner.kernels import full_screen_state, has_images
@@ -64,8 +64,9 @@ class Series:
     """Cases that one pipeline draws, one after the other."""
 
     exact: bool
-    """Whether the targets are float32 without blending, which shows exactly what shaders write.
-    Otherwise they have the formats and the blending that the pass declares."""
+    """Whether the targets are float32 without blending and with one sample for each pixel, which
+    shows exactly what shaders write. Otherwise they have the formats, the blending and the samples
+    that the pass declares."""
     cases: tuple[Case, ...]
 
 
@@ -95,8 +96,8 @@ def series_of(
         _behind(reflection, seed + 1, size, form),
         _inside(reflection, seed + 2, size),
     ))  # fmt: skip
-    if any(keeps_something(row) for row in reflection["targets"]):
-        case = _stretched("blended", reflection, seed, BACKDROP, size, form)
+    if shows_less(reflection):
+        case = _stretched("declared", reflection, seed, BACKDROP, size, form)
         state = replace(case.state, blend_constant=BLEND_CONSTANT)
         yield Series(exact=False, cases=(replace(case, state=state),))
 

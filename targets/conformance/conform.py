@@ -17,7 +17,7 @@ from ..runner.drivers.device import Device, DriverError
 from ..runner.frames.by_route import lacking
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameSubject, is_frame, is_shader
-from ..runner.kernels import UndrawableError, is_drawn
+from ..runner.kernels import UndrawableError, is_drawn, is_over_buffers
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -106,11 +106,11 @@ def _plan(
     assert is_shader(subject)
     assert meant is None or is_shader(meant)
     try:
-        if not is_drawn(subject):
-            if subject.shader.capture is None:
-                return KernelPlan(label, subject, seed)
-            return CapturePlan(label, subject, seed, size, meant)
-        return Plan(label, subject, seed, store, size, draw, meant)
+        if is_drawn(subject.reflection):
+            return Plan(label, subject, seed, store, size, draw, meant)
+        if is_over_buffers(subject.reflection):
+            return KernelPlan(label, subject, seed)
+        return CapturePlan(label, subject, seed, size, meant)
     except ValueError as error:
         return label, str(error)
 

@@ -107,7 +107,7 @@ def with_reasons(subject: Subject | FrameSubject, rows: Sequence[Row], seed: int
     reasons of pixels only, so none where no picture is drawn, and none of frames, where a pixel
     depends on those of other steps.
     """
-    if not is_shader(subject) or not is_drawn(subject):
+    if not is_shader(subject) or not is_drawn(subject.reflection):
         return list(rows)
     weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
     shared = tuple(_of_little(subject, weakest, seed)) if weakest else ()

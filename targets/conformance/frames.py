@@ -87,7 +87,7 @@ class FramePlan:
         self._count = SEVERAL if meant.plan["kept"] else 1
         self._names = [row["name"] for row in meant.plan["outputs"] if row["texture"] is not None]
         self._expected: Known[_Pictures] = Known()
-        self._programs: Known[dict[int, Program]] = Known()
+        self._programs: Known[list[Program]] = Known()
 
     def results(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
@@ -150,7 +150,7 @@ class FramePlan:
                 found.append({name: drawing.output(name).copy() for name in self._names})
             return _Pictures(found, drawing.counted)
 
-        asked = tuple(program.text for program in programs.values()), errors
+        asked = tuple(program.text for program in programs), errors
         return self._expected.shared(
             (*asked, rules.common),
             (*asked, rules),
@@ -158,14 +158,14 @@ class FramePlan:
             lambda pictures: rules.agree_with(pictures.counted),
         )
 
-    def _programs_of(self, profile: str | None) -> dict[int, Program]:
-        """By their numbers, the shaders that draw, as emitted for a profile or those of the
-        source."""
-        found = {}
-        for number, subject in enumerate(self.subject.shaders):
-            if is_drawn(subject):
-                made = subject.shader if profile is None else subject.emitted(profile)
-                found[number] = Program.of(to_targets(drawable(made), exact=False))
+    def _programs_of(self, profile: str | None) -> list[Program]:
+        """The shaders as emitted for a profile, or those of the source."""
+        found = []
+        for subject in self.subject.shaders:
+            made = subject.shader if profile is None else subject.emitted(profile)
+            if is_drawn(subject.reflection):
+                made = to_targets(drawable(made), exact=False)
+            found.append(Program.of(made))
         return found
 
     def _host(self, subject: PlannedFrame) -> FrameHost:

@@ -281,8 +281,11 @@ def precise(rules: RasterRules) -> RasterRules:
 
 
 def to_targets(shader: Shader, *, exact: bool) -> Shader:
-    """The shader with the targets that a series draws to; ``exact`` ones hold every float."""
-    return changed(shader, results=tuple(_to_target(one, exact=exact) for one in shader.results))
+    """The shader with the targets that a series draws to; ``exact`` ones hold every float, and have
+    one sample for each pixel."""
+    state = changed(shader.render_state, samples=1) if exact else shader.render_state
+    results = tuple(_to_target(one, exact=exact) for one in shader.results)
+    return changed(shader, results=results, render_state=state)
 
 
 def _to_target(result: Result, *, exact: bool) -> Result:

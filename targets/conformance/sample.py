@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runner.instances.instance import Instance
+from ..runner.instances.shapes import WHOLE, kind_of
 from ..runner.scene import set_by_scene
 from ..runner.textures.texture import Texture
 
@@ -29,9 +30,6 @@ BUFFER_SIZES = (0, 1, 3, 8, 13)
 
 _USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
 """The range of numbers with some meanings, whatever their default."""
-
-_LIMITS = {"i": (-(2**31), 2**31 - 1), "u": (0, 2**32 - 1)}
-"""The limits of integers, by the first letter of their representation."""
 
 
 def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> None:
@@ -134,8 +132,8 @@ def _numbers(row: Mapping[str, Any], count: int, chance: random.Random) -> list[
     default = row.get("default")
     defaults = [None] * count if default is None else [default] if count == 1 else list(default)
     bounds = [_bounds(row, each) for each in defaults]
-    if representation[0] in _LIMITS:
-        return [_whole(lo, hi, _LIMITS[representation[0]], chance) for lo, hi in bounds]
+    if limits := WHOLE.get(kind_of(representation)):
+        return [_whole(lo, hi, limits, chance) for lo, hi in bounds]
     return [chance.uniform(lo, hi) for lo, hi in bounds]
 
 
@@ -211,7 +209,7 @@ def _numbers_of(
     drawn = np.random.default_rng(chance.getrandbits(32))
     if sample == "uint" and chance.random() < 0.5:
         return drawn.integers(0, 16, shape).astype(np.uint8)
-    limits = _LIMITS[sample[0]]
+    limits = WHOLE[kind_of(sample)]
     large = drawn.integers(limits[0], limits[1], shape, endpoint=True)
     small = drawn.integers(max(limits[0], -16), 16, shape)
     return np.where(drawn.random(shape) < 0.1, large, small)

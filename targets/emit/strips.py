@@ -92,7 +92,7 @@ class Strips(Statements):
                 yield self._mark(line, value)
         value = group.delivered[0]
         yield self._mark(self._forms.emit_vertex, value)
-        if _stands_alone(group) and group.strips.triangles:
+        if _stands_alone(group) and group.strips.kind.emits == "triangle":
             last = self._expressions.formals[group.vertex]
             yield self._mark(self._forms.if_.format(condition=f"{last} % 3 == 2"), value)
             yield iter([self._mark(self._forms.end_strip, value)])
@@ -102,5 +102,5 @@ class Strips(Statements):
 def _stands_alone(group: EmittedGroup) -> bool:
     """Whether there are several triangles that share no vertices, so that each is a strip of its
     own; or points, which are in no strip."""
-    strips = group.strips
-    return strips.shape == "points" or (strips.shape == "list" and strips.triangles > 1)
+    kind = group.strips.kind
+    return not kind.is_joined and (kind.emits == "point" or group.strips.primitives > 1)

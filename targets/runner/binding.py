@@ -178,6 +178,13 @@ def render_target(row: Mapping[str, Any], *, exact: bool = False) -> RenderTarge
     return RenderTarget(format_, blend, row["mask"])
 
 
+def shows_less(reflection: Mapping[str, Any]) -> bool:
+    """Whether targets that are drawn to as the pass declares them show something else than the
+    numbers that shaders write: because of what is there before, or of several samples."""
+    joined = reflection["render_state"]["samples"] > 1
+    return joined or any(map(keeps_something, reflection["targets"]))
+
+
 def keeps_something(row: Mapping[str, Any]) -> bool:
     """Whether something is left of what is there, where one of the reflection's targets is drawn
     to."""

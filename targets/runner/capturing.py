@@ -21,8 +21,9 @@ from .drivers.capture_job import Captured, CaptureJob
 from .drivers.device import DriverError
 from .drivers.kernel_job import Written
 from .drivers.pipeline import Pipeline
+from .instances.shapes import lanes_of, stored_as
 from .kernels import dispatch_of, elements_of, job_of
-from .mesh_buffers import KINDS, give_mesh, mesh_rows
+from .mesh_buffers import give_mesh, mesh_rows
 from .meshes import Mesh, MeshError
 from .routes import Route
 from .runner import Runner
@@ -143,6 +144,6 @@ def vertices(reflection: Mapping[str, Any], captured: Captured) -> Vertices:
 
 def _member(words: NDArray[np.uint8], row: Mapping[str, Any]) -> NDArray[Any]:
     representation = row["representation"]
-    lanes = int(representation[-1]) if representation[-1].isdigit() else 1
+    lanes = lanes_of(representation)
     part = np.ascontiguousarray(words[:, row["offset"] : row["offset"] + 4 * lanes])
-    return part.view(KINDS[representation[0]]).reshape(len(words), lanes)
+    return part.view(stored_as(representation)).reshape(len(words), lanes)

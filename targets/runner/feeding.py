@@ -91,7 +91,8 @@ class Feeding:
                 self._elements |= {to: self._elements[of] for to, of in self._again.items()}
             for kernel in repeated if step else self._order:
                 self._give(kernel.instance)
-                self._elements |= elements_by_reference(kernel.subject.shader, kernel.instance)
+                written = elements_by_reference(kernel.subject.shader, kernel.instance)
+                self._elements |= {name: contents.data for name, contents in written.items()}
             tell((step + 1) / steps)
         for instance in self._drawn:
             self._give(instance)

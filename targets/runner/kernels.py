@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
-from ...compiler.ir.stages import COMPUTED, RASTERISED
+from ...compiler.ir.stages import RASTERISED
 from ...frozen import changed
 from .drivers.draw_job import Draw, Job, Picture
 from .drivers.kernel_job import Dispatch, KernelJob, Written
@@ -23,7 +23,6 @@ from .instances.instance import Instance
 from .routes import Route
 from .runner import Runner
 from .scene_state import CLEAR, Color, SceneState
-from .subject import Subject
 
 _WORD = struct.Struct("<I")
 
@@ -37,12 +36,12 @@ class EmptyImageError(ValueError):
 
 
 class UndrawableError(ValueError):
-    """A material has stages that the reference does not draw, such as those that make lines of
-    patches."""
+    """A material has stages that the reference does not draw, or of which it does not capture, such
+    as those that make lines of patches."""
 
-    def __init__(self, material: str) -> None:
+    def __init__(self, material: str, does: Literal["draw", "capture"] = "draw") -> None:
         super().__init__(
-            f"{material} has other stages than the reference draws: only routes draw it"
+            f"{material} has other stages than the reference {does}s: only routes {does} it"
         )
 
 
@@ -51,12 +50,14 @@ def has_images(reflection: Mapping[str, Any]) -> bool:
     return reflection["extent"] is not None and bool(reflection["targets"])
 
 
-def is_drawn(subject: Subject) -> bool:
+def is_over_buffers(reflection: Mapping[str, Any]) -> bool:
+    """Whether something compiled is a kernel over buffers, which has no picture of its own."""
+    return bool(reflection["results"]) and reflection["capture"] is None
+
+
+def is_drawn(reflection: Mapping[str, Any]) -> bool:
     """Whether it makes pictures. Kernels over buffers write elements instead, and captures do."""
-    shader = subject.shader
-    if shader.capture is not None:
-        return False
-    return shader.chain != COMPUTED or has_images(subject.reflection)
+    return reflection["capture"] is None and not is_over_buffers(reflection)
 
 
 def job_of(

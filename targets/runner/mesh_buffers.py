@@ -12,9 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .instances.instance import Instance
-
-KINDS = {"f": "<f4", "v": "<f4", "i": "<i4", "u": "<u4"}
-"""The type of a number, by the first letter of the representation."""
+from .instances.shapes import stored_as
 
 
 def mesh_rows(reflection: Mapping[str, Any]) -> list[Mapping[str, Any]]:
@@ -28,7 +26,7 @@ def give_mesh(instance: Instance, values: Mapping[str, NDArray[Any]]) -> None:
     fields = []
     for row in rows:
         lanes = values[row["name"]].shape[1:]
-        kind = KINDS[row["representation"][0]]
+        kind = stored_as(row["representation"])
         fields.append((row["buffer"]["member"], kind, lanes if lanes[0] > 1 else ()))
     elements = np.zeros(len(values[rows[0]["name"]]), fields)
     for row in rows:

@@ -70,15 +70,19 @@ Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]
 """What draws a picture: ``expected``, or that of ``reference_process.References``."""
 
 
-def values_for(shader: Shader, instance: Instance) -> dict[str, Any]:
+def values_for(
+    shader: Shader, instance: Instance, written: Mapping[str, Contents] | None = None
+) -> dict[str, Any]:
     """The values of the parameters that a shader reads and the contents of its buffers, in the
     reference's form.
 
-    What a host sets is a float32 exactly. The emitted program also reads derived parameters, whose
-    values are given before they are rounded, as that is what they mean.
+    ``written`` are the contents of buffers that kernels have written, of which the instance has the
+    bytes only. What a host sets is a float32 exactly. The emitted program also reads derived
+    parameters, whose values are given before they are rounded, as that is what they mean.
     """
     values = instance.values()
     values |= {name: Contents(held.bound) for name, held in instance.buffers().items()}
+    values |= {name: held for name, held in (written or {}).items() if held.data}
     read = [node.data for node in reachable(shader.roots) if isinstance(node.data, Parameter)]
     wanted = [parameter for parameter in read if parameter.derived]
     if not wanted:

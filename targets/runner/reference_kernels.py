@@ -1,6 +1,7 @@
-"""Runs kernels over buffers by the reference: what they write, as the bytes that a GPU would have.
+"""Runs kernels over buffers by the reference: what they write, and what a device may write.
 
-``feeding.py`` calls it. ``compiler/reference/kernel.py`` computes the values.
+``feeding.py`` gives the bytes to drivers, and ``frames/by_reference.py`` the whole contents to
+other steps. ``compiler/reference/kernel.py`` computes the values.
 """
 
 from __future__ import annotations
@@ -15,45 +16,57 @@ from ...compiler.ir.storage import LANE, byte_size, place_in, stored_element
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.kernel import Lane, computed
 from ...compiler.reference.picture import RasterRules, Texels
+from ...compiler.reference.storage_buffers import Contents
 from .instances.instance import Instance
+from .instances.shapes import STORED, WHOLE
 from .reference import texels_of, values_for
 
-KINDS = {"float": "<f4", "int": "<i4", "uint": "<u4"}
-"""How a lane is stored, by its type."""
+Floats = NDArray[np.float64]
+
+_INTEGERS = {STORED[kind]: ends for kind, ends in WHOLE.items()}
+"""The least and the largest integer that is stored so."""
 
 ANY = Errors(("vulkan",))
-"""Bounds come with the values, and are not asked for."""
+"""Bounds come with the values, also where nobody asks for those of a device."""
 
 
 def elements_by_reference(
-    shader: Shader, instance: Instance, textures: Mapping[str, Texels] | None = None
-) -> dict[str, bytes]:
-    """The bytes of the elements of each result of a kernel, by name.
+    shader: Shader,
+    instance: Instance,
+    textures: Mapping[str, Texels] | None = None,
+    buffers: Mapping[str, Contents] | None = None,
+    rules: RasterRules | None = None,
+    errors: Errors | None = None,
+) -> dict[str, Contents]:
+    """The elements of each result of a kernel, by name.
 
-    ``textures`` are what it reads, if not those of the instance. Raises ``MissingValuesError``.
+    ``textures`` are what it reads, if not those of the instance, and ``buffers`` what it reads that
+    other kernels have written. Raises ``MissingValuesError``.
     """
     counts = instance.result_counts()
     lanes = computed(
-        shader, values_for(shader, instance),
+        shader, values_for(shader, instance, buffers),
         texels_of(instance) if textures is None else textures,
-        instance.extent(), counts, ANY, RasterRules(1, 1),
+        instance.extent(), counts, errors or ANY, rules or RasterRules(1, 1),
     )  # fmt: skip
-    return {name: _bytes(count, _of(name, lanes)) for name, count in counts.items()}
+    return {name: _contents(count, _of(name, lanes)) for name, count in counts.items()}
 
 
 def _of(name: str, lanes: Sequence[Lane]) -> list[Lane]:
     return [lane for lane in lanes if lane.store.buffer.name == name]
 
 
-def _bytes(count: int, lanes: Sequence[Lane]) -> bytes:
+def _contents(count: int, lanes: Sequence[Lane]) -> Contents:
     """The elements of one result, which consist of these lanes and of padding."""
     store = lanes[0].store
     stride = byte_size(stored_element(store.buffer.type.element)) * store.stride
-    elements: NDArray[np.uint8] = np.zeros((count, stride), np.uint8)
+    elements = np.zeros((count, stride), np.uint8)
+    words = np.zeros((3, count, stride // LANE))
     for lane in lanes:
         start, kind = place_of(lane)
-        elements[:, start : start + LANE] = _words(lane.value, kind)[:count]
-    return elements.tobytes()
+        elements[:, start : start + LANE] = _bytes(lane.value, kind)[:count]
+        words[:, :, start // LANE] = _numbers(lane, kind)[:, :count]
+    return Contents(elements.tobytes(), words.reshape(3, -1))
 
 
 def place_of(lane: Lane) -> tuple[int, str]:
@@ -61,15 +74,21 @@ def place_of(lane: Lane) -> tuple[int, str]:
     element = lane.store.buffer.type.element
     type_, offset = place_in(element, lane.store.path)
     start = lane.store.offset * byte_size(stored_element(element)) + offset
-    return start + LANE * lane.lane, KINDS[type_]
+    return start + LANE * lane.lane, STORED[type_]
 
 
-def _words(values: NDArray[np.generic], kind: str) -> NDArray[np.uint8]:
+def _bytes(values: NDArray[np.generic], kind: str) -> NDArray[np.uint8]:
     """A lane of all elements, of shape (elements, 4): numbers too large are infinite, and integers
     wrap."""
-    if kind == KINDS["float"]:
+    if kind == STORED["float"]:
         with np.errstate(over="ignore"):
             stored = values.astype(kind)
     else:
         stored = values.astype(np.int64).astype(kind)
     return stored.view(np.uint8).reshape(-1, LANE)
+
+
+def _numbers(lane: Lane, kind: str) -> Floats:
+    """A lane of all elements: what it means, and between which numbers that of a device is."""
+    found = np.stack([lane.value, lane.low, lane.high]).astype(np.float64)
+    return np.clip(found, *_INTEGERS[kind]) if kind in _INTEGERS else found

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ...compiler.promises import promises
 from ...compiler.reference.picture import RasterRules
 from ..toolchain import Toolchain
-from .binding import keeps_something, pipeline
+from .binding import pipeline, shows_less
 from .codes import compile_one
 from .drivers.readback import arrays
 from .kernels import drawable, pictures_of
@@ -36,13 +36,13 @@ def by_route(
     subject: Subject, state: SceneState, route: Route, runner: Runner, toolchain: Toolchain
 ) -> tuple[Floats, ...]:
     """The targets, each of shape (height, width, 4); rounded to their formats only if the pass
-    blends.
+    blends, or has several samples for each pixel.
 
     Raises ``CodeError`` if the route's compiler refuses the texts, and ``DriverError``.
     """
     codes = compile_one(route, subject.files, toolchain)
-    blends = any(map(keeps_something, subject.reflection["targets"]))
-    shader_pipeline = pipeline(subject.reflection, route, codes, exact=not blends)
+    exact = not shows_less(subject.reflection)
+    shader_pipeline = pipeline(subject.reflection, route, codes, exact=exact)
     draws = (state.draw(),)
     (picture,) = pictures_of(route, runner, subject.reflection, shader_pipeline, draws)
     return arrays(picture)

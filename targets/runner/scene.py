@@ -22,6 +22,7 @@ from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
 from ...compiler.ir.stages import VERTICES
 from .cameras import Camera, Matrix, looking
 from .instances.instance import Instance
+from .instances.shapes import WHOLE, kind_of, lanes_of
 from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
 from .looks import PLAIN, Look
 from .meshes import BONES, CHANNELS, Mesh, MeshError
@@ -218,7 +219,7 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INST
             continue
         channel = channels.get(name, channels.get(roles.get(name, name)))
         fits = channel is not None and (channel.dtype.kind == "f") == (
-            row["representation"][0] not in "iu"
+            kind_of(row["representation"]) == "float"
         )
         if not fits:
             channels[_own(name)] = _pattern(row, position)
@@ -272,30 +273,27 @@ def _places(count: int) -> NDArray[np.float64]:
 
 def _pattern(row: Mapping[str, Any], position: NDArray[np.float64]) -> NDArray[Any]:
     representation = row["representation"]
-    lanes = int(representation[-1]) if representation[-1].isdigit() else 1
+    lanes = lanes_of(representation)
     number = int(re.sub(r"\D", "", representation) or 1)
     waves = [
         0.5 + 0.4 * np.sin(position @ [1.3 + lane, 0.7 * number, 2.1 - lane] + len(row["name"]))
         for lane in range(lanes)
     ]
     values = np.stack(waves, 1)
-    if representation[0] in "iu":
+    if kind_of(representation) in WHOLE:
         return np.floor(8 * values).astype(np.int64)
     return values.astype(np.float32).astype(float)
-
-
-_LANES = {"float": 1, "int": 1, "uint": 1}
 
 
 def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
     """``values`` with the input's number of lanes: others are removed, a missing fourth is 1."""
     representation = row["representation"]
-    if representation[0] in "iu" and values.dtype.kind == "f":
+    if kind_of(representation) in WHOLE and values.dtype.kind == "f":
         raise MeshError(
             f"the vertex input `{row['name']}` ({row['type']}) takes whole numbers, which the mesh "
             "does not have there"
         )
-    lanes = _LANES.get(representation) or int(representation[-1])
+    lanes = lanes_of(representation)
     given = values.shape[1]
     if given < lanes:
         filler = np.zeros((len(values), lanes - given))

@@ -17,6 +17,7 @@ from ...compiler.reference.picture import Geometry, instanced
 from .drivers.draw_job import Draw
 from .expanding import as_drawn
 from .instances.instance import Instance
+from .instances.shapes import stored_as
 from .mesh_buffers import give_mesh, mesh_rows
 from .meshes import Indices, Mesh
 from .scene import Scene, vertex_data
@@ -140,5 +141,4 @@ def drawn_state(
 
 
 def _bytes(representation: str, values: NDArray[Any]) -> bytes:
-    kinds = {"i": "<i4", "u": "<u4"}
-    return np.ascontiguousarray(values).astype(kinds.get(representation[0], "<f4")).tobytes()
+    return np.ascontiguousarray(values).astype(stored_as(representation)).tobytes()

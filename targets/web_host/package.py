@@ -20,8 +20,8 @@ from ..runner.expanding import pattern_of
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance
+from ..runner.instances.shapes import kind_of, stored_as
 from ..runner.looks import PLAIN
-from ..runner.mesh_buffers import KINDS
 from ..runner.meshes import Indices, Mesh
 from ..runner.patches import patches
 from ..runner.primitives import primitives
@@ -40,9 +40,6 @@ _SQUARE = 1.0
 
 _CAMERA = {"world_to_clip": "view_projection", "eye": "eye"}
 """What the host calls a value of the camera, by what a scene calls it."""
-
-_STREAMS = {"f": "float", "v": "float", "i": "int", "u": "uint"}
-"""The type of a stream's numbers, by the first letter of the representation."""
 
 
 def frame_package(host: FrameHost, profiles: Iterable[str] = ("wgsl:webgpu",)) -> dict[str, Any]:
@@ -258,9 +255,8 @@ def _without_source_maps(reflection: Row) -> dict[str, Any]:
 
 
 def _stream(representation: str, values: NDArray[Any]) -> dict[str, Any]:
-    letter = representation[0]
-    data = np.ascontiguousarray(values).astype(KINDS[letter]).tobytes()
-    return {"type": _STREAMS[letter], "lanes": values.shape[1], "data": _base64(data)}
+    data = np.ascontiguousarray(values).astype(stored_as(representation)).tobytes()
+    return {"type": kind_of(representation), "lanes": values.shape[1], "data": _base64(data)}
 
 
 def _indices(rows: Indices) -> dict[str, Any]:

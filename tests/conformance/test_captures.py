@@ -98,8 +98,9 @@ def test_what_stages_divide_is_compared_with_another_form_only(studio: Studio) -
     route = ROUTES["lavapipe:glsl"]
     (row,) = conform([("Blanket", material)], [route], studio.runner, studio.toolchain)
     assert (row.status, row.problem) == (
-        "failed", "Blanket has other stages than the reference can capture.",
-    )  # fmt: skip
+        "failed",
+        "Blanket has other stages than the reference captures: only routes capture it",
+    )
 
 
 def state_of(material: CompiledMaterial) -> SceneState:

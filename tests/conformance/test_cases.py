@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import burnish
 from burnish.targets.conformance.cases import SIZE, UNCOVERED, Case, series_of
+from burnish.targets.conformance.plan import to_targets
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.patches import pattern
 
@@ -188,8 +189,17 @@ def test_seeds_change_values_but_not_the_defaults() -> None:
 
 
 def test_what_blends_is_drawn_both_ways() -> None:
-    exact, blended = series_of(reflection_of("blending", "Glass", "Transparent"))
-    assert exact.exact and not blended.exact
-    assert UNCOVERED not in blended.cases[0].state.clear
+    exact, declared = series_of(reflection_of("blending", "Glass", "Transparent"))
+    assert exact.exact and not declared.exact
+    assert UNCOVERED not in declared.cases[0].state.clear
     (only,) = series_of(reflection_of("blending", "Glass", "Forward"))
     assert only.exact
+
+
+def test_several_samples_are_drawn_and_single_ones() -> None:
+    text = "material Grey { color = vec3(0.5) }\npass Smooth : Forward { raster { samples = 4 } }"
+    (grey,) = burnish.compile(text, (), pass_="Smooth").materials
+    exact, declared = series_of(grey.reflection)
+    assert [exact.exact, declared.exact] == [True, False]
+    drawn = [to_targets(grey.shader, exact=one.exact).render_state for one in (exact, declared)]
+    assert [state.samples for state in drawn] == [1, 4]

@@ -150,7 +150,7 @@ def _without_turning(numbers: EmittedNumbers, group: int) -> Node:
     """The number of a vertex in its strip, as if all triangles of a strip were alike."""
     place = numbers._within(group)
     if numbers._groups[group].strips > 1:
-        place = numbers._call("mod", place, numbers._number(3 * numbers._groups[group].triangles))
+        place = numbers._call("mod", place, numbers._number(3 * numbers._groups[group].primitives))
     three = numbers._number(3)
     return numbers._call(
         "add", numbers._call("div", place, three), numbers._call("mod", place, three)

@@ -206,7 +206,7 @@ def lowered(whole: Shader, root: Node, place: Primitive, vertex: int, instance: 
 def strip_vertices(group: EmittedStrips) -> Iterator[tuple[int, int]]:
     """The strips and vertices of a group, triangle by triangle, as Vulkan assembles them."""
     for strip in range(group.strips):
-        for triangle in range(group.triangles):
+        for triangle in range(group.primitives):
             if group.shape == "list":
                 yield from ((strip, 3 * triangle + corner) for corner in range(3))
             elif triangle % 2 == 0:

@@ -1,199 +1,152 @@
-"""Several draws on one canvas: what is in front, and what undecided pixels may be.
-
-The colours and depths are told by the test. Where a device may draw either of two faces, it has the
-colour of one of them, which has to lie within the hull.
-"""
+"""Which fragment is seen, where a device's depths may differ by more for some than for others."""
 
 from __future__ import annotations
+
+from typing import get_args
 
 import numpy as np
 import pytest
 
-from burnish.compiler.reference.picture import (
-    Canvas,
-    Expected,
-    Hulls,
-    draw_onto,
-    expected_on,
-    written_by,
-)
+from burnish.compiler.ir.render_state import Compare, DepthState
+from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.reference.picture.canvas import Canvas, Shades, nearest
+from burnish.compiler.reference.picture.coverage import Fragments
 
-from .kit import few_ulps
-from .test_drawing import at, passing, triangles
-
-PIXELS = 4
-BLACK = (0.0, 0.0, 0.0, 1.0)
-RULES = at(2, edge_slack=2.0**-10)
-COLOURED = "param c : vec4 = vec4(0)\nvalue = c"
-LEFT, RIGHT = (0, 2), (1, 3)
-"""Numbers of pixels of a picture that is two pixels wide."""
-
-Layer = tuple[float, float]
-"""A depth and a shade of red."""
+from .test_drawing import BLUE, COLOURED, passing
 
 
-def cover(depth: float, edge: float = 3.0) -> list[tuple[float, float, float, float]]:
-    """A triangle over all that is left of an upright edge, in clip space."""
-    return [(edge, 20.0, depth, 1.0), (-20.0, 0.0, depth, 1.0), (edge, -20.0, depth, 1.0)]
+@pytest.mark.parametrize(("off", "close"), [(0.1, []), (0.3, [0])])
+def test_a_fragment_behind_the_second_may_be_the_nearest(off: float, close: list[int]) -> None:
+    fragments = Fragments(np.arange(3), np.zeros(3, dtype=np.int64))
+    winners, undecided = nearest(
+        fragments, np.array([0.5, 0.6, 0.7]), np.array([0, 0, off]), np.arange(3)
+    )
+    assert winners.tolist() == [0]
+    assert undecided.tolist() == close
 
 
-class Painting:
-    """A canvas, and what its undecided pixels may be."""
-
-    def __init__(self, blend: str = "none", *, has_depth: bool = True) -> None:
-        self._shader = passing(COLOURED, blend)
-        written = written_by(self._shader)
-        self.canvas = Canvas(PIXELS, [BLACK], written, rounds=True, has_depth=has_depth)
-        self.hulls = Hulls(self.canvas)
-
-    def draw(self, layer: Layer, edge: float = 3.0) -> None:
-        """Draw all that is left of an edge in one depth and one shade of red."""
-        depth, red = layer
-        draw_onto(
-            self.canvas, self._shader, {"c": (red, 0.0, 0.0, 1.0)}, {},
-            triangles(cover(depth, edge)), RULES, few_ulps, hulls=self.hulls,
-        )  # fmt: skip
-
-    @property
-    def picture(self) -> Expected:
-        """What has been drawn so far."""
-        return expected_on(self.canvas, RULES)
-
-    @property
-    def reds(self) -> list[float]:
-        """The shades of red of all pixels."""
-        return [float(red) for red in self.canvas.targets[0][0, :, 0]]
-
-    def hull(self, pixel: int) -> tuple[float, float]:
-        """Between which shades of red that of a pixel is."""
-        low, high = self.hulls.targets[0][:, pixel, 0]
-        return float(low), float(high)
-
-    def depths(self, pixel: int) -> tuple[float, float]:
-        """Between which depths that of a pixel is."""
-        low, high = self.hulls.depth[:, pixel]
-        return float(low), float(high)
+@pytest.mark.parametrize(("off", "shaky"), [(0.001, False), (0.01, True)])
+def test_what_may_be_discarded_may_be_nearer_than_its_depth(off: float, shaky: bool) -> None:
+    given = passing(COLOURED, discard="discard when material.c.a < 0.5")
+    written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
+    canvas = Canvas(1, [BLUE], written, rounds=False)
+    first = np.array([True, False])
+    shades = Shades([np.zeros((3, 2, 4))], first, first, np.arange(2))
+    canvas.draw(
+        np.zeros(2, dtype=np.int64),
+        np.array([0.5, 0.495]),
+        np.array([off, 0.0]),
+        np.arange(2),
+        shades,
+        DepthState(),
+    )
+    assert canvas.shaky.tolist() == [shaky]
 
 
-NEAR, FAR = (0.25, 0.75), (0.5, 0.5)
-THROUGH_CENTRES = 0.5
-"""An edge through the middles of the pixels of the right column: rounding may tip whether these are
-covered."""
+ALONE = np.zeros(1, dtype=np.int64)
+"""The only fragment, of the only sample."""
+HALF = 0.5
+"""The depth of what is there before a fragment is drawn."""
 
 
-@pytest.mark.parametrize("layers", [(NEAR, FAR), (FAR, NEAR)], ids=["near first", "far first"])
-def test_the_nearest_of_several_draws_is_seen(layers: tuple[Layer, Layer]) -> None:
-    painting = Painting()
-    for layer in layers:
-        painting.draw(layer)
-    assert painting.reds == [0.75] * PIXELS
-    assert not painting.picture.undecided.any()
+def drawn_over_half(test: DepthState, depth: float, off: float = 0.0) -> Canvas:
+    """A pixel with white at the depth ``HALF``, and then with another colour, drawn by a test."""
+    given = passing(COLOURED)
+    written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
+    canvas = Canvas(1, [BLUE], written, rounds=False)
+    pixel, sure = np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
+    for place, (value, at, by, how) in enumerate(
+        [(1.0, HALF, 0.0, DepthState()), (0.25, depth, off, test)]
+    ):
+        shades = Shades([np.full((3, 1, 4), value)], sure, sure, ALONE)
+        canvas.draw(pixel, np.array([at]), np.array([by]), np.array([place]), shades, how)
+    return canvas
 
 
-def test_without_depths_the_last_draw_is_seen() -> None:
-    painting = Painting(has_depth=False)
-    painting.draw(NEAR)
-    painting.draw(FAR)
-    assert painting.reds == [0.5] * PIXELS
-    assert not painting.picture.undecided.any()
-
-
-def test_draws_are_added() -> None:
-    painting = Painting("add", has_depth=False)
-    for layer in (NEAR, FAR, FAR):
-        painting.draw(layer)
-    assert painting.reds == [1.75] * PIXELS
-
-
-def test_draws_at_one_depth_are_undecided_and_either_of_them() -> None:
-    painting = Painting()
-    painting.draw((0.5, 0.75))
-    painting.draw((0.5, 0.25))
-    assert painting.picture.undecided.all()
-    low, high = painting.hull(0)
-    assert low <= 0.25
-    assert 0.75 <= high < 0.76
-
-
-@pytest.mark.parametrize("aside", [-1e-6, 1e-6], ids=["not drawn", "drawn"])
-def test_an_undecided_pixel_is_what_was_there_or_what_may_be_drawn(aside: float) -> None:
-    """Whichever of them the reference has drawn."""
-    painting = Painting()
-    painting.draw(FAR)
-    painting.draw(NEAR, THROUGH_CENTRES + aside)
-    assert painting.reds[1] == (0.75 if aside > 0 else 0.5)
-    assert painting.picture.undecided.ravel().tolist() == [False, True, False, True]
-    for pixel in LEFT:
-        assert painting.hull(pixel) == pytest.approx((0.75, 0.75), abs=1e-6)
-    for pixel in RIGHT:
-        assert painting.hull(pixel) == pytest.approx((0.5, 0.75), abs=1e-6)
-        assert painting.depths(pixel) == pytest.approx((0.25, 0.5), abs=1e-6)
-
-
-@pytest.mark.parametrize("aside", [-1e-6, 1e-6], ids=["not drawn", "drawn"])
+@pytest.mark.parametrize("write", [True, False])
 @pytest.mark.parametrize(
-    ("blend", "last", "left", "right"),
+    ("compare", "nearer", "farther"),
     [
-        ("add", FAR, 1.75, (1.0, 1.75)),
-        ("add", None, 1.25, (0.5, 1.25)),
-        ("alpha", FAR, 0.5, (0.5, 0.5)),
-        ("alpha", None, 0.75, (0.5, 0.75)),
+        ("never", False, False),
+        ("less", True, False),
+        ("equal", False, False),
+        ("less_equal", True, False),
+        ("greater", False, True),
+        ("not_equal", True, True),
+        ("greater_equal", False, True),
+        ("always", True, True),
     ],
 )
-def test_what_may_be_blended_or_not_is_in_the_hull(
-    blend: str, last: Layer | None, left: float, right: tuple[float, float], aside: float
+def test_what_the_depth_test_lets_through(
+    compare: Compare, nearer: bool, farther: bool, write: bool
 ) -> None:
-    """Whichever of them the reference has drawn, and whatever is blended with it afterwards."""
-    painting = Painting(blend, has_depth=False)
-    painting.draw(FAR)
-    painting.draw(NEAR, THROUGH_CENTRES + aside)
-    if last is not None:
-        painting.draw(last)
-    for pixel in LEFT:
-        assert painting.hull(pixel) == pytest.approx((left, left), abs=1e-6)
-    for pixel in RIGHT:
-        assert painting.hull(pixel) == pytest.approx(right, abs=1e-6)
+    for depth, passes in ((0.25, nearer), (0.75, farther)):
+        canvas = drawn_over_half(DepthState(compare, write), depth, off=0.1)
+        assert canvas.targets[0][0, 0, 0] == (0.25 if passes else 1.0)
+        assert canvas.depth.tolist() == [depth if passes and write else HALF]
+        assert not canvas.shaky.any()
 
 
-@pytest.mark.parametrize("aside", [-1e-6, 1e-6], ids=["not drawn", "drawn"])
-def test_what_may_be_hidden_or_not_is_blended_or_not(aside: float) -> None:
-    """A near layer hides those behind it, if it is there."""
-    painting = Painting("add")
-    painting.draw(NEAR, THROUGH_CENTRES + aside)
-    painting.draw(FAR)
-    for pixel in RIGHT:
-        low, high = painting.hull(pixel)
-        assert low <= 0.5
-        assert high >= 0.75
+@pytest.mark.parametrize("compare", get_args(Compare))
+def test_depths_that_rounding_may_tip_are_undecided(compare: Compare) -> None:
+    canvas = drawn_over_half(DepthState(compare), HALF + 0.01, off=0.1)
+    assert canvas.shaky.tolist() == [compare not in ("never", "always")]
 
 
-def test_what_is_hidden_is_not_blended() -> None:
-    painting = Painting("add")
-    painting.draw(NEAR)
-    painting.draw((0.4, 0.25), THROUGH_CENTRES)
-    painting.draw(FAR)
-    for pixel in RIGHT:
-        low, high = painting.hull(pixel)
-        assert low <= 0.75 <= high
+@pytest.mark.parametrize("compare", get_args(Compare))
+def test_equal_depths_of_copies_are_compared(compare: Compare) -> None:
+    """A face and its copy in another instance have the same depths on every device."""
+    given = passing(COLOURED)
+    written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
+    canvas = Canvas(1, [BLUE], written, rounds=False)
+    sure = np.zeros(1, dtype=np.bool_)
+    for value, test in ((1.0, DepthState()), (0.25, DepthState(compare))):
+        shades = Shades([np.full((3, 1, 4), value)], sure, sure, ALONE)
+        of_pixel = np.zeros(1, dtype=np.int64)
+        canvas.draw(of_pixel, np.array([HALF]), np.array([0.1]), of_pixel, shades, test)
+    passes = compare in ("equal", "less_equal", "greater_equal", "always")
+    assert canvas.targets[0][0, 0, 0] == (0.25 if passes else 1.0)
+    assert not canvas.shaky.any()
 
 
-def test_what_is_drawn_over_an_undecided_pixel_is_in_its_hull() -> None:
-    """A device has the near layer there, whatever was drawn before."""
-    painting = Painting()
-    painting.draw(FAR, THROUGH_CENTRES)
-    painting.draw(NEAR)
-    for pixel in RIGHT:
-        low, high = painting.hull(pixel)
-        assert low <= 0.75 <= high
-        assert np.isfinite([low, high]).all()
+@pytest.mark.parametrize(
+    ("test", "shaky"),
+    [
+        (DepthState(), False),
+        (DepthState("always"), False),
+        (DepthState("always", write=False), True),
+        (DepthState("less", write=False), True),
+        (DepthState("not_equal"), True),
+    ],
+)
+def test_what_settles_an_undecided_pixel(test: DepthState, shaky: bool) -> None:
+    """It has to be drawn in any case, and its depth has to be kept: then it does not matter any
+    more whether another fragment was drawn there."""
+    given = passing(COLOURED, discard="discard when material.c.a < 0.5")
+    written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
+    canvas = Canvas(1, [BLUE], written, rounds=False)
+    unsure = np.array([True, False])
+    shades = Shades([np.zeros((3, 2, 4))], unsure & False, unsure, np.arange(2))
+    depths, places = np.array([0.5, 0.25]), np.arange(2)
+    first, second = (np.array([number]) for number in (0, 1))
+    for number, how in ((first, DepthState()), (second, test)):
+        pixel = np.zeros(1, dtype=np.int64)
+        canvas.draw(pixel, depths[number], np.zeros(1), places[number], shades.only(number), how)
+    assert canvas.shaky.tolist() == [shaky]
 
 
-def test_of_what_is_added_where_it_may_be_nothing_is_known() -> None:
-    painting = Painting("add", has_depth=False)
-    painting.draw(FAR)
-    painting.draw(NEAR, THROUGH_CENTRES)
-    for pixel in RIGHT:
-        low, high = painting.hull(pixel)
-        assert low <= 0.5
-        assert high >= 1.25
-    assert painting.hull(0) == pytest.approx((1.25, 1.25), abs=1e-6)
+def test_a_fragment_behind_what_may_have_stayed_settles_nothing() -> None:
+    """Where a device has not drawn what is unsure, what was there before may be nearer."""
+    given = passing(COLOURED)
+    written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
+    canvas = Canvas(1, [BLUE], written, rounds=False)
+    pixel, sure = np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
+    rows = [
+        (0.3, DepthState(), sure),
+        (0.5, DepthState("greater"), ~sure),
+        (0.4, DepthState(), sure),
+    ]
+    for place, (depth, test, undecided) in enumerate(rows):
+        shades = Shades([np.zeros((3, 1, 4))], sure, undecided, ALONE)
+        canvas.draw(pixel, np.array([depth]), np.zeros(1), np.array([place]), shades, test)
+    assert canvas.shaky.tolist() == [True]

@@ -37,14 +37,14 @@ def covered(
         faces = faces_of(positions, np.asarray(triangles), rules, state=RenderState(cull=cull))
         found = coverage_of(faces, rules)
     unsure = np.zeros(rules.width * rules.height, dtype=np.bool_)
-    unsure[found.doubtful.pixel] = True
+    unsure[found.doubtful.sample] = True
     return found.fragments, unsure
 
 
 def counts(window: Any, triangles: Any, rules: RasterRules) -> Any:
     """How often each pixel is covered, as rows."""
     fragments, _ = drawn(window, triangles, rules)
-    found = np.bincount(fragments.pixel, minlength=rules.width * rules.height)
+    found = np.bincount(fragments.sample, minlength=rules.width * rules.height)
     return found.reshape(rules.height, rules.width).tolist()
 
 
@@ -74,7 +74,7 @@ WHOLE = np.array([(-1.0, 1.0, 0.5, 1.0), (3.0, 1.0, 0.5, 1.0), (-1.0, -3.0, 0.5,
 def test_a_viewport_holds_the_clip_volume_and_nothing_is_drawn_outside() -> None:
     rules = RasterRules(6, 4, subpixel_bits=8, viewport=(2, 1, 4, 2), scissor=(-1, 0, 5, 9))
     fragments, unsure = covered(WHOLE, [(0, 1, 2)], rules)
-    rows = np.bincount(fragments.pixel, minlength=24).reshape(4, 6).tolist()
+    rows = np.bincount(fragments.sample, minlength=24).reshape(4, 6).tolist()
     assert rows == [[0] * 6, [0, 0, 1, 1, 0, 0], [0, 0, 1, 1, 0, 0], [0] * 6]
     assert not unsure.any()
 
@@ -83,7 +83,7 @@ def test_a_viewport_holds_the_clip_volume_and_nothing_is_drawn_outside() -> None
 def test_a_scissor_beside_everything_leaves_nothing(scissor: Any) -> None:
     rules = RasterRules(6, 4, subpixel_bits=8, scissor=scissor)
     fragments, _ = covered(WHOLE, [(0, 1, 2)], rules)
-    assert not len(fragments.pixel)
+    assert not len(fragments.sample)
 
 
 def test_a_viewport_scales_and_moves() -> None:
@@ -96,7 +96,7 @@ def test_a_viewport_scales_and_moves() -> None:
     ]
     rules = RasterRules(8, 8, subpixel_bits=8, viewport=(1, 3, 4, 4))
     fragments, _ = covered(np.array(places), [(0, 1, 2), (0, 2, 3)], rules)
-    columns, rows = fragments.pixel % 8, fragments.pixel // 8
+    columns, rows = fragments.sample % 8, fragments.sample // 8
     assert sorted(zip(rows.tolist(), columns.tolist(), strict=True)) == [
         (3, 3), (3, 4), (4, 3), (4, 4),
     ]  # fmt: skip
@@ -129,7 +129,7 @@ def test_inner_edges_are_not_seen(rim: Any, one: Any, other: Any, bits: int | No
             faces = faces_of(clip_positions([*rim, centre], rules), np.asarray(fan), rules)
             fragments = coverage_of(faces, rules).fragments
         signs = np.where(faces.front[fragments.face], 1, -1)
-        return np.bincount(fragments.pixel, signs, 64).tolist()
+        return np.bincount(fragments.sample, signs, 64).tolist()
 
     assert winding(one) == winding(other)
 
@@ -179,7 +179,7 @@ def test_counter_clockwise_is_the_front(cull: Cull, winding: Any, seen: bool) ->
     rules = RasterRules(4, 4)
     corners = np.array([[-1, -1, 0, 1], [3, -1, 0, 1], [-1, 3, 0, 1]], dtype=np.float64)
     fragments, _ = covered(corners, [winding], rules, cull)
-    assert len(fragments.pixel) == (16 if seen else 0)
+    assert len(fragments.sample) == (16 if seen else 0)
 
 
 @pytest.mark.parametrize("cull", ["back", "front"])
@@ -191,7 +191,7 @@ def test_a_sliver_that_snapping_may_turn_over_is_undecided(cull: Cull) -> None:
     for turned in ([0, 1, 2], [0, 2, 1]):
         fragments, unsure = covered(clip_positions(window, rules), [turned], rules, cull)
         assert unsure.reshape(8, 8)[:, 0].any()
-        assert unsure[fragments.pixel].all()
+        assert unsure[fragments.sample].all()
 
 
 @pytest.mark.parametrize("cull", ["back", "front"])
@@ -200,7 +200,7 @@ def test_a_face_that_is_surely_culled_leaves_no_pixel_undecided(cull: Cull) -> N
     winding = [0, 1, 2] if cull == "back" else [0, 2, 1]
     rules = RasterRules(8, 8, subpixel_bits=4)
     fragments, unsure = covered(clip_positions(corners, rules), [winding], rules, cull)
-    assert not len(fragments.pixel) and not unsure.any()
+    assert not len(fragments.sample) and not unsure.any()
 
 
 def test_a_floor_behind_the_eye_ends_at_the_horizon() -> None:
@@ -212,7 +212,7 @@ def test_a_floor_behind_the_eye_ends_at_the_horizon() -> None:
     z = -world[:, 2]
     positions = np.stack([world[:, 0], world[:, 1], (z - near) * far / (far - near), z], axis=1)
     fragments, _ = covered(positions, [[0, 1, 2]], rules)
-    rows = np.unique(fragments.pixel // size)
+    rows = np.unique(fragments.sample // size)
     # The ray of a row has the slope y = 1 - 2 (row + .5) / size, and meets the floor at -1 / y.
     slope = 1 - 2 * (np.arange(size) + 0.5) / size
     distance = np.where(slope < 0, -1 / slope, np.inf)
@@ -226,5 +226,5 @@ def test_what_is_not_finite_or_flat_covers_nothing() -> None:
     positions = np.array([*good, *bad], dtype=np.float64)
     triangles = np.array([[0, 1, 3], [0, 4, 2], [5, 1, 2], [0, 0, 1], [6, 6, 6]])
     fragments, unsure = covered(positions, triangles, rules)
-    assert len(fragments.pixel) == 0
+    assert len(fragments.sample) == 0
     assert not unsure.any()

@@ -44,7 +44,7 @@ def test_what_they_cover() -> None:
     with np.errstate(all="ignore"):
         coverage = coverage_of(edges(HALVES, LINES), RULES)
     drawn = np.zeros(SIZE * SIZE, np.bool_)
-    drawn[coverage.fragments.pixel] = True
+    drawn[coverage.fragments.sample] = True
     inside = np.argwhere(drawn.reshape(SIZE, SIZE)[2:6, 2:6])
     assert len(inside) == 4
     assert {abs(int(row) - int(column)) for row, column in inside} == {0}

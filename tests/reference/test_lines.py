@@ -38,7 +38,7 @@ def pixels(begin: Any, end: Any, rules: RasterRules) -> tuple[Bools, Bools]:
     """Which pixels a line covers, as rows; and which are undecided."""
     fragments, unsure = covered(clip_positions([begin, end], rules), LINE, rules)
     found = np.zeros(rules.width * rules.height, dtype=np.bool_)
-    found[fragments.pixel] = True
+    found[fragments.sample] = True
     return found.reshape(rules.height, -1), unsure.reshape(rules.height, -1)
 
 
@@ -93,7 +93,7 @@ def test_a_picture_in_front_of_which_all_lines_lie(rule: Lines) -> None:
     """Nothing is left of a line that lies before the near plane."""
     ends = np.array([[0.0, 0.0, -1.0, 1.0], [0.5, 0.5, -1.0, 1.0]])
     fragments, unsure = covered(ends, LINE, by(rule))
-    assert len(fragments.pixel) == 0
+    assert len(fragments.sample) == 0
     assert not unsure.any()
 
 
@@ -133,7 +133,7 @@ def test_lines_are_cut_at_the_near_plane() -> None:
     """Half of this line lies before it, in clip space."""
     positions = np.array([[-0.5, 0.0, -1.0, 1.0], [0.5, 0.0, 1.0, 1.0]])
     fragments, _ = covered(positions, LINE, EXACT)
-    assert sorted(set((fragments.pixel % SIZE).tolist())) == [6, 7, 8]
+    assert sorted(set((fragments.sample % SIZE).tolist())) == [6, 7, 8]
 
 
 def interpolated(begin: Any, end: Any, at: tuple[int, int], rules: RasterRules) -> float:
@@ -170,7 +170,7 @@ def test_all_of_a_line_is_drawn_by_a_pipeline_that_culls() -> None:
         faces = faces_of(
             clip_positions([(1, 2), (9, 6)], rules), LINE, rules, state=RenderState(cull=cull)
         )
-        assert len(coverage_of(faces, rules).fragments.pixel) > 5
+        assert len(coverage_of(faces, rules).fragments.sample) > 5
 
 
 def test_snapped_ends_and_snapped_corners_differ_by_less_than_a_step() -> None:

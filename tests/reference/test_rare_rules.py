@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from burnish.compiler.reference.picture import Expected, Geometry, RasterRules
-from burnish.compiler.reference.picture.scene import LEVEL_EDGES, LINES, NEIGHBOURS, RARE
+from burnish.compiler.reference.picture.scene import LEVEL_EDGES, LINES, RARE, ROWS
 from burnish.targets.conformance.once import Known
 
 from .kit import picture, shader
@@ -56,7 +56,7 @@ def test_a_level_edge_through_the_middles_of_pixels_is_told() -> None:
 
 def test_lines_and_neighbours_are_told() -> None:
     assert names(picture(PLAIN, mesh(SLOPING[:2], 2), RULES)) >= LINES
-    assert names(picture(NEIGHBOURLY, mesh(SLOPING), RULES)) == NEIGHBOURS
+    assert names(picture(NEIGHBOURLY, mesh(SLOPING), RULES)) == ROWS
 
 
 def test_every_rare_rule_is_tried() -> None:

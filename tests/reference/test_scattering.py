@@ -83,3 +83,26 @@ def test_a_device_may_join_or_not_where_rounding_tips() -> None:
     may = Bounded(np.array([True] * 4), np.array([True, False] * 2), np.array([True] * 4))
     value, low, high = joined(store("add"), 1, numbers(1, 10, 100, 1000), numbers(0, 0, 0, 0), may)
     assert (value.tolist(), low.tolist(), high.tolist()) == ([1111], [101], [1111])
+
+
+def test_what_is_joined_for_certain_counts_with_the_least_that_it_may_be() -> None:
+    values = between([4, 5, 0, 0], [5, 5, 0, 0], [7, 6, 0, 0])
+    found = ends_of("add", values, numbers(0, 0, 2, 2))
+    assert [each[0] for each in found] == [10, 9, 13]
+    found = ends_of("min", values, numbers(0, 0, 2, 2))
+    assert [each[0] for each in found] == [5, 4, 6]
+
+
+def test_of_bits_that_rounding_tips_nothing_is_known() -> None:
+    values = between([1, 2, 4, 8], [1, 2, 4, 8], [1, 3, 4, 8])
+    found, low, high = ends_of("or", values, between([0, 1, 2, 2], [0, 1, 2, 2], [0, 1, 2, 3]))
+    assert found.tolist() == [1, 2, 12]
+    assert (low[0], high[0]) == (1, 1)
+    assert (low[1:] == -(2**31)).all() and (high[1:] == 2**31 - 1).all()
+
+
+def test_places_that_nobody_knows_may_be_any_element() -> None:
+    places = between([-(2**31)] * 4, [0, 1, 2, 0], [2**32 - 1] * 4)
+    found, low, high = ends_of("max", numbers(3, 1, 7, 2), places)
+    assert (found.tolist(), high.tolist()) == ([3, 1, 7], [7, 7, 7])
+    assert (low == -(2**31)).all()

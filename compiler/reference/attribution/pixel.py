@@ -23,10 +23,11 @@ from ..evaluate import Evaluator
 from ..held_values import HeldValues
 from ..namespace import Lane, Lanes
 from ..picture.assembly import faces_of
-from ..picture.coverage import Fragments, coverage_of
+from ..picture.coverage import coverage_of
 from ..picture.faces import Faces
 from ..picture.quads import Barycentric, Quads, depths_of, rows_above
 from ..picture.sampler import TextureReader
+from ..picture.samples import pixels_of
 from ..picture.scene import Floats, Geometry, RasterRules, Texels
 from ..picture.stage_evaluation import DERIVATIVE_AXES, StageEvaluator, difference_taken
 from ..picture.texels import Image
@@ -81,6 +82,7 @@ class PixelShader:
         y: int,
     ) -> None:
         """Raises ``UncoveredError`` if nothing is drawn at (x, y)."""
+        rules = replace(rules, samples=shader.render_state.samples)
         self._held = HeldValues(values)
         self._geometry = geometry
         self._rules = rules
@@ -173,7 +175,7 @@ class PixelShader:
         self._inputs: Mapping[str, Lanes] = {
             "frag_coord": (
                 *(np.broadcast_to(lane, (1, SIDE, SIDE)) for lane in (self.place.x, self.place.y)),
-                self.place.depth.value, self.place.per_w.value,
+                self.place.depth_read.value, self.place.per_w.value,
             ),
             "front_facing": (bool(faces.front[face]),),
         }  # fmt: skip
@@ -226,13 +228,12 @@ class Reader:
 
 
 def _faces_at(faces: Faces, rules: RasterRules, x: int, y: int) -> list[int]:
-    """The faces that cover a pixel, the nearest one first."""
+    """The faces that cover a pixel or a part of it, the nearest one first."""
     fragments = coverage_of(faces, rules).fragments
-    here = fragments.pixel == y * rules.width + x
-    members = Fragments(fragments.face[here], fragments.pixel[here])
+    members = fragments.only(pixels_of(fragments.sample, rules) == y * rules.width + x)
     depth, _ = depths_of(faces, members, rules)
     nearest: list[int] = members.face[np.argsort(depth, kind="stable")].tolist()
-    return nearest
+    return list(dict.fromkeys(nearest))
 
 
 def _unchanged(_where: Occurrence, _node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:

@@ -6,9 +6,10 @@ imports it.
 """
 
 from . import formats
-from .drawing import draw, draw_onto, expected_on, written_by
+from .canvas import Canvas
+from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
-from .resolve import Canvas
+from .resolve import expected_on
 from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
 
 __all__ = [

@@ -1,6 +1,6 @@
 """What a target holds after a colour is drawn over what is there: blending, with its bounds.
 
-``resolve.py`` calls it for every fragment that is drawn to a target which is blended. The formulas
+``canvas.py`` calls it for every fragment that is drawn to a target which is blended. The formulas
 are those of Vulkan ("Blending"), OpenGL 4.6 (17.3.6) and WebGPU ("Blend State"). What is drawn,
 what is there and the constant have been clamped to the range of the format before, as all of these
 want it of formats in fixed point. Each product and each sum is rounded as a device may round it.

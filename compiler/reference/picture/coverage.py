@@ -1,8 +1,8 @@
-"""Finds the pixels that a face covers, with edge functions at pixel centres and the top-left rule.
+"""Finds the samples that a face covers, with edge functions and the top-left rule.
 
 ``drawing.py`` calls ``coverage_of``. If vertices are snapped to a grid, the edge functions are
 exact. Otherwise an edge that two faces share is still evaluated in the same direction for both, so
-that no pixel on it is drawn twice or never. Source: Pineda, "A parallel algorithm for polygon
+that no sample on it is drawn twice or never. Source: Pineda, "A parallel algorithm for polygon
 rasterization", 1988.
 """
 
@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .faces import Faces
+from .samples import Location, locations
 from .scene import Bools, Floats, Ints, RasterRules
 
 _CANDIDATES = 1 << 18
@@ -22,12 +23,17 @@ _CANDIDATES = 1 << 18
 
 @dataclass(frozen=True, slots=True)
 class Fragments:
-    """Pairs of a face and a pixel that it covers."""
+    """Pairs of a face and a sample that it covers: of a pixel with one sample, a fragment; where
+    there are several, those of one face and pixel together are a fragment."""
 
     face: Ints
     """The faces in ascending order, which is the order of drawing."""
-    pixel: Ints
-    """The numbers of the pixels, counted row by row from the top."""
+    sample: Ints
+    """The numbers of the samples."""
+
+    def only(self, which: Bools | Ints) -> Fragments:
+        """Some of them."""
+        return Fragments(self.face[which], self.sample[which])
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,11 +49,10 @@ class Coverage:
     def in_order(self) -> tuple[Fragments, Bools]:
         """All that any device has, each once, in the order of drawing; which are certain."""
         sure = self.certain
-        face = np.concatenate([self.fragments.face[sure], self.doubtful.face])
-        pixel = np.concatenate([self.fragments.pixel[sure], self.doubtful.pixel])
-        order = np.argsort(face, kind="stable")
+        every = joined([self.fragments.only(sure), self.doubtful])
+        order = np.argsort(every.face, kind="stable")
         certain: Bools = order < int(sure.sum())
-        return Fragments(face[order], pixel[order]), certain
+        return every.only(order), certain
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,38 +85,41 @@ class _Spans:
 
 
 def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
-    """The pixels that faces cover."""
+    """The samples that faces cover."""
     edges = _edges(faces, rules)
-    found = [_covered(faces, edges, part, rules) for part in _portions(_spans(faces, edges, rules))]
-    return Coverage(
-        joined([part.fragments for part in found]),
-        np.concatenate([np.zeros(0, np.bool_), *(part.certain for part in found)]),
-        joined([part.doubtful for part in found]),
-    )
+    found = []
+    for number, at in enumerate(locations(rules)):
+        for part in _portions(_spans(faces, edges, rules, at)):
+            found.append(_covered(faces, edges, part, rules, number, at))
+    fragments = joined([part.fragments for part in found])
+    certain = np.concatenate([np.zeros(0, np.bool_), *(part.certain for part in found)])
+    doubtful = joined([part.doubtful for part in found])
+    if rules.samples > 1:
+        order = np.argsort(fragments.face, kind="stable")
+        fragments, certain = fragments.only(order), certain[order]
+    return Coverage(fragments, certain, doubtful)
 
 
-def has_level_edges(faces: Faces) -> bool:
-    """Whether the middles of pixels may lie exactly on a level edge, so that it counts which of two
-    faces owns them."""
+def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
+    """Whether samples may lie exactly on a level edge, so that it counts which of two faces owns
+    them."""
     x, y = faces.x, faces.y
     is_level = (y == np.roll(y, -1, axis=1)) & (x != np.roll(x, -1, axis=1))
-    return bool((is_level & (y % 1.0 == 0.5)).any())
+    return any(bool((is_level & (y % 1.0 == at.y)).any()) for at in locations(rules))
 
 
-def _covered(faces: Faces, edges: _Edges, spans: _Spans, rules: RasterRules) -> Coverage:
-    """Which pixels of some spans are covered."""
+def _covered(
+    faces: Faces, edges: _Edges, spans: _Spans, rules: RasterRules, number: int, at: Location
+) -> Coverage:
+    """At which pixels of some spans the sample with this number is covered."""
     face = np.repeat(spans.face, spans.length)
     before = np.cumsum(spans.length) - spans.length
     column = np.arange(len(face)) + np.repeat(spans.start - before, spans.length)
     row = np.repeat(spans.y, spans.length)
-    pixel: Ints = row * rules.width + column
-    x, y = (np.asarray(at + 0.5, np.float64) for at in (column, row))
-    covered, close = faces.settled(face, (x, y), *_tried(edges, spans, face, x))
-    return Coverage(
-        Fragments(face[covered], pixel[covered]),
-        np.asarray(~close[covered]),
-        Fragments(face[close], pixel[close]),
-    )
+    x, y = np.asarray(column + at.x, np.float64), np.asarray(row + at.y, np.float64)
+    covered, close = faces.settled(face, (x, y), *_tried(edges, spans, face, x, at))
+    every = Fragments(face, (row * rules.width + column) * rules.samples + number)
+    return Coverage(every.only(covered), np.asarray(~close[covered]), every.only(close))
 
 
 def joined(parts: Sequence[Fragments]) -> Fragments:
@@ -119,7 +127,7 @@ def joined(parts: Sequence[Fragments]) -> Fragments:
     none = np.zeros(0, np.int64)
     return Fragments(
         np.concatenate([none, *(part.face for part in parts)]),
-        np.concatenate([none, *(part.pixel for part in parts)]),
+        np.concatenate([none, *(part.sample for part in parts)]),
     )
 
 
@@ -138,18 +146,19 @@ def _edges(faces: Faces, rules: RasterRules) -> _Edges:
     return _Edges(from_x, from_y, dx, dy, owns, faces.unsure * np.hypot(dx, dy))
 
 
-def _spans(faces: Faces, edges: _Edges, rules: RasterRules) -> _Spans:
-    """For every face the rows that it may touch, and in each the pixels between its edges."""
+def _spans(faces: Faces, edges: _Edges, rules: RasterRules, at: Location) -> _Spans:
+    """For every face the rows of samples that it may touch, and in each the pixels between its
+    edges."""
     slack = faces.unsure.max(axis=1, initial=0.0)
     first, upper, last, lower = rules.drawn
-    left = _clamped(np.ceil(faces.x.min(axis=1) - slack - 0.5), first, last)
-    right = _clamped(np.floor(faces.x.max(axis=1) + slack + 0.5), first, last)
-    top = _clamped(np.ceil(faces.y.min(axis=1) - slack - 0.5), upper, lower)
-    bottom = _clamped(np.floor(faces.y.max(axis=1) + slack + 0.5), upper, lower)
+    left = _clamped(np.ceil(faces.x.min(axis=1) - slack - at.x), first, last)
+    right = _clamped(np.floor(faces.x.max(axis=1) + slack + (1.0 - at.x)), first, last)
+    top = _clamped(np.ceil(faces.y.min(axis=1) - slack - at.y), upper, lower)
+    bottom = _clamped(np.floor(faces.y.max(axis=1) + slack + (1.0 - at.y)), upper, lower)
     rows = np.where(right > left, np.maximum(bottom - top, 0), 0)
     face = np.repeat(np.arange(len(rows)), rows)
     y = np.arange(len(face)) + np.repeat(top - np.cumsum(rows) + rows, rows)
-    begin, end = _between(edges, face, y + 0.5)
+    begin, end = _between(edges, face, y + at.y)
     start = np.maximum(left[face], _clamped(np.floor(begin) - 1, first, last))
     stop = np.minimum(right[face], _clamped(np.ceil(end) + 1, first, last))
     some = stop > start
@@ -183,13 +192,15 @@ def _portions(spans: _Spans) -> Iterator[_Spans]:
         begin = end
 
 
-def _tried(edges: _Edges, spans: _Spans, face: Ints, x: Floats) -> tuple[Bools, Bools]:
+def _tried(
+    edges: _Edges, spans: _Spans, face: Ints, x: Floats, at: Location
+) -> tuple[Bools, Bools]:
     """For each candidate, whether it is covered, and whether rounding may change this."""
     covered = np.ones(len(x), dtype=np.bool_)
     beside = np.ones(len(x), dtype=np.bool_)
     close = np.zeros(len(x), dtype=np.bool_)
     for side in range(edges.x.shape[1]):
-        along = edges.dx[spans.face, side] * (spans.y + 0.5 - edges.y[spans.face, side])
+        along = edges.dx[spans.face, side] * (spans.y + at.y - edges.y[spans.face, side])
         value = np.repeat(along, spans.length)
         value -= edges.dy[face, side] * (x - edges.x[face, side])
         covered &= (value > 0) | ((value == 0) & edges.owns[face, side])

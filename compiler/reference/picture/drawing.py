@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,17 +14,18 @@ from ...ir.types import Type, width
 from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
+from .canvas import BLACK, Canvas, Shades, nearest, with_missing
 from .copies import place_numbers
 from .coverage import Coverage, Fragments, coverage_of, has_level_edges, joined
 from .faces import Faces
 from .hulls import Hulls
 from .lines import LineFaces
 from .quads import Barycentric, Quads, depths_of, out_of_range, quads_of
-from .resolve import BLACK, Canvas, Shades, nearest, with_missing
+from .resolve import expected_on
 from .scene import (
     LEVEL_EDGES,
     LINES,
-    NEIGHBOURS,
+    ROWS,
     Bools,
     Expected,
     Floats,
@@ -65,8 +67,9 @@ def draw(
     belong to.
     """
     written = written_by(shader)
+    rules = replace(rules, samples=shader.render_state.samples)
     canvas = Canvas(
-        rules.width * rules.height, clear, written, rounds=errors is not None,
+        rules.sample_count, clear, written, rounds=errors is not None,
         depth=shader.render_state.depth.clear, blend_constant=blend_constant,
     )  # fmt: skip
     broken = draw_onto(canvas, shader, values, textures, geometry, rules, errors, progress)
@@ -86,7 +89,8 @@ def draw_onto(
 ) -> frozenset[int]:
     """Draw over what is on a canvas, as ``draw`` does on an empty one, and with the same errors.
 
-    ``hulls`` gets what undecided pixels may be. Returns the ids of the promises that were broken.
+    The canvas has as many samples as ``rules`` say, which are those of the pass. ``hulls`` gets
+    what undecided ones may be. Returns the ids of the promises that were broken.
     """
     with np.errstate(all="ignore"):
         drawing = _Drawing(canvas, shader, values, textures, geometry, rules, errors)
@@ -97,30 +101,6 @@ def draw_onto(
 def written_by(shader: Shader) -> list[tuple[RenderTarget, Type]]:
     """The render targets of a shader, with the types of what it writes to them."""
     return [(r.state, r.value.type) for r in shader.results if r.state is not None]
-
-
-def expected_on(
-    canvas: Canvas, rules: RasterRules, broken: frozenset[int] = frozenset()
-) -> Expected:
-    """The picture on a canvas."""
-    shape = rules.height, rules.width
-
-    def picture(pixels: Floats) -> Floats:
-        return pixels.reshape(*shape, 4)
-
-    def mask(pixels: Bools) -> Bools:
-        return pixels.reshape(shape)
-
-    return Expected(
-        targets=tuple(picture(target[0]) for target in canvas.targets),
-        covered=mask(canvas.layers > 0),
-        undecided=mask(canvas.undecided | canvas.shaky),
-        low=tuple(picture(_known(target[1], -np.inf)) for target in canvas.targets),
-        high=tuple(picture(_known(target[2], np.inf)) for target in canvas.targets),
-        layers=canvas.layers.reshape(shape),
-        broken=broken,
-        counted=canvas.counted,
-    )
 
 
 class _Drawing:
@@ -158,7 +138,7 @@ class _Drawing:
             and self._depth.keeps_nearest
             and not self._stencil.writes
         )
-        """Whether of several fragments at a pixel only the nearest one counts."""
+        """Whether of several fragments at a sample only the nearest one counts."""
         self._canvas = canvas
         canvas.counted |= rules.counted(self._rare())
 
@@ -166,10 +146,10 @@ class _Drawing:
         """The names of the rare rules on which this draw hangs."""
         if isinstance(self._faces, LineFaces):
             yield from LINES
-        if has_level_edges(self._faces):
+        if has_level_edges(self._faces, self._rules):
             yield from LEVEL_EDGES
-        if self._stages.side > 1:
-            yield from NEIGHBOURS
+        if self._stages.side > 1 or self._rules.samples > 1:
+            yield from ROWS
 
     @property
     def broken(self) -> frozenset[int]:
@@ -182,27 +162,27 @@ class _Drawing:
         coverage = coverage_of(self._faces, self._rules)
         fragments, sure = coverage.fragments, coverage.certain
         seen, doubtful = self._let_through(fragments), coverage.doubtful
-        fragments, sure = _chosen(fragments, seen), sure[seen]
-        doubtful = _chosen(doubtful, self._let_through(doubtful))
+        fragments, sure = fragments.only(seen), sure[seen]
+        doubtful = doubtful.only(self._let_through(doubtful))
         if self._depth.is_biased:
             # APIs leave open what becomes of depths that a bias moves out of their range.
             beyond = sure & out_of_range(self._faces, fragments, self._rules)
-            doubtful, sure = joined([doubtful, _chosen(fragments, beyond)]), sure & ~beyond
+            doubtful, sure = joined([doubtful, fragments.only(beyond)]), sure & ~beyond
         every, certain = Coverage(fragments, sure, doubtful).in_order()
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:
-            doubtful = self._not_hidden(doubtful, _chosen(fragments, sure), (depth + off)[sure])
+            doubtful = self._not_hidden(doubtful, fragments.only(sure), (depth + off)[sure])
             winners, close = nearest(fragments, depth, off, self._places[fragments.face])
             canvas.undecided[close] = True
-            fragments = _chosen(fragments, winners)
+            fragments = fragments.only(winners)
             depth, off = depth[winners], off[winners]
         place = self._places[fragments.face]
         shades = self._shaded(fragments, progress)
-        canvas.doubt(doubtful.pixel, self._depth, self._stencil)
+        canvas.doubt(doubtful.sample, self._depth, self._stencil)
         canvas.draw(
-            fragments.pixel, depth, off, place, shades, self._depth, self._test_of(fragments)
+            fragments.sample, depth, off, place, shades, self._depth, self._test_of(fragments)
         )
-        canvas.doubt(doubtful.pixel, self._depth, self._stencil)
+        canvas.doubt(doubtful.sample, self._depth, self._stencil)
         if hulls is not None:
             hulls.extend(
                 every,
@@ -224,9 +204,9 @@ class _Drawing:
         """The fragments that the stencil does not hide, as far as that is known beforehand: a draw
         that writes values may still change them."""
         if self._stencil.writes:
-            return np.ones(len(fragments.pixel), np.bool_)
+            return np.ones(len(fragments.sample), np.bool_)
         test = self._test_of(fragments)
-        return self._canvas.stencil.tested(test, fragments.pixel).may_hold
+        return self._canvas.stencil.tested(test, fragments.sample).may_hold
 
     def _not_hidden(self, doubtful: Fragments, certain: Fragments, farthest: Floats) -> Fragments:
         """The doubtful fragments that are not behind others which every device draws.
@@ -234,29 +214,30 @@ class _Drawing:
         ``farthest`` is how far away a device may have each of these.
         """
         depth, off = depths_of(self._faces, doubtful, self._rules)
-        behind = np.full(self._rules.width * self._rules.height, np.inf)
-        np.minimum.at(behind, certain.pixel, farthest)
-        seen = ~(depth - off > behind[doubtful.pixel])
-        return Fragments(doubtful.face[seen], doubtful.pixel[seen])
+        behind = np.full(self._rules.sample_count, np.inf)
+        np.minimum.at(behind, certain.sample, farthest)
+        return doubtful.only(~(depth - off > behind[doubtful.sample]))
 
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
         """The fragments' colours, computed for a limited number of quads at a time."""
         quads, lane = quads_of(fragments, self._rules, self._stages.side)
-        count = len(lane)
+        # The samples of a pixel that a face covers have one lane in common.
+        lanes, of_sample = np.unique(lane, return_inverse=True)
+        count = len(lanes)
         colours = [np.empty((3, count, 4)) for _ in self._lanes]
-        shades = Shades(colours, np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_))
-        order = np.argsort(lane, kind="stable")
+        discarded, undecided = np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_)
+        shades = Shades(colours, discarded, undecided, np.asarray(of_sample.ravel()))
         step = max(_LANES // quads.side**2, 1)
         for begin in range(0, len(quads), step):
             limits = np.array([begin, begin + step]) * quads.side**2
-            first, last = np.searchsorted(lane, limits, sorter=order)
-            members, part = order[first:last], quads.part(begin, begin + step)
-            self._shade(part, lane[members] - limits[0], members, shades)
+            first, last = np.searchsorted(lanes, limits)
+            part = quads.part(begin, begin + step)
+            self._shade(part, lanes[first:last] - limits[0], slice(first, last), shades)
             if progress is not None:
                 progress(last / count)
         return shades
 
-    def _shade(self, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
+    def _shade(self, quads: Quads, lane: Ints, members: slice, into: Shades) -> None:
         """Shade quads, and store some of their lanes as these members of all fragments."""
         place = Barycentric(self._faces, quads, self._rules)
         shaded = self._stages.fragments(place, self._faces.front[quads.face], self._vertices)
@@ -277,13 +258,3 @@ class _Drawing:
                 bounded = as_bounded(values)
                 ends = (bounded.value, bounded.low, bounded.high)
                 colours[:, members, i] = np.stack([chosen(end) for end in ends])
-
-
-def _chosen(fragments: Fragments, which: Bools | Ints) -> Fragments:
-    return Fragments(fragments.face[which], fragments.pixel[which])
-
-
-def _known(ends: Floats, otherwise: float) -> Floats:
-    """The ends of intervals, or infinity where nothing is known."""
-    known: Floats = np.where(np.isnan(ends), otherwise, ends)
-    return known

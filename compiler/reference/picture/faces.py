@@ -75,7 +75,7 @@ class Faces:
     ) -> tuple[Bools, Bools]:
         """Which candidates are covered, and for which rounding decides.
 
-        For each candidate it gets the face, the middle of the pixel, and what the outline says of
+        For each candidate it gets the face, the place of the sample, and what the outline says of
         both. Where other rules count as well, a subclass has them.
         """
         del face, place

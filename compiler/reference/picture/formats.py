@@ -1,7 +1,7 @@
 """Rounds colours to the formats of render targets, as far as a device may round them.
 
-``resolve.py`` calls it for every fragment that is drawn. What a host or a shader reads of a target
-afterwards is a number that the format has.
+``canvas.py`` calls it for every fragment that is drawn, and ``resolve.py`` for means of samples.
+What a host or a shader reads of a target afterwards is a number that the format has.
 """
 
 from __future__ import annotations

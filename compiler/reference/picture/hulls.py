@@ -1,4 +1,4 @@
-"""What an undecided pixel may be: whatever some fragment there has drawn, or nothing has.
+"""What an undecided sample may be: whatever some fragment there has drawn, or nothing has.
 
 Where rounding tips which fragments are drawn, a picture alone is not compared. But a later step of
 a frame may read the pixel, and then it matters that it is one of few colours: between the least and
@@ -12,20 +12,20 @@ from collections.abc import Callable
 
 import numpy as np
 
+from .canvas import Canvas, Shades, in_layers
 from .coverage import Fragments
-from .resolve import Canvas, Shades, in_layers
 from .scene import Bools, Floats, Ints
 
 
 class Hulls:
-    """For each pixel of a canvas the least and the largest of what it may be."""
+    """For each sample of a canvas the least and the largest of what it may be."""
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
         self.targets = [target[1:].copy() for target in canvas.targets]
-        """For each target (2, pixels, 4)."""
+        """For each target (2, samples, 4)."""
         self.depth = np.stack([canvas.depth - canvas.depth_off, canvas.depth + canvas.depth_off])
-        """(2, pixels)."""
+        """(2, samples)."""
 
     def extend(
         self,
@@ -34,7 +34,7 @@ class Hulls:
         depths: Callable[[Fragments], tuple[Floats, Floats]],
         shaded: Callable[[Fragments], Shades],
     ) -> None:
-        """Behind a draw: decided pixels are what they are; others may be what they were before, or
+        """Behind a draw: decided samples are what they are; others may be what they were before, or
         what any of these fragments makes of that.
 
         The fragments are in the order of drawing. All devices draw those that are ``certain``,
@@ -42,30 +42,30 @@ class Hulls:
         """
         canvas = self._canvas
         undecided = canvas.undecided | canvas.shaky
-        here = undecided[fragments.pixel]
-        several = Fragments(fragments.face[here], fragments.pixel[here])
+        here = undecided[fragments.sample]
+        several = fragments.only(here)
         depth, off = depths(several)
         now = np.stack([canvas.depth - canvas.depth_off, canvas.depth + canvas.depth_off])
         self.depth = _joined(self.depth, now, undecided)
-        _include(self.depth, several.pixel, np.stack([depth - off, depth + off]))
-        shades = shaded(several)
+        _include(self.depth, several.sample, np.stack([depth - off, depth + off]))
+        shades = shaded(several).only(np.arange(len(several.sample)))
         for number, target in enumerate(canvas.targets):
             if canvas.is_opaque:
                 self.targets[number] = _joined(self.targets[number], target[1:], undecided)
                 colours = canvas.stored(number, shades.colours[number])[1:]
-                _include(self.targets[number], several.pixel, _known(colours))
+                _include(self.targets[number], several.sample, _known(colours))
             else:
-                self._blend(number, several.pixel, certain[here], shades)
+                self._blend(number, several.sample, certain[here], shades)
                 self.targets[number][:, ~undecided] = target[1:, ~undecided]
 
-    def _blend(self, number: int, pixel: Ints, certain: Bools, shades: Shades) -> None:
-        """Blend fragments with all that their pixels may be, one after the other."""
+    def _blend(self, number: int, sample: Ints, certain: Bools, shades: Shades) -> None:
+        """Blend fragments with all that their samples may be, one after the other."""
         hull = self.targets[number]
         certain = certain & ~shades.undecided
         drawn = shades.undecided | ~shades.discarded
-        for layer in in_layers(pixel):
+        for layer in in_layers(sample):
             members = layer[drawn[layer]]
-            at = pixel[members]
+            at = sample[members]
             behind = hull[:, at]
             mixed = _known(
                 self._canvas.mixed(
@@ -78,7 +78,7 @@ class Hulls:
 
 
 def _joined(before: Floats, now: Floats, undecided: Bools) -> Floats:
-    """Of undecided pixels both, of all others what they are now."""
+    """Of undecided samples both, of all others what they are now."""
     low = np.where(_like(undecided, now[0]), np.minimum(before[0], now[0]), now[0])
     high = np.where(_like(undecided, now[1]), np.maximum(before[1], now[1]), now[1])
     return np.stack([low, high])
@@ -88,9 +88,9 @@ def _like(mask: Bools, values: Floats) -> Bools:
     return mask if values.ndim == 1 else mask[:, None]
 
 
-def _include(hull: Floats, pixel: Ints, ends: Floats) -> None:
-    np.minimum.at(hull[0], pixel, ends[0])
-    np.maximum.at(hull[1], pixel, ends[1])
+def _include(hull: Floats, sample: Ints, ends: Floats) -> None:
+    np.minimum.at(hull[0], sample, ends[0])
+    np.maximum.at(hull[1], sample, ends[1])
 
 
 def _known(ends: Floats) -> Floats:

@@ -1,6 +1,7 @@
 """Groups fragments into quads, and interpolates the vertices' values for them.
 
-``drawing.py`` calls it between coverage and the fragment stage.
+``drawing.py`` calls it between coverage and the fragment stage. Whatever samples of a pixel a face
+covers, its values are those at the centre; only the depths that are compared are of each sample.
 """
 
 from __future__ import annotations
@@ -15,11 +16,14 @@ from ..bounds import Bounded
 from ..namespace import Lanes
 from .coverage import Fragments
 from .faces import Faces
+from .samples import CENTRE, Location, location_of, pixels_of
 from .scene import Bools, Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
 """The error of a mean where a device may take small numbers of the computation for zero. Means of
 nothing but zeros are exact."""
+_HALF = 0.5
+"""How far the samples of a pixel are from its centre at most, to the side and downwards."""
 _OVERFLOWS = 2.0**124
 """A plane through larger numbers may become infinite on its way."""
 
@@ -33,13 +37,27 @@ class Quads:
     y: Ints
     """(quads,): the pixel at the top left."""
     side: int
+    at: Location = CENTRE
+    """Where in each pixel the values are; of quads of one pixel, each may have a place of its
+    own."""
 
     def __len__(self) -> int:
         return len(self.face)
 
     def part(self, begin: int, end: int) -> Quads:
-        """The quads from ``begin`` to ``end``."""
+        """The quads from ``begin`` to ``end``, whose values are at the centres of pixels."""
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)
+
+    def places(self) -> tuple[Floats, Floats]:
+        """Where the values are, in pixels: (quads, 1, side) and (quads, side, 1)."""
+        across = self._each(self.x, self.at.x)
+        down = self._each(self.y, self.at.y)
+        return across[:, None, :], down[:, :, None]
+
+    def _each(self, first: Ints, inside: Any) -> Floats:
+        """(quads, side): the places along one side."""
+        steps = np.arange(self.side) + np.reshape(inside, (-1, 1))
+        return np.asarray(first[:, None] + steps, np.float64)
 
 
 def rows_above(rules: RasterRules, side: int) -> int:
@@ -49,9 +67,10 @@ def rows_above(rules: RasterRules, side: int) -> int:
 
 def quads_of(fragments: Fragments, rules: RasterRules, side: int) -> tuple[Quads, Ints]:
     """The quads that contain the fragments, and for each fragment the number of its lane in
-    them."""
+    them, which all samples of a pixel have in common."""
     width, above = rules.width, rows_above(rules, side)
-    x, y = fragments.pixel % width, fragments.pixel // width + above
+    pixel = pixels_of(fragments.sample, rules)
+    x, y = pixel % width, pixel // width + above
     across = -(-width // side)
     column, row = x // side, y // side
     span = (int(row.max(initial=0)) + 1) * across
@@ -74,9 +93,7 @@ class Barycentric:
         self._rules = rules
         self._nudge = _error(rules.varying_bits)
         self._flushed = 0.0 if rules.varying_bits is None else _FLUSHED
-        steps = np.arange(quads.side) + 0.5
-        self.x = (quads.x[:, None] + steps)[:, None, :]
-        self.y = (quads.y[:, None] + steps)[:, :, None]
+        self.x, self.y = quads.places()
         self._extent = faces.extent[quads.face][:, None, None]
         self._linear, self._steps = _linear(faces, quads.face, self.x, self.y)
         self._whole = bool(faces.whole[quads.face].all())
@@ -85,9 +102,21 @@ class Barycentric:
 
     @cached_property
     def depth(self) -> Bounded:
-        """The depth, as shaders read it."""
+        """The depth at these places."""
+        return self._depth_around(0.0)
+
+    @cached_property
+    def depth_read(self) -> Bounded:
+        """The depth, as shaders read it. Where pixels have several samples, a device may give it
+        that of any of them."""
+        return self.depth if self._rules.samples == 1 else self._depth_around(_HALF)
+
+    def _depth_around(self, reach: float) -> Bounded:
+        """The depth within so many pixels of the places."""
         corners = self._faces.z[self._face]
         off = self._off_plane(corners) + self._faces.z_off[self._face][:, None, None]
+        if reach:
+            off = off + reach * self._steepness(corners)
         return _depth(self._mixed(corners.T, self._linear), off)
 
     @cached_property
@@ -286,9 +315,10 @@ def out_of_range(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bool
 
 
 def _single(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bounded:
-    """The depths of single pixels, (fragments, 1, 1)."""
-    x, y = fragments.pixel % rules.width, fragments.pixel // rules.width
-    return Barycentric(faces, Quads(fragments.face, x, y, 1), rules).depth
+    """The depths of single samples, (fragments, 1, 1)."""
+    pixel, at = pixels_of(fragments.sample, rules), location_of(fragments.sample, rules)
+    x, y = pixel % rules.width, pixel // rules.width
+    return Barycentric(faces, Quads(fragments.face, x, y, 1, at), rules).depth
 
 
 def _most(corners: Floats) -> Floats:

@@ -28,10 +28,11 @@ Counted = frozenset[tuple[str, Hashable]]
 
 LEVEL_EDGES = frozenset({"owns_bottom"})
 LINES = frozenset({"lines", "snaps_line_ends"})
-NEIGHBOURS = frozenset({"bottom_up"})
-RARE = LEVEL_EDGES | LINES | NEIGHBOURS
-"""The rules that few pictures hang on: those with pixels exactly on a level edge, those of lines,
-and those whose pixels use values of their neighbours. All others are the same by any of them."""
+ROWS = frozenset({"bottom_up"})
+RARE = LEVEL_EDGES | LINES | ROWS
+"""The rules that few pictures hang on: those with samples exactly on a level edge, those of lines,
+and those whose pixels use values of their neighbours or have several samples. All others are the
+same by any of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,8 +140,8 @@ class RasterRules:
     """The binary places of the texel beyond a cube's corner, where the device is known to read the
     mean of the three around it, as Vulkan recommends; ``None``: it may read one of them."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters for levels and
-    derivatives."""
+    """Whether the device counts rows from below. Then a quad's first pixel is the lower left one,
+    which matters for levels and derivatives, and the samples of a pixel lie turned over."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
     Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
@@ -152,6 +153,8 @@ class RasterRules:
     drawn outside of it."""
     scissor: Area | None = None
     """To which part of the picture is drawn, likewise."""
+    samples: int = 1
+    """How many samples each pixel has."""
 
     @property
     def common(self) -> Counted:
@@ -171,6 +174,11 @@ class RasterRules:
     def port(self) -> Area:
         """The viewport."""
         return (0, 0, self.width, self.height) if self.viewport is None else self.viewport
+
+    @property
+    def sample_count(self) -> int:
+        """How many samples the whole picture has."""
+        return self.width * self.height * self.samples
 
     @property
     def drawn(self) -> Area:

@@ -141,7 +141,7 @@ class StageEvaluator:
         """Evaluate the fragment stage in quads; ``front`` says which of them face the eye."""
         readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = {
-            "frag_coord": self._given((place.x, place.y, place.depth, place.per_w)),
+            "frag_coord": self._given((place.x, place.y, place.depth_read, place.per_w)),
             "front_facing": (front[:, None, None],),
         }
 

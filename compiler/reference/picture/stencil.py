@@ -1,6 +1,6 @@
 """The stencil values of a canvas: which fragments they let through, and what becomes of them.
 
-``resolve.py`` asks for each layer of fragments. Where rounding may tip what happens to a value, it
+``canvas.py`` asks for each layer of fragments. Where rounding may tip what happens to a value, it
 is not known any more, and neither is what it lets through.
 Sources: Vulkan, "Stencil Test"; OpenGL 4.6, 17.3.3.
 """

@@ -6,18 +6,18 @@ parts of a shader have been put together.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from ....frozen import changed, frozen
 from ...diagnostics import rules
-from ...diagnostics.diagnostic import Label
+from ...diagnostics.diagnostic import Label, Rule
 from ...diagnostics.fixes import fix_it
 from ...ir import build
 from ...ir.binding import substitute
 from ...ir.domains import MixedDomainsError
-from ...ir.expansion import EmittedStrips, Expansion
+from ...ir.expansion import STRIP_KINDS, EmittedStrips, Expansion
 from ...ir.node import Node
-from ...ir.primitives import CORNERS
+from ...ir.primitives import CORNERS, DrawnPrimitive
 from ...ir.shader import Result
 from ...ir.stages import (
     EMITTED,
@@ -60,6 +60,13 @@ from .made import by_vertices, pass_of, slots_set
 
 MOST_VERTICES = 4096
 """So many vertices may come of one primitive."""
+
+_NOT_WHOLE: Mapping[DrawnPrimitive, Rule] = {
+    "point": rules.NO_POINTS,
+    "line": rules.NO_SEGMENTS,
+    "triangle": rules.NO_TRIANGLES,
+}
+"""What is wrong where vertices are no whole number of these."""
 
 
 def expands(instance: Instance) -> bool:
@@ -207,7 +214,7 @@ class _Expanding:
     def _fits(self, groups: list[EmittedStrips]) -> bool:
         """Whether a primitive turns into something, and not into more than anything could draw."""
         span, count = self._member.primitive.span, sum(group.listed for group in groups)
-        emitted = {group.emits for group in groups}
+        emitted = {group.kind.emits for group in groups}
         if not count:
             self._ctx.report.add(rules.NO_STRIPS, span)
         elif len(emitted) > 1:
@@ -269,20 +276,9 @@ class _Expanding:
         ctx, span = self._ctx, written.count.span
         node = typed(ctx, written.count, Scope(self._owner.module), INT, "int")
         count = ctx.constants.integer(node, span)
-        if count is None:
-            return None
-        if written.shape == "points":
-            if count < 1:
-                ctx.report.add(rules.NO_POINTS, span, count=count)
-                return None
-            return count
-        if written.shape == "line":
-            if count < 2:
-                ctx.report.add(rules.NO_SEGMENTS, span, count=count)
-                return None
-            return count
-        if count < 3 or (written.shape == "list" and count % 3):
-            ctx.report.add(rules.NO_TRIANGLES, span, count=count, shape=written.shape)
+        kind = STRIP_KINDS[written.shape]
+        if count is not None and not kind.is_whole(count):
+            ctx.report.add(_NOT_WHOLE[kind.emits], span, count=count, shape=written.shape)
             return None
         return count
 

@@ -173,8 +173,8 @@ class Capture:
 
 
 StripShape = Literal["strip", "list", "line", "points"]
-"""Triangles that each share two vertices with the one before, or that share none; or vertices that
-are points, each alone."""
+"""Triangles that each share two vertices with the one before, or that share none; lines from each
+vertex to the next one; or points."""
 
 
 @frozen(eq=False)

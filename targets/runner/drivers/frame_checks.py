@@ -39,6 +39,7 @@ def _check_numbers(job: FrameJob, step: FrameStep) -> None:
     drawn_to = [each.texture for each in _attachments(step)]
     named = [*(each.texture for each in step.barriers), *drawn_to, *step.images, *step.copied]
     _all_in("texture", [*named, *step.read], job.textures)
+    _all_in("buffer", [each.buffer for each in step.buffer_barriers], job.buffers)
     for draw in step.draws:
         _all_in("pipeline", [draw.pipeline], job.pipelines)
         _all_in("texture", [each for each in draw.textures if each != OWN], job.textures)

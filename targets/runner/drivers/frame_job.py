@@ -18,6 +18,9 @@ from .render_state import DepthFormat, TargetFormat
 TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as; at first it has no contents."""
 
+BufferUse = Literal["undefined", "written", "read"]
+"""What a storage buffer is used as; at first it has what ``FrameBuffer`` says."""
+
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
 
@@ -60,6 +63,15 @@ class Barrier:
     texture: int
     before: TextureUse
     after: TextureUse
+
+
+@dataclass(frozen=True, slots=True)
+class BufferBarrier:
+    """From here on, a storage buffer is used in another way."""
+
+    buffer: int
+    before: BufferUse
+    after: BufferUse
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +132,7 @@ class FrameStep:
     """From which texture to which other one, if it is a copy."""
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
+    buffer_barriers: tuple[BufferBarrier, ...] = ()
 
     def areas(self, width: int, height: int) -> tuple[Area, Area]:
         """The viewport in targets of this size, and all that is drawn to."""

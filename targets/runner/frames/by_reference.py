@@ -1,8 +1,8 @@
 """Draws a frame with the reference: step by step, in double precision.
 
-What a step leaves is a texture with bounds, if bounds are asked for: between which numbers those of
-a device are. Of a pixel that is undecided, these contain all that a device may have drawn there, so
-that the pixels which read it are as uncertain as they should be.
+What a step leaves is a texture or a buffer with bounds, if bounds are asked for: between which
+numbers those of a device are. Of a pixel that is undecided, these contain all that a device may
+have drawn there, so that what reads it is as uncertain as it should be.
 """
 
 from __future__ import annotations
@@ -29,6 +29,8 @@ from ....compiler.reference.picture import (
     formats,
     written_by,
 )
+from ....compiler.reference.storage_buffers import Contents
+from ..instances.instance import Instance
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
@@ -105,7 +107,8 @@ class ReferenceFrames:
     frames: int = 0
     """How many have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
-    buffers: dict[str, bytes] = field(default_factory=dict)
+    buffers: dict[str, Contents] = field(default_factory=dict)
+    """By the name of the result."""
     counted: Counted = frozenset()
     """The rare rules on which it hangs what has been drawn so far."""
 
@@ -180,14 +183,15 @@ class ReferenceFrames:
             self._draw_layer(step, draws, layer)
 
     def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
-        shader = self._shader(step["draws"][0]["uses"][0]["shader"])
+        shader = drawable(self._shader(step["draws"][0]["uses"][0]["shader"]))
         width, height = self.host.drawn_size(step)
         state, depth = self.host.state_of(step), step["depth"]
         rules = replace(
-            self.rules, width=width, height=height, viewport=state.viewport, scissor=state.scissor
-        )
+            self.rules, width=width, height=height, viewport=state.viewport,
+            scissor=state.scissor, samples=shader.render_state.samples,
+        )  # fmt: skip
         canvas = Canvas(
-            width * height, [self.host.clear_of(target) for target in step["targets"]],
+            rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
             depth=1.0 if depth is None else self.host.clear_of(depth)[0],
             blend_constant=state.blend_constant,
@@ -202,20 +206,18 @@ class ReferenceFrames:
 
     def _shader(self, number: int) -> Shader:
         if self.shader_of is not None:
-            return drawable(self.shader_of(number))
-        return drawable(self.host.shaders[number].shader)
+            return self.shader_of(number)
+        return self.host.shaders[number].shader
 
     def _onto(
         self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
     ) -> None:
         """Draw on a canvas; where a shader draws each layer by itself, this one."""
         state = draw.state.layers[layer] if draw.state.layers else draw.state
-        shader = self._shader(draw.shader)
-        for name, read in draw.reads.items():
-            if read.texture is None:
-                state.instance.set_bytes(name, self.buffers[read.result])
+        shader = drawable(self._shader(draw.shader))
+        written = self._give_buffers(state.instance, draw)
         draw_onto(
-            canvas, shader, values_for(shader, state.instance), self._texels(draw),
+            canvas, shader, values_for(shader, state.instance, written), self._texels(draw),
             geometry_for(shader, state.geometry()), rules, self.errors,
             hulls=None if self.errors is None else hulls,
         )  # fmt: skip
@@ -226,6 +228,17 @@ class ReferenceFrames:
             if read.texture is not None:
                 found[name] = self.textures[read.texture].texels()
         return found
+
+    def _give_buffers(self, instance: Instance, draw: FrameDraw) -> Mapping[str, Contents]:
+        """Give an instance the buffers that steps have written, whose contents are returned."""
+        written = {
+            name: self.buffers[read.result]
+            for name, read in draw.reads.items()
+            if read.texture is None
+        }
+        for name, contents in written.items():
+            instance.set_bytes(name, contents.data)
+        return written
 
     # --- contents --------------------------------------------------------------------------------
 
@@ -312,12 +325,12 @@ class ReferenceFrames:
 
     def _run(self, step: Row, draw: FrameDraw) -> None:
         instance = draw.state.instance
-        for name, read in draw.reads.items():
-            if read.texture is None:
-                instance.set_bytes(name, self.buffers[read.result])
+        given = self._give_buffers(instance, draw)
         if not has_images(instance.reflection):
-            shader = self.host.shaders[draw.shader].shader
-            written = elements_by_reference(shader, instance, self._texels(draw))
+            written = elements_by_reference(
+                self._shader(draw.shader), instance, self._texels(draw), given, self.rules,
+                self.errors,
+            )  # fmt: skip
             self.buffers |= {row["result"]: written[row["name"]] for row in step["buffers"]}
             return
         rows = [

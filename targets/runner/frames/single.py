@@ -29,6 +29,8 @@ SIZE = f"{STEP}.size"
 _DEPTH = "depth"
 _DEPTH_FORMATS = {False: "depth32f", True: "depth32f_stencil8"}
 """Without and with stencil values."""
+_NEW = "undefined"
+"""What a texture is used as before anything is drawn to it."""
 _PLACE: Row = {"file": "", "line": 1, "column": 1, "length": 0}
 """Nobody has written the plan."""
 _IVEC2 = {"type": "ivec2", "representation": "ivec2"}
@@ -109,11 +111,14 @@ def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
         "textures": [],
         "results": [],
         "steps": [],
+        "end": {"barriers": [], "buffer_barriers": []},
         "kept": [],
         "outputs": [],
     }
     _add_images(plan, reflection, is_kernel=is_kernel)
     plan["steps"] = [_run(plan) if is_kernel else _draw(plan, subject, background)]
+    use = "image" if is_kernel else "target"
+    plan["end"]["barriers"] = [_barrier(row["texture"], use, "sampled") for row in plan["outputs"]]
     return SingleFrame(subject.name, plan, (shader,))
 
 
@@ -191,7 +196,7 @@ def _add_images(plan: dict[str, Any], reflection: Row, *, is_kernel: bool) -> No
                 "level": 0,
             },
             "layers": layers["count"] if layers else 1, "levels": 1,
-            "uses": [use], "kept": False, "results": [result],
+            "uses": [use, "sampled"], "kept": False, "results": [result],
         })  # fmt: skip
         plan["results"].append(_result_row(result, number, target["doc"]))
         plan["outputs"].append({
@@ -234,9 +239,10 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
     return {
         "kind": "draw", "name": STEP, "pass": reflection["pass"], "only_first": False,
         "barriers": [
-            *(_barrier(row["texture"], "target") for row in targets),
-            *([_barrier(depth["texture"], _DEPTH)] if depth else []),
+            *(_barrier(row["texture"], _NEW, "target") for row in targets),
+            *([_barrier(depth["texture"], _NEW, _DEPTH)] if depth else []),
         ],
+        "buffer_barriers": [],
         "targets": targets,
         "depth": depth,
         "viewport": None, "scissor": None, "blend_constant": None,
@@ -271,7 +277,8 @@ def _value(plan: dict[str, Any], lanes: Sequence[float]) -> int:
 def _run(plan: dict[str, Any]) -> Row:
     return {
         "kind": "run", "name": STEP, "only_first": False, "shader": 0, "inputs": [],
-        "barriers": [_barrier(row["texture"], "image") for row in plan["outputs"]],
+        "barriers": [_barrier(row["texture"], _NEW, "image") for row in plan["outputs"]],
+        "buffer_barriers": [],
         "images": [
             {key: row[key] for key in ("name", "result", "texture")} for row in plan["outputs"]
         ],
@@ -279,8 +286,8 @@ def _run(plan: dict[str, Any]) -> Row:
     }  # fmt: skip
 
 
-def _barrier(texture: int, to: str) -> Row:
-    return {"texture": texture, "from": "undefined", "to": to, "only_first": False}
+def _barrier(texture: int, before: str, after: str) -> Row:
+    return {"texture": texture, "from": before, "to": after, "only_first": False}
 
 
 def single_scenery(frame: SingleFrame, mesh: str, instances: int) -> Scenery:

@@ -8,12 +8,10 @@ from typing import Any
 import numpy as np
 
 from .contents import Contents, Layout, numbers_in
-from .shapes import Numbers
+from .shapes import STORED, WHOLE, Numbers
 from .values import UNIT_TOLERANCE, UNIT_TYPES, ParameterError, shown
 
 _STEP = re.compile(r"\.(\w+)|\[(\d+)\]")
-_KINDS = {"float": np.float32, "int": np.int32, "uint": np.uint32, "bool": np.uint32}
-_LIMITS = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
 
 
 def packed_array(layout: Layout, given: Any) -> Contents | None:
@@ -59,14 +57,14 @@ def _lanes(array: Any, name: str, shape: Numbers) -> Any:
 
 def _checked(layout: Layout, name: str, shape: Numbers, lanes: Any) -> Any:
     """The numbers as they are stored. Raises ``ParameterError`` for one that cannot be."""
-    if shape.kind in _LIMITS:
-        low, high = _LIMITS[shape.kind]
+    if shape.kind in WHOLE:
+        low, high = WHOLE[shape.kind]
         whole = np.floor(lanes) == lanes if lanes.dtype.kind == "f" else True
         _refuse(layout, name, shape, lanes, ~((lanes >= low) & (lanes <= high) & whole))
     elif shape.kind == "bool":
         _refuse(layout, name, shape, lanes, (lanes != 0) & (lanes != 1))
     with np.errstate(over="ignore"):
-        numbers = lanes.astype(_KINDS[shape.kind])
+        numbers = lanes.astype(STORED[shape.kind])
     if shape.kind == "float":
         _refuse(layout, name, shape, lanes, ~np.isfinite(numbers))
         if shape.meaning in UNIT_TYPES and shape.lanes > 1:

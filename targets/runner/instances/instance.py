@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from copy import copy
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from ....arguments import expect
@@ -247,11 +248,10 @@ class Instance:
     def result_counts(self) -> dict[str, int]:
         """How many elements each buffer has that a kernel writes. Raises
         ``MissingValuesError``."""
-        found = {}
-        for row in self._reflection["results"]:
-            (count,) = derived.compute(row["count"], self._read_by(row["count"]))
-            found[row["name"]] = max(int(count), 0)
-        return found
+        counts = {row["name"]: row["count"] for row in self._reflection["results"]}
+        inputs = self._read_by(chain.from_iterable(counts.values()))
+        found = {name: derived.compute(steps, inputs) for name, steps in counts.items()}
+        return {name: max(int(count), 0) for name, (count,) in found.items()}
 
     def image_size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""
@@ -264,10 +264,11 @@ class Instance:
 
         Only where the host makes the pattern. Raises ``MissingValuesError``.
         """
-        rows = self._reflection["draw"]["tessellation"]["levels"]
+        levels = self._reflection["draw"]["tessellation"]["levels"]
+        rows = [levels["edges"], levels["inside"]]
+        inputs = self._read_by(chain.from_iterable(chain.from_iterable(rows)))
         edges, inside = (
-            tuple(rounded(derived.compute(steps, self._read_by(steps)))[0] for steps in rows[name])
-            for name in ("edges", "inside")
+            tuple(rounded(derived.compute(steps, inputs))[0] for steps in row) for row in rows
         )
         return edges, inside
 

@@ -14,9 +14,15 @@ from typing import Any, Literal
 
 Kind = Literal["float", "int", "uint", "bool"]
 
-_VECTOR = re.compile(r"([iub]?)vec[234]")
+_VECTOR = re.compile(r"([iub]?)vec([234])")
 _PREFIXES: dict[str, Kind] = {"": "float", "i": "int", "u": "uint", "b": "bool"}
 _SCALARS: dict[str, Kind] = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
+
+STORED: Mapping[Kind, str] = {"float": "<f4", "int": "<i4", "uint": "<u4", "bool": "<u4"}
+"""How a lane is stored, as NumPy spells it."""
+
+WHOLE: Mapping[Kind, tuple[int, int]] = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
+"""The least and the largest integer of a type."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +123,17 @@ def kind_of(representation: str) -> Kind:
     """The type of the lanes of a number, vector or matrix; ``float`` for all other types."""
     vector = _VECTOR.fullmatch(representation)
     return _PREFIXES[vector[1]] if vector else _SCALARS.get(representation, "float")
+
+
+def lanes_of(representation: str) -> int:
+    """How many lanes a vector has; 1 for a number."""
+    vector = _VECTOR.fullmatch(representation)
+    return int(vector[2]) if vector else 1
+
+
+def stored_as(representation: str) -> str:
+    """How the lanes of a number or a vector are stored, as NumPy spells it."""
+    return STORED[kind_of(representation)]
 
 
 def part(shape: Shape, position: int) -> tuple[str, int, Shape]:

@@ -14,7 +14,7 @@ from typing import Any
 from ....compiler.diagnostics.nearest import suggestion
 from ....stdlib.builtins.facts import ULP
 from .literals import angle, color_lanes
-from .shapes import Elements, Kind, Members, Numbers, Shape, part
+from .shapes import WHOLE, Elements, Members, Numbers, Shape, part
 
 Value = Any
 """Nested tuples, as ``shapes`` explains."""
@@ -27,8 +27,6 @@ UNIT_TYPES = frozenset({"direction", "normal"})
 
 _LENGTH_ROUNDING = 2.0 * ULP
 """By how much rounding three lanes to float32 may change a length of one, and a little more."""
-
-_LIMITS: Mapping[Kind, tuple[int, int]] = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
 
 
 class ParameterError(ValueError):
@@ -166,7 +164,7 @@ def _bool(given: object, shape: Numbers, name: str) -> bool:
 def _integer(given: object, shape: Numbers, name: str) -> int:
     if isinstance(given, bool) or not isinstance(given, int | float) or given != given // 1:
         raise _wrong_kind(given, shape, name)
-    lo, hi = _LIMITS[shape.kind]
+    lo, hi = WHOLE[shape.kind]
     if not lo <= given <= hi:
         raise ParameterError(
             name, f"`{name}` is a 32-bit {shape.kind}, {lo} to {hi}: {shown(given)} is not"

@@ -26,6 +26,7 @@ from burnish.compiler.reference.picture import (
     RasterRules,
     assembly,
     bias,
+    canvas,
     clip,
     compositing,
     coverage,
@@ -34,7 +35,6 @@ from burnish.compiler.reference.picture import (
     faces,
     filtering,
     levels,
-    resolve,
     stencil,
     texels,
 )
@@ -217,7 +217,7 @@ def _last(place: Any, values: Any) -> Any:
 
 
 def _farthest(fragments: Any, depth: Any, off: Any, place: Any) -> Any:
-    return resolve.nearest(fragments, -depth, off, place)
+    return canvas.nearest(fragments, -depth, off, place)
 
 
 def _coarser(by: float) -> Callable[..., Any]:

@@ -81,7 +81,9 @@ def _recording(
     functions.glEnable(GL_RASTERIZER_DISCARD)
     functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.glo)
     functions.glBeginTransformFeedback(MODES[stream.primitive])
-    yield
-    functions.glEndTransformFeedback()
-    functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0)
-    functions.glDisable(GL_RASTERIZER_DISCARD)
+    try:
+        yield
+    finally:
+        functions.glEndTransformFeedback()
+        functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0)
+        functions.glDisable(GL_RASTERIZER_DISCARD)

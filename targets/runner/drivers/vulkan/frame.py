@@ -9,14 +9,22 @@ from typing import Any
 import vulkan as vk
 
 from ..draw_job import Draw
-from ..frame_job import Area, Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
+from ..frame_job import (
+    Area,
+    Attachment,
+    BufferBarrier,
+    FrameDraw,
+    FrameJob,
+    FrameStep,
+    FrameTexels,
+)
 from ..readback import TEXEL_LANES, depths_to_float, to_float
 from ..texels import Image
 from .compute import COMPUTE, make_compute_pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
 from .formats import DEPTHS
-from .frame_textures import USES, MadeTexture, make_frame_textures, record
+from .frame_textures import BUFFER_USES, USES, MadeTexture, make_frame_textures, record
 from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .job import GRAPHICS, INDEX_SIZE, MESH, STORAGE
 from .memory import Buffer, filled_buffer, make_buffer
@@ -65,6 +73,7 @@ class _Frame:
                     texture.clear(commands)
             for step, sets in zip(self._job.steps, recorded, strict=True):
                 record(commands, self._textures, step.barriers)
+                self._wait_for_buffers(commands, step.buffer_barriers)
                 self._do(commands, step, sets)
                 for number in step.read:
                     self._read_back(commands, number, next(waiting)[1])
@@ -198,12 +207,28 @@ class _Frame:
                 commands, COMPUTE, layout, 0, len(bound.sets), bound.sets, 0, None
             )
         vk.vkCmdDispatch(commands, *step.groups)
-        shader = vk.VK_ACCESS_SHADER_READ_BIT | vk.VK_ACCESS_SHADER_WRITE_BIT
-        written = vk.VkMemoryBarrier(
-            srcAccessMask=vk.VK_ACCESS_SHADER_WRITE_BIT, dstAccessMask=shader
-        )
-        before, after = vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, USES["sampled"].stages
-        vk.vkCmdPipelineBarrier(commands, before, after, 0, 1, [written], 0, None, 0, None)
+
+    def _wait_for_buffers(self, commands: Any, barriers: Sequence[BufferBarrier]) -> None:
+        """Record barriers, all of them at once."""
+        if not barriers:
+            return
+        before = after = 0
+        for barrier in barriers:
+            before |= BUFFER_USES[barrier.before].stages
+            after |= BUFFER_USES[barrier.after].stages
+        found = [
+            vk.VkBufferMemoryBarrier(
+                srcAccessMask=BUFFER_USES[each.before].access,
+                dstAccessMask=BUFFER_USES[each.after].access,
+                srcQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+                dstQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+                buffer=self._buffers[each.buffer].handle,
+                offset=0,
+                size=self._buffers[each.buffer].size,
+            )
+            for each in barriers
+        ]
+        vk.vkCmdPipelineBarrier(commands, before, after, 0, 0, None, len(found), found, 0, None)
 
     def _copy(self, commands: Any, source: MadeTexture, target: MadeTexture) -> None:
         copies = [

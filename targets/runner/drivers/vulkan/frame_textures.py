@@ -9,7 +9,7 @@ from typing import Any
 
 import vulkan as vk
 
-from ..frame_job import Attachment, Barrier, FrameJob, FrameTexture, TextureUse
+from ..frame_job import Attachment, Barrier, BufferUse, FrameJob, FrameTexture, TextureUse
 from .device import Gpu
 from .formats import ASPECTS, DEPTHS, TARGETS, VIEWS
 from .memory import ImageSpec, give_memory, image_without_memory, make_view
@@ -28,8 +28,16 @@ TESTS = (
 
 
 @dataclass(frozen=True, slots=True)
+class BufferAccess:
+    """What Vulkan has to be told of how a buffer is used."""
+
+    stages: int
+    access: int
+
+
+@dataclass(frozen=True, slots=True)
 class Use:
-    """What Vulkan has to be told of a use."""
+    """The same of a texture."""
 
     layout: int
     stages: int
@@ -54,6 +62,16 @@ USES: Mapping[TextureUse, Use] = {
         vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, COPYING, vk.VK_ACCESS_TRANSFER_WRITE_BIT
     ),
 }  # fmt: skip
+
+BUFFER_USES: Mapping[BufferUse, BufferAccess] = {
+    "undefined": BufferAccess(SHADERS, 0),
+    # Atomics read what they join values with.
+    "written": BufferAccess(
+        vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+        vk.VK_ACCESS_SHADER_READ_BIT | vk.VK_ACCESS_SHADER_WRITE_BIT,
+    ),
+    "read": BufferAccess(SHADERS, vk.VK_ACCESS_SHADER_READ_BIT),
+}
 
 _COPIES = vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT | vk.VK_IMAGE_USAGE_TRANSFER_DST_BIT
 _READS = vk.VK_IMAGE_USAGE_SAMPLED_BIT | _COPIES

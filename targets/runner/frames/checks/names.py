@@ -7,7 +7,7 @@ from typing import Any
 
 from .....compiler.ir.host import KNOWN_TO_HOST
 from ...binding import FORMATS
-from .rows import Row, attachments, fail, inputs, step_name, uses
+from .rows import Row, attachments, fail, inputs, places_of_waiting, step_name, uses
 
 DEPTH_FORMATS = ("depth32f", "depth32f_stencil8")
 STENCILS = "stencil8"
@@ -30,6 +30,8 @@ def check_names(plan: Row) -> None:
         _check_value(plan, f"value {number}", value)
     for number, texture in enumerate(plan["textures"]):
         _check_texture(plan, f"texture {number}", texture)
+    for where, place in places_of_waiting(plan):
+        _check_barriers(plan, where, place)
     for step in plan["steps"]:
         _check_step(plan, step)
     for row in plan["kept"]:
@@ -109,11 +111,19 @@ def _check_texture(plan: Row, where: str, texture: Row) -> None:
 # --- steps ---------------------------------------------------------------------------------------
 
 
+def _check_barriers(plan: Row, where: str, place: Row) -> None:
+    """What is waited for in one place."""
+    _no_two(plan, where, [f"texture {row['texture']}" for row in place["barriers"]])
+    for barrier in place["barriers"]:
+        _texture(plan, where, barrier["texture"])
+    _no_two(plan, where, [row["result"] for row in place["buffer_barriers"]])
+    buffers = [row["name"] for row in plan["results"] if row["kind"] == "buffer"]
+    for barrier in place["buffer_barriers"]:
+        _one_of(plan, where, "buffer", barrier["result"], buffers)
+
+
 def _check_step(plan: Row, step: Row) -> None:
     where = step_name(step)
-    _no_two(plan, where, [f"texture {row['texture']}" for row in step["barriers"]])
-    for barrier in step["barriers"]:
-        _texture(plan, where, barrier["texture"])
     for use in uses(step):
         _number(plan, where, "shader", use["shader"], plan["shaders"])
         _no_two(plan, where, [row["name"] for row in use["inputs"]])

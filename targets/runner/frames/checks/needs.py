@@ -6,7 +6,8 @@ of this follows from the steps, and hosts rely on it when they make, share and f
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from .rows import (
@@ -16,11 +17,15 @@ from .rows import (
     drawn_over,
     fail,
     is_rare,
+    places_of_waiting,
     read_before,
     read_now,
     step_name,
     written,
 )
+
+ENDS = (("texture", "previous"), ("previous", "texture"))
+"""Of a row of `kept`: each texture, and the one that it is exchanged with."""
 
 
 def check_needs(plan: Row) -> None:
@@ -37,6 +42,8 @@ class _Needs:
         self._steps = plan["steps"]
         self._results = {row["name"]: row for row in plan["results"]}
         self._outputs = {row["result"] for row in plan["outputs"]}
+        self._previous = {row["previous"]: row["result"] for row in plan["kept"]}
+        """Of textures that the last frame has left, the result."""
 
     @cached_property
     def _read_last(self) -> dict[str, None]:
@@ -90,38 +97,40 @@ class _Needs:
 
     def check_textures(self) -> None:
         """Every texture has the results and uses that it says."""
-        previous = {row["previous"]: row["result"] for row in self._plan["kept"]}
-        kept = {*previous, *(row["texture"] for row in self._plan["kept"])}
+        pairs = {row[one]: row[other] for row in self._plan["kept"] for one, other in ENDS}
+        kept = pairs.keys()
         for number, row in enumerate(self._plan["textures"]):
             where = f"texture {number}"
             results = [each for each in self._plan["results"] if each["texture"] == number]
             names = [each["name"] for each in sorted(results, key=lambda each: int(each["first"]))]
-            if number in previous:
-                names = [previous[number]]
+            if number in self._previous:
+                names = [self._previous[number]]
             if row["results"] != names:
                 fail(self._plan, where, f"it holds {_listed(names)}")
             if row["kept"] != (number in kept):
                 fail(self._plan, where, f"kept is {not row['kept']}")
-            uses = {barrier["to"] for step in self._steps for barrier in step["barriers"]
-                    if barrier["texture"] == number}  # fmt: skip
-            uses |= {"sampled"} if number in previous else set()
+            uses = self._used_as[number] | self._used_as[pairs.get(number, number)]
             if set(row["uses"]) != uses or len(row["uses"]) != len(uses):
                 fail(self._plan, where, f"it is used as {_listed(sorted(uses))}")
+
+    @cached_property
+    def _used_as(self) -> Mapping[int, set[str]]:
+        """What each texture is used as, for as long as it has its number."""
+        found: dict[int, set[str]] = defaultdict(set)
+        for texture in self._previous:
+            found[texture].add("sampled")
+        for _, place in places_of_waiting(self._plan):
+            for row in place["barriers"]:
+                found[row["texture"]].add(row["to"])
+        return found
 
     # --- steps -----------------------------------------------------------------------------------
 
     def check_steps(self) -> None:
-        """A step stores what somebody needs, and later frames wait for what they draw to."""
-        in_first = {texture for step in self._steps if not is_rare(step)
-                    for _, texture in written(step)}  # fmt: skip
-        in_first |= {row[end] for row in self._plan["kept"] for end in ("texture", "previous")}
+        """A step stores what somebody needs, and later frames wait for what they use."""
+        self._check_later_frames()
         for number, step in enumerate(self._steps):
             where = step_name(step)
-            for barrier in step["barriers"]:
-                if barrier["only_first"] == (barrier["texture"] in in_first):
-                    fail(self._plan, where,
-                         "whether later frames wait for texture "
-                         f"{barrier['texture']} is said wrongly")  # fmt: skip
             if "continues" in step:
                 self._check_continued(number, step)
             for row in attachments(step):
@@ -135,6 +144,21 @@ class _Needs:
             if len(places) > 1:
                 fail(self._plan, where, "its targets are different layers or levels")
 
+    def _check_later_frames(self) -> None:
+        """They wait for what is written in each of them, and for nothing else."""
+        always = [each for step in self._steps if not is_rare(step) for each in written(step)]
+        results = {result for result, _ in always}
+        textures = {texture for _, texture in always}
+        textures |= {row[end] for row in self._plan["kept"] for end, _ in ENDS}
+        for where, place in places_of_waiting(self._plan):
+            waited = [(f"texture {row['texture']}", row["texture"] in textures, row)
+                      for row in place["barriers"]]  # fmt: skip
+            waited += [(f"the buffer of `{row['result']}`", row["result"] in results, row)
+                       for row in place["buffer_barriers"]]  # fmt: skip
+            for what, is_always, row in waited:
+                if row["only_first"] == is_always:
+                    fail(self._plan, where, f"whether later frames wait for {what} is said wrongly")
+
     def _check_continued(self, number: int, step: Row) -> None:
         """Whether a step draws on in the render pass of the one before is said rightly."""
         before = self._steps[number - 1] if number else {"kind": "copy"}
@@ -145,6 +169,7 @@ class _Needs:
             and (step["depth"] is None) == (before["depth"] is None)
             and is_rare(step) == is_rare(before)
             and all(row["load"] == "load" and row["layer"] is not None for row in attachments(step))
+            and not step["buffer_barriers"]
             and {row["texture"] for row in step["barriers"]} <= {texture for texture, *_ in here}
         )
         if step["continues"] != continues:

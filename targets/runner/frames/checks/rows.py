@@ -27,6 +27,17 @@ def fail(plan: Row, where: str, text: str) -> NoReturn:
     raise PlanError(f"{plan['frame']}, {where}: {text}")
 
 
+END = "the end"
+"""What messages call the place behind the last step."""
+
+
+def places_of_waiting(plan: Row) -> Iterator[tuple[str, Row]]:
+    """Each place of a plan that has barriers, with what messages call it."""
+    for step in plan["steps"]:
+        yield step_name(step), step
+    yield END, plan["end"]
+
+
 def step_name(step: Row) -> str:
     """What messages call a step."""
     return str(step.get("name", "a copy"))
