@@ -30,6 +30,7 @@ from ..state.scope import OUTERMOST, Instance
 from .around import Around, Owner
 from .drawn import ModelsOf
 from .invariance import with_invariant_positions
+from .samples import check_readable
 from .shaders import Shaders
 from .steps import Steps
 from .values import no_result
@@ -167,6 +168,7 @@ class _Checking:
             around = Around(self._own, self._own.scope(owner, level), member.name.text)
             made = self._steps.made(member.value, around)
             if isinstance(made, Image | Elements):
+                check_readable(self._ctx.report, made, member.value.span)
                 yield Output(member.name.text, made, member.doc, member.name.span)
             else:
                 no_result(self._ctx, made, member.value.span)

@@ -6,7 +6,7 @@ kernels over images; who writes an engine can do the same with any reflection.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -195,7 +195,7 @@ def _add_images(plan: dict[str, Any], reflection: Row, *, is_kernel: bool) -> No
                 "extent_of": STEP if is_kernel else None,
                 "level": 0,
             },
-            "layers": layers["count"] if layers else 1, "levels": 1,
+            "layers": layers["count"] if layers else 1, "levels": 1, "samples": 1,
             "uses": [use, "sampled"], "kept": False, "results": [result],
         })  # fmt: skip
         plan["results"].append(_result_row(result, number, target["doc"]))
@@ -205,7 +205,7 @@ def _add_images(plan: dict[str, Any], reflection: Row, *, is_kernel: bool) -> No
         })  # fmt: skip
 
 
-def _result_row(name: str, texture: int, doc: str) -> Row:
+def _result_row(name: str, texture: int | None, doc: str) -> Row:
     return {
         "name": name, "kind": "texture", "texture": texture, "first": 0, "last": 0, "doc": doc,
         "source": _PLACE,
@@ -222,6 +222,8 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
             target["clear"] = _value(plan, row["clear"])
     depth = None
     state = reflection["render_state"]
+    if state["samples"] > 1:
+        _draw_samples(plan, targets, state["samples"])
     stencil = state["stencil"] is not None
     if state[_DEPTH]["write"] or state[_DEPTH]["compare"] != "always":
         depth = _target(_DEPTH, len(plan["textures"]), layers, store=False)
@@ -232,14 +234,16 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
         plan["textures"].append({
             **plan["textures"][0],
             "format": _DEPTH_FORMATS[stencil],
+            "samples": state["samples"],
             "uses": [_DEPTH],
             "results": [depth["result"]],
         })  # fmt: skip
-        plan["results"].append(_result_row(depth["result"], depth["texture"], ""))
+        found = depth["texture"] if state["samples"] == 1 else None
+        plan["results"].append(_result_row(depth["result"], found, ""))
     return {
         "kind": "draw", "name": STEP, "pass": reflection["pass"], "only_first": False,
         "barriers": [
-            *(_barrier(row["texture"], _NEW, "target") for row in targets),
+            *(_barrier(number, _NEW, "target") for row in targets for number in _drawn_to(row)),
             *([_barrier(depth["texture"], _NEW, _DEPTH)] if depth else []),
         ],
         "buffer_barriers": [],
@@ -254,11 +258,29 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
     }  # fmt: skip
 
 
+def _draw_samples(plan: dict[str, Any], targets: Sequence[dict[str, Any]], samples: int) -> None:
+    """Have targets drawn with several samples, which are resolved to what they were drawn to."""
+    for target in targets:
+        resolved = target["texture"]
+        target["resolve"] = {"texture": resolved, "layer": 0, "level": 0}
+        target["texture"], target["store"] = len(plan["textures"]), False
+        plan["textures"].append(
+            {**plan["textures"][resolved], "samples": samples, "uses": ["target"]}
+        )
+
+
+def _drawn_to(target: Row) -> Iterator[int]:
+    """The textures to which something is written."""
+    yield target["texture"]
+    if target["resolve"] is not None:
+        yield target["resolve"]["texture"]
+
+
 def _target(name: str, texture: int, layers: Row | None, *, store: bool) -> dict[str, Any]:
     return {
         "name": name, "result": f"{STEP}.{name}", "texture": texture,
         "layer": None if layers else 0, "level": 0, "load": "clear", "clear": None, "store": store,
-        "over": None,
+        "resolve": None, "over": None,
     }  # fmt: skip
 
 
