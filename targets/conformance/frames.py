@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Counted, Expected, RasterRules, formats
 from ..runner.drivers.device import Device
-from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
+from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
+from ..runner.frames.drawn import DEPTHS, Drawn
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable, is_drawn

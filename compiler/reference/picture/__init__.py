@@ -9,7 +9,7 @@ from . import formats
 from .canvas import Canvas
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
-from .resolve import expected_on
+from .resolve import expected_on, samples_on
 from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
 
 __all__ = [
@@ -25,5 +25,6 @@ __all__ = [
     "expected_on",
     "formats",
     "instanced",
+    "samples_on",
     "written_by",
 ]

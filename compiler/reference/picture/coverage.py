@@ -31,7 +31,7 @@ class Fragments:
     sample: Ints
     """The numbers of the samples."""
 
-    def only(self, which: Bools | Ints) -> Fragments:
+    def only(self, which: Bools | Ints | slice) -> Fragments:
         """Some of them."""
         return Fragments(self.face[which], self.sample[which])
 
