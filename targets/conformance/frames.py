@@ -139,7 +139,9 @@ class FramePlan:
         summary = summed_up([comparison for comparison, _ in found])
         return CaseResult(case, summary, drawn, found[-1][1])
 
-    def _drawn(self, profile: str | None, rules: RasterRules, errors: Errors | None) -> _Pictures:
+    def _drawn(
+        self, profile: str | None, rules: RasterRules, errors: Errors | None
+    ) -> list[dict[str, Drawn]]:
         """What the reference draws of a profile's texts, or of the source: within bounds, or what
         is meant."""
         programs = self._programs.value(profile, lambda: self._programs_of(profile))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -28,7 +29,12 @@ PLAIN, NEIGHBOURLY = (
 )
 SIZE = 4
 RULES = RasterRules(SIZE, SIZE, subpixel_bits=1)
-OTHERS = {"owns_bottom": True, "lines": "diamonds", "snaps_line_ends": True, "bottom_up": True}
+OTHERS: dict[str, Any] = {
+    "owns_bottom": True,
+    "lines": "diamonds",
+    "snaps_line_ends": True,
+    "bottom_up": True,
+}
 """Another value of each rare rule."""
 
 Places = list[tuple[float, float]]
