@@ -21,7 +21,9 @@ from ..ir.frame import (
 from ..ir.leaves import Resource
 from ..ir.shader import ResourceInfo
 from ..ir.types import Texture
-from ..planning.plan import Barrier, Copy, Plan, PlannedStep, Target
+from ..planning.barriers import Barrier, BufferBarrier, Waiting
+from ..planning.plan import Copy, Plan, PlannedStep, Target
+from ..planning.textures import Shape
 from .buffers import buffer_row
 from .parameters import Places, light_rows, parameter_row
 from .values import steps
@@ -79,6 +81,7 @@ class _Document:
             "textures": list(self._texture_rows()),
             "results": list(self._result_rows()),
             "steps": [self._step_row(planned) for planned in self._plan.steps],
+            "end": _waiting_rows(self._plan.end),
             "kept": list(self._kept_rows()),
             "outputs": [
                 {
@@ -106,22 +109,23 @@ class _Document:
 
     def _texture_rows(self) -> Iterator[dict[str, Any]]:
         for texture in self._plan.textures:
-            image = texture.images[0]
+            shape = texture.shape
             yield {
-                "format": self._plan.stencils.format_of(image),
-                "dimension": image.dimension,
-                "size": self._size_row(image),
-                "layers": image.layers,
-                "levels": image.levels,
+                "format": shape.format,
+                "dimension": shape.dimension,
+                "size": self._size_row(shape),
+                "layers": shape.layers,
+                "levels": shape.levels,
+                "samples": shape.samples,
                 "uses": list(texture.uses),
                 "kept": texture.kept,
                 "results": [each.name for each in texture.images],
             }
 
-    def _size_row(self, image: Image) -> dict[str, Any]:
-        size = image.size
-        value = None if size.value is None else self._value(size.value)
-        return {"value": value, "extent_of": size.kernel or None, "level": size.level}
+    def _size_row(self, shape: Shape) -> dict[str, Any]:
+        if isinstance(shape.size, str):
+            return {"value": None, "extent_of": shape.size, "level": shape.halved}
+        return {"value": self._values[shape.size], "extent_of": None, "level": shape.halved}
 
     def _value(self, number: int) -> int:
         """The row of one of the frame's values."""
@@ -155,17 +159,17 @@ class _Document:
             }
 
     def _texture(self, left: Image | Elements) -> int | None:
-        return self._plan.texture_of[left] if isinstance(left, Image) else None
+        return self._plan.texture_of.get(left) if isinstance(left, Image) else None
 
     # --- what is done ---
 
     def _step_row(self, planned: PlannedStep) -> dict[str, Any]:
-        barriers = [_barrier_row(barrier) for barrier in planned.barriers]
+        waiting = _waiting_rows(planned.waiting)
         match planned.step:
             case Copy() as copy:
                 return {
                     "kind": "copy",
-                    "barriers": barriers,
+                    **waiting,
                     "only_first": planned.only_first,
                     "from": {"result": copy.image.name, "texture": self._texture(copy.image)},
                     "to": {"result": copy.into.name, "texture": self._texture(copy.into)},
@@ -175,7 +179,7 @@ class _Document:
                     "kind": "draw",
                     "name": step.name,
                     "pass": step.pass_name,
-                    "barriers": barriers,
+                    **waiting,
                     "only_first": planned.only_first,
                     "continues": planned.continues,
                     "targets": [self._target_row(target) for target in planned.targets],
@@ -190,7 +194,7 @@ class _Document:
                 return {
                     "kind": "run",
                     "name": step.name,
-                    "barriers": barriers,
+                    **waiting,
                     "only_first": planned.only_first,
                     **self._use_row(step.use),
                     "images": [
@@ -206,15 +210,17 @@ class _Document:
 
     def _target_row(self, target: Target) -> dict[str, Any]:
         attachment = target.attachment
+        texture, layer, level = target.place
         return {
             "name": attachment.target,
             "result": attachment.image.name,
-            "texture": target.texture,
-            "layer": attachment.layer,
-            "level": attachment.level,
+            "texture": texture,
+            "layer": layer,
+            "level": level,
             "load": "load" if target.loads else "clear",
             "clear": None if target.loads else self._optional(attachment.clear),
             "store": target.stores,
+            "resolve": _resolve_row(target),
             "over": attachment.over and attachment.over.name,
             **({"stencil": _stencil_row(target)} if target.has_stencil else {}),
         }
@@ -257,18 +263,29 @@ class _Document:
         return {"result": source.name, "texture": self._texture(source)}
 
 
+def _resolve_row(target: Target) -> dict[str, Any] | None:
+    if target.resolved is None:
+        return None
+    at = target.attachment
+    return {"texture": target.resolved, "layer": at.layer, "level": at.level}
+
+
 def _stencil_row(target: Target) -> dict[str, Any]:
     load = "load" if target.loads else "clear"
     return {"load": load, "store": target.stores_stencil, "clear": 0}
 
 
-def _barrier_row(barrier: Barrier) -> dict[str, Any]:
+def _waiting_rows(waiting: Waiting) -> dict[str, Any]:
     return {
-        "texture": barrier.texture,
-        "from": barrier.before,
-        "to": barrier.after,
-        "only_first": barrier.only_first,
+        "barriers": [{"texture": each.texture, **_from_to(each)} for each in waiting.textures],
+        "buffer_barriers": [
+            {"result": each.elements.name, **_from_to(each)} for each in waiting.buffers
+        ],
     }
+
+
+def _from_to(barrier: Barrier | BufferBarrier) -> dict[str, Any]:
+    return {"from": barrier.before, "to": barrier.after, "only_first": barrier.only_first}
 
 
 def _shader_row(shader: FrameShader) -> dict[str, Any]:

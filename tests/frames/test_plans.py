@@ -35,8 +35,7 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
         first = " (first frame only)" if step.get("only_first") else ""
         first += " (in the same render pass)" if step.get("continues") else ""
         yield f"{step['kind']} {step.get('name', '')}{first}"
-        for row in step["barriers"]:
-            yield f"  texture {row['texture']}: {row['from']} -> {row['to']}"
+        yield from waits(step)
         every = [*step.get("targets", []), *([step["depth"]] if step.get("depth") else [])]
         for row in every:
             place = f"[{row['layer']}]" if row["layer"] else ""
@@ -47,6 +46,17 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
         for row in inputs_of(step):
             source = {k: v for k, v in row.items() if k != "name"}
             yield f"  {row['name']} = {source}"
+    yield ""
+    yield "end"
+    yield from waits(plan["end"])
+
+
+def waits(place: dict[str, Any]) -> Iterator[str]:
+    """What is waited for before a step, or behind the last one."""
+    for row in place["barriers"]:
+        yield f"  texture {row['texture']}: {row['from']} -> {row['to']}"
+    for row in place["buffer_barriers"]:
+        yield f"  buffer {row['result']}: {row['from']} -> {row['to']}"
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -60,9 +70,7 @@ def test_examples_are_planned_as_before(path: Path) -> None:
 def planted(plan: dict[str, Any]) -> Iterator[Change]:
     """One error each: a barrier that is missing, a wrong load, a texture for another."""
     for s, step in enumerate(plan["steps"]):
-        for b in range(len(step["barriers"])):
-            others = [row for number, row in enumerate(step["barriers"]) if number != b]
-            yield Change(("steps", s, "barriers"), f"without row {b}", others)
+        yield from without_waiting(("steps", s), step)
         for t, target in enumerate(step.get("targets", [])):
             other = "clear" if target["load"] == "load" else "load"
             yield Change(("steps", s, "targets", t, "load"), f"{other} instead", other)
@@ -72,6 +80,15 @@ def planted(plan: dict[str, Any]) -> Iterator[Change]:
             for texture in range(len(plan["textures"])):
                 if texture != row["texture"]:
                     yield Change((*path, "texture"), f"{texture} instead", texture)
+    yield from without_waiting(("end",), plan["end"])
+
+
+def without_waiting(path: Place, place: dict[str, Any]) -> Iterator[Change]:
+    """One barrier less, each in turn."""
+    for kind in ("barriers", "buffer_barriers"):
+        for b in range(len(place[kind])):
+            others = [row for number, row in enumerate(place[kind]) if number != b]
+            yield Change((*path, kind), f"without row {b}", others)
 
 
 def places_of_inputs(number: int, step: dict[str, Any]) -> Iterator[tuple[Place, dict[str, Any]]]:

@@ -13,6 +13,7 @@ from burnish.targets.runner.drivers.frame_checks import check_frame
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,
+    BufferBarrier,
     FrameBuffer,
     FrameJob,
     FrameStep,
@@ -68,7 +69,11 @@ def right() -> FrameJob:
             (replace(draw, draw=replace(draw.draw, vertices=())),),
         ),
         FrameStep((Barrier(IMAGE, "undefined", "image"),), draws=(dispatched(2),), images=(IMAGE,)),
-        FrameStep(draws=(dispatched(3, buffers=[0]),), groups=(SIZE, 1, 1)),
+        FrameStep(
+            draws=(dispatched(3, buffers=[0]),),
+            groups=(SIZE, 1, 1),
+            buffer_barriers=(BufferBarrier(0, "undefined", "written"),),
+        ),
         step(
             READ,
             replace(look, draw=replace(look.draw, vertices=())),
@@ -131,7 +136,7 @@ def twice(number: int, *, loads: bool = False) -> Change:
     """The change of a job in which a step comes twice, and its barriers only once."""
 
     def changed(made: FrameJob) -> FrameJob:
-        again = replace(made.steps[number], barriers=())
+        again = replace(made.steps[number], barriers=(), buffer_barriers=())
         targets = tuple(replace(each, loads=loads) for each in again.targets)
         again = replace(again, targets=targets, depth=None)
         steps = (*made.steps[: number + 1], again, *made.steps[number + 1 :])
@@ -144,6 +149,10 @@ NUMBERS: list[tuple[Change, str]] = [
     (with_draw(LOOK, textures=(9,)), "step 3: there is no texture 9; the job has 5"),
     (with_draw(LOOK, pipeline=4), "step 3: there is no pipeline 4; the job has 4"),
     (with_draw(SUM, buffers=(-2,)), "step 2: there is no buffer -2; the job has 1"),
+    (
+        with_step(SUM, buffer_barriers=(BufferBarrier(1, "undefined", "written"),)),
+        "step 2: there is no buffer 1; the job has 1",
+    ),
     (with_step(BACK, read=(5,)), "step 5: there is no texture 5; the job has 5"),
 ]
 FITTING: list[tuple[Change, str]] = [
@@ -219,6 +228,18 @@ ORDER: list[tuple[Change, str]] = [
         twice(RUN),
         "step 2: no barrier waits for what is written to texture 4, layer 0, level 0, and it is "
         "written again",
+    ),
+    (
+        with_step(SUM, buffer_barriers=()),
+        "step 2: buffer 0 is used as 'written', but its use is 'undefined'",
+    ),
+    (
+        with_step(SUM, buffer_barriers=(BufferBarrier(0, "read", "written"),)),
+        "step 2: a barrier takes buffer 0 from 'read', but its use is 'undefined'",
+    ),
+    (
+        twice(SUM),
+        "step 3: no barrier waits for what is written to buffer 0, and it is written again",
     ),
     (
         with_step(DRAW, targets=(Attachment(DRAWN, loads=True),)),

@@ -6,6 +6,8 @@ import numpy as np
 
 from burnish.targets.runner.drivers.frame_job import (
     Barrier,
+    BufferBarrier,
+    BufferUse,
     FrameBuffer,
     FrameStep,
 )
@@ -78,8 +80,20 @@ void main() { target = vec4(before[int(gl_FragCoord.x)]); }
                 driver.kernel(more, buffers=(buffer_slot(0), written[1])),
                 driver.pipeline(paint, buffers=(buffer_slot(0),)),
             ],
-            FrameStep(draws=(dispatched(0, buffers=[0]),), groups=(SIZE, 1, 1)),
-            FrameStep(draws=(dispatched(1, buffers=[0, 1]),), groups=(SIZE - 1, 1, 1)),
+            FrameStep(
+                draws=(dispatched(0, buffers=[0]),),
+                groups=(SIZE, 1, 1),
+                buffer_barriers=(BufferBarrier(0, "undefined", "written"),),
+            ),
+            FrameStep(
+                draws=(dispatched(1, buffers=[0, 1]),),
+                groups=(SIZE - 1, 1, 1),
+                buffer_barriers=(
+                    BufferBarrier(0, "written", "read"),
+                    BufferBarrier(1, "undefined", "written"),
+                ),
+            ),
+            FrameStep(buffer_barriers=(BufferBarrier(1, "written", "read"),)),
             step(0, reading(2, buffers=[1]), barriers=drawn_first(0)),
             back(0),
             buffers=[FrameBuffer(SIZE), FrameBuffer(SIZE, initial=0x42C80000)],
@@ -100,10 +114,20 @@ void main() { uint i = gl_GlobalInvocationID.x; result[i] = 2.0 * before[i] + 1.
 layout(location = 0) out vec4 target;
 void main() { target = vec4(before[int(gl_FragCoord.x)]); }
 """
-    runs = (
-        FrameStep(draws=(dispatched(0, buffers=[number % 2, 1 - number % 2]),), groups=(SIZE, 1, 1))
+    uses: list[BufferUse] = ["undefined", "undefined"]
+
+    def waiting(number: int, use: BufferUse) -> BufferBarrier:
+        before, uses[number] = uses[number], use
+        return BufferBarrier(number, before, use)
+
+    runs = [
+        FrameStep(
+            draws=(dispatched(0, buffers=[number % 2, 1 - number % 2]),),
+            groups=(SIZE, 1, 1),
+            buffer_barriers=(waiting(number % 2, "read"), waiting(1 - number % 2, "written")),
+        )
         for number in range(rounds)
-    )
+    ]
     (found,) = driver.draw(
         job(
             [texture()],
@@ -112,6 +136,7 @@ void main() { target = vec4(before[int(gl_FragCoord.x)]); }
                 driver.pipeline(paint, buffers=(buffer_slot(0),)),
             ],
             *runs,
+            FrameStep(buffer_barriers=(waiting(rounds % 2, "read"),)),
             step(0, reading(1, buffers=[rounds % 2]), barriers=drawn_first(0)),
             back(0),
             buffers=[FrameBuffer(SIZE), FrameBuffer(SIZE)],

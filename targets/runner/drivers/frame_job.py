@@ -18,6 +18,9 @@ from .render_state import DepthFormat, TargetFormat
 TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as; at first it has no contents."""
 
+BufferUse = Literal["undefined", "written", "read"]
+"""What a storage buffer is used as; at first it has what ``FrameBuffer`` says."""
+
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
 
@@ -38,6 +41,9 @@ class FrameTexture:
     is_black: bool = False
     """Whether it is read before a step draws to it: it is transparent black then, or as far away as
     can be."""
+    samples: int = 1
+    """How many each texel has. A texture with several has one layer and one level, and nobody reads
+    it."""
     memory: int | None = None
     """Of textures with the same number, no step needs two, so they may lie in the same memory: when
     a barrier takes one of them from ``undefined``, the others lose their contents."""
@@ -63,6 +69,24 @@ class Barrier:
 
 
 @dataclass(frozen=True, slots=True)
+class BufferBarrier:
+    """From here on, a storage buffer is used in another way."""
+
+    buffer: int
+    before: BufferUse
+    after: BufferUse
+
+
+@dataclass(frozen=True, slots=True)
+class Resolve:
+    """Where the mean of each texel's samples is written behind a step."""
+
+    texture: int
+    layer: int = 0
+    level: int = 0
+
+
+@dataclass(frozen=True, slots=True)
 class Attachment:
     """What a target, or the depths, are drawn to."""
 
@@ -79,6 +103,8 @@ class Attachment:
     and else cleared to 0."""
     clear: tuple[float, float, float, float] = BLACK
     """A colour; of depths, the first number."""
+    resolve: Resolve | None = None
+    """``None`` where nobody reads the means, or there are no samples."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +146,7 @@ class FrameStep:
     """From which texture to which other one, if it is a copy."""
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
+    buffer_barriers: tuple[BufferBarrier, ...] = ()
 
     def areas(self, width: int, height: int) -> tuple[Area, Area]:
         """The viewport in targets of this size, and all that is drawn to."""

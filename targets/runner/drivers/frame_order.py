@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from .device import DriverError
-from .frame_job import Attachment, FrameJob, FrameStep, TextureUse
+from .frame_job import Attachment, BufferUse, FrameJob, FrameStep, Resolve, TextureUse
 
 Part = tuple[int, int]
 """A layer and a level of a texture."""
@@ -18,9 +18,11 @@ Part = tuple[int, int]
 def check_order(job: FrameJob) -> None:
     """Raise ``DriverError`` for the first step that uses something before it is ready."""
     textures = [_Texture(job, number) for number in range(len(job.textures))]
+    buffers = [_Buffer(f"buffer {number}") for number in range(len(job.buffers))]
     for number, step in enumerate(job.steps):
         try:
             _check_step(textures, step)
+            _check_buffers(job, buffers, step)
         except DriverError as error:
             raise DriverError(f"step {number}: {error}") from None
 
@@ -40,6 +42,8 @@ def _check_step(textures: list[_Texture], step: FrameStep) -> None:
         textures[number].write("image")
     for target in step.targets:
         textures[target.texture].draw(target, "target")
+        if target.resolve is not None:
+            textures[target.resolve.texture].resolve(target.resolve)
     if step.depth is not None:
         textures[step.depth.texture].draw(step.depth, "depth")
     if step.copied:
@@ -48,6 +52,45 @@ def _check_step(textures: list[_Texture], step: FrameStep) -> None:
         textures[copy].write("copied_to")
     for number in step.read:
         textures[number].read("copied_from", levels=1)
+
+
+def _check_buffers(job: FrameJob, buffers: list[_Buffer], step: FrameStep) -> None:
+    for barrier in step.buffer_barriers:
+        buffers[barrier.buffer].wait(barrier.before, barrier.after)
+    for draw in step.draws:
+        slots = job.pipelines[draw.pipeline].buffers
+        for slot, number in zip(slots, draw.buffers, strict=True):
+            if number >= 0:
+                buffers[number].be_used("written" if slot.written else "read")
+
+
+class _Buffer:
+    """What is known of a storage buffer between two steps."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._use: BufferUse = "undefined"
+        self._is_changed = False
+        """Whether it was written since the last barrier."""
+
+    def wait(self, before: BufferUse, after: BufferUse) -> None:
+        """A barrier."""
+        if before != self._use:
+            raise DriverError(
+                f"a barrier takes {self._name} from {before!r}, but its use is {self._use!r}"
+            )
+        self._use = after
+        self._is_changed = False
+
+    def be_used(self, use: BufferUse) -> None:
+        """A kernel writes it, or a shader reads it."""
+        if use != self._use:
+            raise DriverError(f"{self._name} is used as {use!r}, but its use is {self._use!r}")
+        if self._is_changed:
+            raise DriverError(
+                f"no barrier waits for what is written to {self._name}, and it is written again"
+            )
+        self._is_changed = use == "written"
 
 
 class _Texture:
@@ -101,6 +144,13 @@ class _Texture:
             self._held.update(parts)
         else:
             self._held.difference_update(parts)
+
+    def resolve(self, resolve: Resolve) -> None:
+        """A step writes the means of samples to some of it."""
+        self._check_use("target")
+        parts = [(resolve.layer, resolve.level)]
+        self._change(parts)
+        self._held.update(parts)
 
     def _parts(self, levels: int | None = None) -> Iterator[Part]:
         """Those of the first levels, or all."""

@@ -19,12 +19,14 @@ from ..codes import compile_one
 from ..drivers.frame_job import (
     Attachment,
     Barrier,
+    BufferBarrier,
     FrameBuffer,
     FrameDraw,
     FrameJob,
     FrameStep,
     FrameTexels,
     FrameTexture,
+    Resolve,
     TextureUse,
     groups_of,
 )
@@ -116,25 +118,20 @@ class _Job:
         for step in self._plan["steps"]:
             if is_first or not step.get("only_first", False):
                 self._steps += self._translated(step, is_first)
-            elif barriers := self._barriers(step, is_first):
-                self._steps.append(FrameStep(barriers))
+            else:
+                self._wait_at(step, is_first)
+        self._wait_at(self._plan["end"], is_first)
         for row in self._plan["kept"]:
             self._exchange(row)
 
     def add_reading(self, outputs: Sequence[str]) -> None:
         """Have these outputs brought back."""
         read = [self._output(name) for name in outputs]
-        uses = self._textures.uses
-        barriers = [Barrier(number, uses[number], "copied_from") for number in dict.fromkeys(read)]
-        for number in read:
-            uses[number] = "copied_from"
-        self._steps.append(FrameStep(tuple(barriers), read=tuple(read)))
-        left = [self._textures.at[row["previous"]] for row in self._plan["kept"] if row["previous"]]
-        again = [number for number in dict.fromkeys(read) if number in left]
-        for number in again:
-            uses[number] = "sampled"
-        barriers = [Barrier(number, "copied_from", "sampled") for number in again]
-        self._steps.append(FrameStep(tuple(barriers)))
+        there = dict.fromkeys(read)
+        barriers = tuple(Barrier(number, "sampled", "copied_from") for number in there)
+        self._steps.append(FrameStep(barriers, read=tuple(read)))
+        again = tuple(Barrier(number, "copied_from", "sampled") for number in there)
+        self._steps.append(FrameStep(again))
 
     def whole(self) -> FrameJob:
         """The job."""
@@ -165,6 +162,7 @@ class _Job:
                 row["levels"],
                 row["dimension"],
                 is_black,
+                row["samples"],
                 self._memory.get(number),
             )
         )
@@ -183,9 +181,6 @@ class _Job:
             self._buffer_of[f"previous({name})"] = self._buffer_of.pop(name)
             return
         at = self._textures.at
-        barrier = Barrier(at[one], self._textures.uses[at[one]], "sampled")
-        self._steps.append(FrameStep((barrier,)))
-        self._textures.uses[at[one]] = "sampled"
         at[one], at[other] = at[other], at[one]
 
     # --- steps -----------------------------------------------------------------------------------
@@ -198,22 +193,34 @@ class _Job:
                 return [self._run(step, is_first)]
         return self._drawn(step, is_first)
 
-    def _barriers(self, step: Row, is_first: bool) -> tuple[Barrier, ...]:
+    def _wait_at(self, place: Row, is_first: bool) -> None:
+        """Wait where nothing is done: at the end, and in place of a step of the first frame."""
+        barriers = self._barriers(place, is_first)
+        buffers = self._buffer_barriers(place, is_first)
+        if barriers or buffers:
+            self._steps.append(FrameStep(barriers, buffer_barriers=buffers))
+
+    def _barriers(self, place: Row, is_first: bool) -> tuple[Barrier, ...]:
         found = []
-        for row in step["barriers"]:
+        for row in place["barriers"]:
             if row["only_first"] and not is_first:
                 continue
             number = self._texture(row["texture"])
             before, after = self._use(row["from"]), self._use(row["to"])
-            known = self._textures.uses[number]
-            begins = before == "undefined"
-            takes_turns = begins and self._textures.made[number].memory is not None
-            if (begins or known == "copied_from") and not takes_turns:
-                # The last frame may still read what it left there, and so may the host.
-                before = known
+            if before == "undefined" and self._textures.made[number].memory is None:
+                # The last frame may still read what it left there.
+                before = self._textures.uses[number]
             found.append(Barrier(number, before, after))
             self._textures.uses[number] = after
         return tuple(found)
+
+    def _buffer_barriers(self, place: Row, is_first: bool) -> tuple[BufferBarrier, ...]:
+        """What is waited for of the job's own buffers; a kernel's have been made."""
+        return tuple(
+            BufferBarrier(self._buffer_of[row["result"]], row["from"], row["to"])
+            for row in place["buffer_barriers"]
+            if is_first or not row["only_first"]
+        )
 
     def _use(self, planned: TextureUse) -> TextureUse:
         return self._written_as if planned == "image" else planned
@@ -235,6 +242,7 @@ class _Job:
             else range(self._plan["textures"][every[0]["texture"]]["layers"])
         )
         found, state = [], self._host.state_of(step)
+        buffers = self._buffer_barriers(step, is_first)
         for layer in layers:
             depth = step["depth"] and self._attachment(step["depth"], layer)
             found.append(
@@ -246,6 +254,7 @@ class _Job:
                     state.viewport,
                     state.scissor,
                     state.blend_constant,
+                    buffer_barriers=buffers if layer == 0 else (),
                 )
             )
         if step.get("continues", False):
@@ -258,8 +267,13 @@ class _Job:
         return Attachment(
             self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
             target["store"], "stencil" in target and target["stencil"]["store"],
-            self._host.clear_of(target),
+            self._host.clear_of(target), self._resolve(target["resolve"]),
         )  # fmt: skip
+
+    def _resolve(self, row: Row | None) -> Resolve | None:
+        if row is None:
+            return None
+        return Resolve(self._texture(row["texture"]), row["layer"], row["level"])
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
         state = draw.state.layers[layer] if draw.state.layers else draw.state
@@ -312,7 +326,10 @@ class _Job:
         if has_images(reflection):
             given = full_screen_state(instance)
             if not described.images:
-                return self._run_as_pass(replace(draw, state=given), barriers, images)
+                return replace(
+                    self._run_as_pass(replace(draw, state=given), barriers, images),
+                    buffer_barriers=self._buffer_barriers(step, is_first),
+                )
             whole = given.draw()
             dispatch = Dispatch(
                 (given.width, given.height, 1), whole.blocks, whole.textures, whole.buffers
@@ -337,6 +354,7 @@ class _Job:
                     dispatch=replace(dispatch, textures=own, buffers=contents),
                 ),
             ), images=images, groups=groups,
+            buffer_barriers=self._buffer_barriers(step, is_first),
         )  # fmt: skip
 
     def _written(self, step: Row, dispatch: Dispatch, first: int) -> list[int]:

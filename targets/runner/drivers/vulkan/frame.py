@@ -9,14 +9,23 @@ from typing import Any
 import vulkan as vk
 
 from ..draw_job import Draw
-from ..frame_job import Area, Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
+from ..frame_job import (
+    Area,
+    Attachment,
+    BufferBarrier,
+    FrameDraw,
+    FrameJob,
+    FrameStep,
+    FrameTexels,
+    Resolve,
+)
 from ..readback import TEXEL_LANES, depths_to_float, to_float
 from ..texels import Image
 from .compute import COMPUTE, make_compute_pipeline
 from .descriptor_sets import DescriptorSets, make_descriptor_sets
 from .device import Gpu, recording
 from .formats import DEPTHS
-from .frame_textures import USES, MadeTexture, make_frame_textures, record
+from .frame_textures import BUFFER_USES, USES, MadeTexture, make_frame_textures, record
 from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .job import GRAPHICS, INDEX_SIZE, MESH, STORAGE
 from .memory import Buffer, filled_buffer, make_buffer
@@ -44,6 +53,7 @@ class _Frame:
         self._job = job
         written = {image for step in job.steps for image in step.images}
         drawn = {each.texture for step in job.steps for each in _attachments(step)}
+        drawn |= {each.texture for step in job.steps for each in _resolves(step)}
         self._textures = make_frame_textures(owned, gpu, job, drawn, written)
         self._buffers = [
             filled_buffer(owned, gpu, STORAGE, each.initial.to_bytes(4, "little") * each.words)
@@ -65,6 +75,7 @@ class _Frame:
                     texture.clear(commands)
             for step, sets in zip(self._job.steps, recorded, strict=True):
                 record(commands, self._textures, step.barriers)
+                self._wait_for_buffers(commands, step.buffer_barriers)
                 self._do(commands, step, sets)
                 for number in step.read:
                     self._read_back(commands, number, next(waiting)[1])
@@ -130,9 +141,19 @@ class _Frame:
         attachments = _attachments(step)
         render_pass = self._render_pass(step)
         width, height = self._size(attachments[0])
+        views = [
+            *(
+                self._textures[each.texture].part(each.layer, each.level, each.layers)
+                for each in attachments
+            ),
+            *(
+                self._textures[each.texture].part(each.layer, each.level)
+                for each in _resolves(step)
+            ),
+        ]
         info = vk.VkFramebufferCreateInfo(
             renderPass=render_pass,
-            pAttachments=[self._textures[each.texture].part(each) for each in attachments],
+            pAttachments=views,
             width=width,
             height=height,
             layers=attachments[0].layers,
@@ -198,12 +219,28 @@ class _Frame:
                 commands, COMPUTE, layout, 0, len(bound.sets), bound.sets, 0, None
             )
         vk.vkCmdDispatch(commands, *step.groups)
-        shader = vk.VK_ACCESS_SHADER_READ_BIT | vk.VK_ACCESS_SHADER_WRITE_BIT
-        written = vk.VkMemoryBarrier(
-            srcAccessMask=vk.VK_ACCESS_SHADER_WRITE_BIT, dstAccessMask=shader
-        )
-        before, after = vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, USES["sampled"].stages
-        vk.vkCmdPipelineBarrier(commands, before, after, 0, 1, [written], 0, None, 0, None)
+
+    def _wait_for_buffers(self, commands: Any, barriers: Sequence[BufferBarrier]) -> None:
+        """Record barriers, all of them at once."""
+        if not barriers:
+            return
+        before = after = 0
+        for barrier in barriers:
+            before |= BUFFER_USES[barrier.before].stages
+            after |= BUFFER_USES[barrier.after].stages
+        found = [
+            vk.VkBufferMemoryBarrier(
+                srcAccessMask=BUFFER_USES[each.before].access,
+                dstAccessMask=BUFFER_USES[each.after].access,
+                srcQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+                dstQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+                buffer=self._buffers[each.buffer].handle,
+                offset=0,
+                size=self._buffers[each.buffer].size,
+            )
+            for each in barriers
+        ]
+        vk.vkCmdPipelineBarrier(commands, before, after, 0, 0, None, len(found), found, 0, None)
 
     def _copy(self, commands: Any, source: MadeTexture, target: MadeTexture) -> None:
         copies = [
@@ -236,9 +273,11 @@ class _Frame:
         key = tuple(
             (
                 self._job.textures[each.texture].format,
+                self._job.textures[each.texture].samples,
                 each.loads,
                 each.stores,
                 each.stores_stencil,
+                each.resolve is not None,
             )
             for each in attachments
         )
@@ -248,6 +287,7 @@ class _Frame:
 
     def _made_pass(self, step: FrameStep) -> Any:
         described = [self._described(each) for each in _attachments(step)]
+        resolves = self._resolves(step, described)
         references = [
             vk.VkAttachmentReference(number, USES["target"].layout)
             for number in range(len(step.targets))
@@ -256,6 +296,7 @@ class _Frame:
         subpass = vk.VkSubpassDescription(
             pipelineBindPoint=GRAPHICS,
             pColorAttachments=references,
+            pResolveAttachments=resolves,
             pDepthStencilAttachment=None if step.depth is None else depth,
         )
         info = vk.VkRenderPassCreateInfo(pAttachments=described, pSubpasses=[subpass])
@@ -263,13 +304,28 @@ class _Frame:
         self._owned.callback(vk.vkDestroyRenderPass, self._gpu.device, made, None)
         return made
 
-    def _described(self, attachment: Attachment) -> Any:
+    def _resolves(self, step: FrameStep, described: list[Any]) -> Any:
+        """For each target where it is resolved to, which is added to what is ``described``."""
+        if not _resolves(step):
+            return None
+        found = []
+        for target in step.targets:
+            number = vk.VK_ATTACHMENT_UNUSED
+            if target.resolve is not None:
+                number = len(described)
+                written = Attachment(target.resolve.texture)
+                described.append(self._described(written, vk.VK_ATTACHMENT_LOAD_OP_DONT_CARE))
+            found.append(vk.VkAttachmentReference(number, USES["target"].layout))
+        return found
+
+    def _described(self, attachment: Attachment, load: int | None = None) -> Any:
+        """What happens to an attachment; ``load`` is another way to begin with it."""
         texture = self._textures[attachment.texture]
         layout = USES["depth" if texture.description.is_depth else "target"].layout
         return vk.VkAttachmentDescription(
             format=texture.spec.format,
-            samples=vk.VK_SAMPLE_COUNT_1_BIT,
-            loadOp=_LOADS[attachment.loads],
+            samples=texture.spec.samples,
+            loadOp=_LOADS[attachment.loads] if load is None else load,
             storeOp=_STORES[attachment.stores],
             stencilLoadOp=_LOADS[attachment.loads],
             stencilStoreOp=_STORES[attachment.stores_stencil],
@@ -307,6 +363,10 @@ class _Frame:
 
 def _attachments(step: FrameStep) -> tuple[Attachment, ...]:
     return step.targets if step.depth is None else (*step.targets, step.depth)
+
+
+def _resolves(step: FrameStep) -> list[Resolve]:
+    return [target.resolve for target in step.targets if target.resolve is not None]
 
 
 def _texel_size(format_: Any) -> int:

@@ -6,7 +6,8 @@ of this follows from the steps, and hosts rely on it when they make, share and f
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from .rows import (
@@ -15,12 +16,17 @@ from .rows import (
     attachments,
     drawn_over,
     fail,
+    has_samples,
     is_rare,
+    places_of_waiting,
     read_before,
     read_now,
     step_name,
     written,
 )
+
+ENDS = (("texture", "previous"), ("previous", "texture"))
+"""Of a row of `kept`: each texture, and the one that it is exchanged with."""
 
 
 def check_needs(plan: Row) -> None:
@@ -37,6 +43,8 @@ class _Needs:
         self._steps = plan["steps"]
         self._results = {row["name"]: row for row in plan["results"]}
         self._outputs = {row["result"] for row in plan["outputs"]}
+        self._previous = {row["previous"]: row["result"] for row in plan["kept"]}
+        """Of textures that the last frame has left, the result."""
 
     @cached_property
     def _read_last(self) -> dict[str, None]:
@@ -76,7 +84,15 @@ class _Needs:
 
     def _mentioned(self, step: Row) -> Iterator[Reading]:
         """The results of this frame that a step names, each with a texture."""
-        yield from written(step)
+        for row in attachments(step):
+            if not has_samples(self._plan, row):
+                yield row["result"], row["texture"]
+            elif row["resolve"] is not None:
+                yield row["result"], row["resolve"]["texture"]
+        for row in step.get("images", ()):
+            yield row["result"], row["texture"]
+        for row in step.get("buffers", ()):
+            yield row["result"], None
         yield from read_now(step, is_first=True)
         yield from read_now(step, is_first=False)
         for end in ("from", "to"):
@@ -90,50 +106,97 @@ class _Needs:
 
     def check_textures(self) -> None:
         """Every texture has the results and uses that it says."""
-        previous = {row["previous"]: row["result"] for row in self._plan["kept"]}
-        kept = {*previous, *(row["texture"] for row in self._plan["kept"])}
+        pairs = {row[one]: row[other] for row in self._plan["kept"] for one, other in ENDS}
+        kept = pairs.keys()
         for number, row in enumerate(self._plan["textures"]):
             where = f"texture {number}"
-            results = [each for each in self._plan["results"] if each["texture"] == number]
-            names = [each["name"] for each in sorted(results, key=lambda each: int(each["first"]))]
-            if number in previous:
-                names = [previous[number]]
+            names = [self._previous[number]] if number in self._previous else self._held(number)
             if row["results"] != names:
                 fail(self._plan, where, f"it holds {_listed(names)}")
             if row["kept"] != (number in kept):
                 fail(self._plan, where, f"kept is {not row['kept']}")
-            uses = {barrier["to"] for step in self._steps for barrier in step["barriers"]
-                    if barrier["texture"] == number}  # fmt: skip
-            uses |= {"sampled"} if number in previous else set()
+            uses = self._used_as[number] | self._used_as[pairs.get(number, number)]
             if set(row["uses"]) != uses or len(row["uses"]) != len(uses):
                 fail(self._plan, where, f"it is used as {_listed(sorted(uses))}")
+
+    def _held(self, texture: int) -> list[str]:
+        """The results that a texture holds, in order: all in which others find them, or all that
+        are drawn there with several samples."""
+        found = {name: row["first"] for name, row in self._results.items()
+                 if row["texture"] == texture}  # fmt: skip
+        for number, step in enumerate(self._steps):
+            for row in attachments(step):
+                if row["texture"] == texture and has_samples(self._plan, row):
+                    found.setdefault(row["result"], number)
+        return sorted(found, key=lambda name: int(found[name]))
+
+    @cached_property
+    def _used_as(self) -> Mapping[int, set[str]]:
+        """What each texture is used as, for as long as it has its number."""
+        found: dict[int, set[str]] = defaultdict(set)
+        for texture in self._previous:
+            found[texture].add("sampled")
+        for _, place in places_of_waiting(self._plan):
+            for row in place["barriers"]:
+                found[row["texture"]].add(row["to"])
+        return found
 
     # --- steps -----------------------------------------------------------------------------------
 
     def check_steps(self) -> None:
-        """A step stores what somebody needs, and later frames wait for what they draw to."""
-        in_first = {texture for step in self._steps if not is_rare(step)
-                    for _, texture in written(step)}  # fmt: skip
-        in_first |= {row[end] for row in self._plan["kept"] for end in ("texture", "previous")}
+        """A step stores what somebody needs, and later frames wait for what they use."""
+        self._check_later_frames()
         for number, step in enumerate(self._steps):
             where = step_name(step)
-            for barrier in step["barriers"]:
-                if barrier["only_first"] == (barrier["texture"] in in_first):
-                    fail(self._plan, where,
-                         "whether later frames wait for texture "
-                         f"{barrier['texture']} is said wrongly")  # fmt: skip
             if "continues" in step:
                 self._check_continued(number, step)
             for row in attachments(step):
-                if row["store"] != self._is_needed(number, row["result"]):
-                    said = "stored" if row["store"] else "dropped"
-                    fail(self._plan, where, f"`{row['result']}` is {said}")
+                self._check_stored(number, where, row)
                 if "stencil" in row and row["stencil"]["store"] != self._is_found(number, row):
                     said = "stored" if row["stencil"]["store"] else "dropped"
                     fail(self._plan, where, f"stencil values of `{row['result']}` are {said}")
             places = {(row["layer"], row["level"]) for row in attachments(step)}
-            if len(places) > 1:
+            resolved = {(row["resolve"]["layer"], row["resolve"]["level"])
+                        for row in attachments(step) if row["resolve"] is not None}  # fmt: skip
+            if len(places) > 1 or len(resolved) > 1:
                 fail(self._plan, where, "its targets are different layers or levels")
+
+    def _check_stored(self, number: int, where: str, row: Row) -> None:
+        """What is needed of what a step draws is stored, and of samples their mean."""
+        result, needed = row["result"], self._is_needed(number, row["result"])
+        if has_samples(self._plan, row):
+            is_depth = row is self._steps[number]["depth"]
+            resolves = needed and not is_depth and self._resolves(number, row)
+            if (row["resolve"] is not None) != resolves:
+                said = "read later" if resolves else "read by nobody"
+                fail(self._plan, where, f"the mean of the samples of `{result}` is {said}")
+            needed = self._is_found(number, row)
+        if row["store"] != needed:
+            fail(self._plan, where, f"`{result}` is {'stored' if row['store'] else 'dropped'}")
+
+    def _resolves(self, number: int, drawn: Row) -> bool:
+        """Whether somebody reads what a step has drawn before another one draws there, too."""
+        for step in self._steps[number + 1 :]:
+            if any(result == drawn["result"] for result, _ in read_now(step, is_first=True)):
+                return True
+            if any(_place(row) == _place(drawn) for row in attachments(step)):
+                return False
+        return True
+
+    def _check_later_frames(self) -> None:
+        """They wait for what is written in each of them, and for nothing else."""
+        always = [each for step in self._steps if not is_rare(step) for each in written(step)]
+        results = {result for result, _ in always}
+        textures = {texture for _, texture in always}
+        textures |= {row[end] for row in self._plan["kept"] for end, _ in ENDS}
+        for where, place in places_of_waiting(self._plan):
+            waited = [(f"texture {row['texture']}", row["texture"] in textures, row)
+                      for row in place["barriers"]]  # fmt: skip
+            waited += [(f"the buffer of `{row['result']}`", row["result"] in results, row)
+                       for row in place["buffer_barriers"]]  # fmt: skip
+            for what, is_always, row in waited:
+                if row["only_first"] == is_always:
+                    fail(self._plan, where, f"whether later frames wait for {what} is said wrongly")
 
     def _check_continued(self, number: int, step: Row) -> None:
         """Whether a step draws on in the render pass of the one before is said rightly."""
@@ -145,6 +208,8 @@ class _Needs:
             and (step["depth"] is None) == (before["depth"] is None)
             and is_rare(step) == is_rare(before)
             and all(row["load"] == "load" and row["layer"] is not None for row in attachments(step))
+            and all(row["resolve"] is None for row in attachments(before))
+            and not step["buffer_barriers"]
             and {row["texture"] for row in step["barriers"]} <= {texture for texture, *_ in here}
         )
         if step["continues"] != continues:
@@ -157,19 +222,34 @@ class _Needs:
 
     def _is_found(self, number: int, left: Row) -> bool:
         """Whether a later step draws where stencil values were left."""
-        place = left["result"], left["layer"], left["level"]
         later = [row for step in self._steps[number + 1 :] for row in attachments(step)]
-        again = ((row["result"], row["layer"], row["level"]) == place for row in later)
-        return any(again) or any(row["over"] == left["result"] for row in later)
+        again = (_place(row) == _place(left) for row in later)
+        return any(again) or any(
+            row["over"] == left["result"] and self._finds(row, left) for row in later
+        )
+
+    def _finds(self, over: Row, left: Row) -> bool:
+        """Whether a step that draws over what another has left finds it as this one left it:
+        samples, or one value for each texel."""
+        if has_samples(self._plan, left):
+            return bool(over["texture"] == left["texture"])
+        return True
 
     @cached_property
     def _last_read(self) -> dict[str, int]:
-        """The last step that reads each result, or draws over it."""
-        return {
-            result: number
-            for number, step in enumerate(self._steps)
-            for result in (*(each for each, _ in read_now(step, is_first=True)), *drawn_over(step))
-        }
+        """The last step that reads each result, or draws over it with one sample."""
+        found = {}
+        for number, step in enumerate(self._steps):
+            for result, _ in read_now(step, is_first=True):
+                found[result] = number
+            for row in attachments(step):
+                if row["over"] is not None and not has_samples(self._plan, row):
+                    found[row["over"]] = number
+        return found
+
+
+def _place(row: Row) -> tuple[str, int, int | None, int]:
+    return row["result"], row["texture"], row["layer"], row["level"]
 
 
 def _places(step: Row) -> list[tuple[int, int | None, int]]:

@@ -7,6 +7,7 @@ and level, and how it is used.
 from __future__ import annotations
 
 from .rows import (
+    END,
     WRITES,
     Row,
     fail,
@@ -35,13 +36,13 @@ class _Execution:
         """For each texture which result each layer and level holds."""
         self._stencils: dict[int, set[tuple[int, int]]] = {}
         """For each texture where it has stencil values that have been kept."""
-        self._buffers: set[str] = set()
-        """The results that are there in buffers."""
+        self._buffers: dict[str, str] = {}
+        """How the buffers of results are used, of those that this frame has used."""
         self._kept_buffers: set[str] = set()
         self._step = ""
-        self._waited: set[int] = set()
-        """Textures with a barrier before this step."""
-        self._used_here: set[int] = set()
+        self._waited: set[int | str] = set()
+        """Textures, and results in buffers, with a barrier before this step."""
+        self._used_here: set[int | str] = set()
         rare = [step for step in plan["steps"] if is_rare(step)]
         self._lasting = {texture for step in rare for _, texture in written(step)}
         """Textures that only the first frame draws to, and that keep what is in them."""
@@ -54,10 +55,14 @@ class _Execution:
         for is_first in (True, False):
             self._begin(is_first)
             for step in self._plan["steps"]:
-                self._wait_before(step, is_first)
+                self._step = step_name(step)
+                self._wait_at(step, is_first)
                 if is_first or not is_rare(step):
                     self._do(step, is_first)
+            self._step = END
+            self._wait_at(self._plan["end"], is_first)
             self._end()
+            self._check_waited(set())
 
     def _begin(self, is_first: bool) -> None:
         """Forget what the last frame has left, but for what is kept."""
@@ -66,7 +71,7 @@ class _Execution:
             kept |= self._lasting
         self._holds = {texture: held for texture, held in self._holds.items()
                        if texture in kept}  # fmt: skip
-        self._touched, self._buffers = kept, set()
+        self._touched, self._buffers = kept, {}
         self._stencils = {texture: held for texture, held in self._stencils.items()
                           if texture in kept}  # fmt: skip
 
@@ -74,7 +79,8 @@ class _Execution:
         """Give the host its outputs, and the next frame what it reads."""
         for row in (*self._plan["outputs"], *self._plan["kept"]):
             self._step = f"output {row['name']}" if "name" in row else f"kept {row['result']}"
-            self._finds(row["texture"], row["result"])
+            self._reads(row["texture"], row["result"])
+        self._step = END
         self._kept_buffers = set()
         for row in self._plan["kept"]:
             one, other = row["texture"], row["previous"]
@@ -82,17 +88,19 @@ class _Execution:
                 self._kept_buffers.add(row["result"])
                 continue
             self._holds[one], self._holds[other] = self._holds.get(other, {}), self._holds[one]
-            self._uses[one], self._uses[other] = "sampled", "sampled"
+            self._uses[one], self._uses[other] = self._uses.get(other, "sampled"), self._uses[one]
 
     # --- steps -----------------------------------------------------------------------------------
 
-    def _wait_before(self, step: Row, is_first: bool) -> None:
-        """Wait at the barriers of a step, also where it is left out."""
-        self._step = step_name(step)
+    def _wait_at(self, place: Row, is_first: bool) -> None:
+        """Wait at the barriers of a step, also where it is left out; or at those of the end."""
         self._waited, self._used_here = set(), set()
-        for barrier in step["barriers"]:
+        for barrier in place["barriers"]:
             if is_first or not barrier["only_first"]:
                 self._wait(barrier)
+        for barrier in place["buffer_barriers"]:
+            if is_first or not barrier["only_first"]:
+                self._wait_for_buffer(barrier)
 
     def _do(self, step: Row, is_first: bool) -> None:
         self._read_all(step, is_first)
@@ -105,11 +113,19 @@ class _Execution:
             self._draw(target, "target")
         if step.get("depth") is not None:
             self._draw(step["depth"], "depth")
-        self._buffers |= {result for result, texture in written(step) if texture is None}
+        for row in step.get("buffers", ()):
+            self._used_buffer(row["result"], "written")
         # Later frames wait for what only the first one reads, in place of a last one.
-        read_first = {texture for _, texture in read_now(step, is_first=True)}
-        for texture in sorted(self._waited - self._used_here - (set() if is_first else read_first)):
-            self._fail(f"it waits for texture {texture}, which it does not use")
+        read_first = {
+            result if texture is None else texture
+            for result, texture in read_now(step, is_first=True)
+        }
+        self._check_waited(set() if is_first else read_first)
+
+    def _check_waited(self, also: set[int | str]) -> None:
+        """Check that everything is used that was waited for, but for some of it."""
+        for used in sorted(map(_said, self._waited - self._used_here - also)):
+            self._fail(f"it waits for {used}, which it does not use")
 
     def _wait(self, barrier: Row) -> None:
         texture, before = barrier["texture"], barrier["from"]
@@ -124,6 +140,22 @@ class _Execution:
         self._uses[texture] = barrier["to"]
         self._touched.add(texture)
         self._waited.add(texture)
+
+    def _wait_for_buffer(self, barrier: Row) -> None:
+        result, before = barrier["result"], barrier["from"]
+        known = self._buffers.get(result, "undefined")
+        if before != known:
+            self._fail(f"the buffer of `{result}` is {known} before, and not {before}")
+        if before == barrier["to"]:
+            self._fail(f"it waits for the buffer of `{result}`, which was {before} already")
+        self._buffers[result] = barrier["to"]
+        self._waited.add(result)
+
+    def _used_buffer(self, result: str, use: str) -> None:
+        known = self._buffers.get(result, "undefined")
+        if known != use:
+            self._fail(f"the buffer of `{result}` is {use}, and no barrier says so: it is {known}")
+        self._used_here.add(result)
 
     def _used(self, texture: int, use: str) -> None:
         known = self._uses.get(texture, "undefined")
@@ -140,9 +172,7 @@ class _Execution:
 
     def _read_all(self, step: Row, is_first: bool) -> None:
         for result, texture in read_now(step, is_first=is_first):
-            if texture is not None:
-                self._used(texture, "sampled")
-            self._finds(texture, result)
+            self._reads(texture, result)
         black = {
             (row["previous"], row["texture"])
             for row in inputs(step)
@@ -159,12 +189,16 @@ class _Execution:
             if not is_first:
                 self._finds(texture, result)
 
-    def _finds(self, texture: int | None, result: str) -> None:
-        """Check that a texture holds a result, all of it; or that a buffer is there."""
+    def _reads(self, texture: int | None, result: str) -> None:
+        """Check that a result can be read."""
         if texture is None:
-            if result not in self._buffers:
-                self._fail(f"`{result}` is read before it is there")
-            return
+            self._used_buffer(result, "read")
+        else:
+            self._used(texture, "sampled")
+            self._finds(texture, result)
+
+    def _finds(self, texture: int, result: str) -> None:
+        """Check that a texture holds a result, all of it."""
         held = self._holds.get(texture, {})
         for place in places(self._plan["textures"][texture]):
             if held.get(place) != result:
@@ -196,6 +230,14 @@ class _Execution:
             held[place] = result if target["store"] else ""
             if "stencil" in target:
                 self._draw_stencil(texture, place, target)
+        if target["resolve"] is not None:
+            self._resolve(target["resolve"], result)
+
+    def _resolve(self, target: Row, result: str) -> None:
+        """The mean of a result's samples is where others find the result."""
+        self._written(target["texture"], "target")
+        held = self._holds.setdefault(target["texture"], {})
+        held[target["layer"], target["level"]] = result
 
     def _draw_stencil(self, texture: int, place: tuple[int, int], target: Row) -> None:
         """The values beside depths begin as these do, and are there later if they are stored."""
@@ -213,3 +255,7 @@ class _Execution:
 
     def _fail(self, text: str) -> None:
         fail(self._plan, self._step, text)
+
+
+def _said(used: int | str) -> str:
+    return f"texture {used}" if isinstance(used, int) else f"the buffer of `{used}`"

@@ -27,6 +27,17 @@ def fail(plan: Row, where: str, text: str) -> NoReturn:
     raise PlanError(f"{plan['frame']}, {where}: {text}")
 
 
+END = "the end"
+"""What messages call the place behind the last step."""
+
+
+def places_of_waiting(plan: Row) -> Iterator[tuple[str, Row]]:
+    """Each place of a plan that has barriers, with what messages call it."""
+    for step in plan["steps"]:
+        yield step_name(step), step
+    yield END, plan["end"]
+
+
 def step_name(step: Row) -> str:
     """What messages call a step."""
     return str(step.get("name", "a copy"))
@@ -42,6 +53,19 @@ def attachments(step: Row) -> Iterator[Row]:
     yield from step.get("targets", ())
     if step.get("depth") is not None:
         yield step["depth"]
+
+
+def drawn_to(step: Row) -> Iterator[int]:
+    """The textures that a step draws to, and those to which it resolves samples then."""
+    for row in attachments(step):
+        yield row["texture"]
+        if row["resolve"] is not None:
+            yield row["resolve"]["texture"]
+
+
+def has_samples(plan: Row, attachment: Row) -> bool:
+    """Whether a step draws with several samples there."""
+    return bool(plan["textures"][attachment["texture"]]["samples"] > 1)
 
 
 def uses(step: Row) -> Iterator[Row]:
@@ -78,9 +102,13 @@ def read_before(step: Row) -> Iterator[Reading]:
 
 
 def written(step: Row) -> Iterator[Reading]:
-    """The results that a step leaves. A copy leaves nothing of its own: the next step draws over
-    it."""
-    for row in (*attachments(step), *step.get("images", ())):
+    """The results that a step leaves, each with the texture that it lies in then. A copy leaves
+    nothing of its own: the next step draws over it."""
+    for row in attachments(step):
+        yield row["result"], row["texture"]
+        if row["resolve"] is not None:
+            yield row["result"], row["resolve"]["texture"]
+    for row in step.get("images", ()):
         yield row["result"], row["texture"]
     for row in step.get("buffers", ()):
         yield row["result"], None
