@@ -81,6 +81,8 @@ class Field:
     doc: str = ""
     step: Domain = VERTICES
     """Of a vertex input, what it varies over."""
+    invariant: bool = False
+    """Of what crosses, whether positions that have to be invariant are computed of it."""
 
 
 @frozen
@@ -473,6 +475,8 @@ class Program:
     """What the first stage reads the corners of primitives of, if vertex inputs do not suffice."""
     fill: Fill = "faces"
     """What is drawn of triangles."""
+    invariant: bool = False
+    """Whether positions are the same, bit by bit, in all shaders that compute them in this way."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""

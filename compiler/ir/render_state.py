@@ -28,6 +28,12 @@ StencilOperation = Literal[
 ]  # fmt: skip
 """What becomes of a stencil value."""
 
+HANGS_ON_EQUAL: frozenset[Compare] = frozenset(
+    ("equal", "less_equal", "not_equal", "greater_equal")
+)
+"""The comparisons by which a pass finds again what another one has drawn: for them it matters
+whether two depths are the same number."""
+
 STENCIL_MOST = 255
 """The largest stencil value: all APIs have eight bits."""
 MOST_BIAS = 1 << 24
@@ -121,7 +127,17 @@ class RenderState:
     cull: Cull = "none"
     front: Winding = "counter_clockwise"
     fill: Fill = "faces"
+    invariant: bool | None = None
+    """Whether all shaders that compute a position in the same way get the same one, to the last
+    bit; ``None`` where the pass leaves that to what its depths are compared for."""
     samples: int = 1
     """At how many places of a pixel it is decided what is seen there, one of ``SAMPLES``."""
     depth: DepthState = DepthState()
     stencil: StencilState = StencilState()
+
+    @property
+    def is_invariant(self) -> bool:
+        """Whether positions are the same in all such shaders."""
+        if self.invariant is None:
+            return self.depth.compare in HANGS_ON_EQUAL
+        return self.invariant

@@ -45,6 +45,8 @@ INNER_LEVEL = "inner_level"
 """The kind of those that say the same of the inside: of a quad along u, and then along v."""
 EMITTING = "emitting"
 """The kind of the results that say, each for one group of strips, which of these there are."""
+PLACING = frozenset((CLIP_POSITION, EDGE_LEVEL, INNER_LEVEL, EMITTING))
+"""The kinds of the results that decide which vertices there are, and where."""
 LAYER = "layer"
 """The kind of the result that says to which layer of the render targets a strip is drawn."""
 CAPTURE = "capture"

@@ -5,8 +5,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 
+from ...frozen import changed
 from ..ir.node import AGE, Node
 from ..ir.operations import CROSS
 from ..ir.program import Interface, Varying, leaving
@@ -26,13 +27,22 @@ class Interfaces:
         """In pipeline order."""
         self._onward: Sequence[Node] = ()
         """The values of the stage behind, if some of what it reads is handed on to it."""
+        self._placed_onward: frozenset[Node] = frozenset()
+        """Those of them that are for positions that have to be invariant."""
 
     def leaving(self, row: StageRow) -> tuple[Varying, ...]:
         """What a stage has to deliver to the next one; what it only hands on is not among it."""
         return leaving(self.all, row)
 
-    def enter(self, row: StageRow, before: StageRow, nodes: Sequence[Node]) -> None:
-        """Pack what crosses from the stage ``before`` to this one, which computes ``nodes``.
+    def enter(
+        self,
+        row: StageRow,
+        before: StageRow,
+        nodes: Sequence[Node],
+        placing: frozenset[Node],
+    ) -> None:
+        """Pack what crosses from the stage ``before`` to this one, which computes ``nodes``, some
+        of them, ``placing``, for positions that have to be invariant.
 
         Where this stage hands its vertices on, what the next stage reads of them goes through it.
         That has locations behind those of what this stage itself delivers to the next.
@@ -40,7 +50,10 @@ class Interfaces:
         taken = {field.name for face in self.all for field in face.fields} | self._captured
         first = len(self.leaving(row)) if row.hands_on else 0
         reading = sorted({*nodes, *self._onward}, key=AGE) if row.hands_on else nodes
-        varyings = pack_varyings(reading, self._notes, before.domain, taken, first)
+        packed = pack_varyings(reading, self._notes, before.domain, taken, first)
+        placed = placing | self._placed_onward if row.hands_on else placing
+        needed = {node.operands[0] for node in placed if _crosses_from(node, before)}
+        varyings = tuple(_marked(varying, needed) for varying in packed)
         faces = [Interface(before.domain, row.domain, varyings)]
         if row.hands_on:
             read = {n.operands[0] for n in self._onward if _crosses_from(n, before)}
@@ -49,6 +62,13 @@ class Interfaces:
             faces.append(Interface(before.domain, behind, onward, through=row.domain))
         self.all = (*faces, *self.all)
         self._onward = nodes if before.hands_on else ()
+        self._placed_onward = placing if before.hands_on else frozenset()
+
+
+def _marked(varying: Varying, needed: Set[Node]) -> Varying:
+    """A varying that says whether invariant positions need some value in it."""
+    is_needed = not needed.isdisjoint(varying.values)
+    return changed(varying, field=changed(varying.field, invariant=is_needed))
 
 
 def _crosses_from(node: Node, row: StageRow) -> bool:

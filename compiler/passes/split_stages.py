@@ -75,7 +75,7 @@ def split_stages(
         groups = _groups(shader, own, delivered)
         nodes = visible(_roots(groups, delivered), into_bodies=True)
         if before is not None:
-            interfaces.enter(row, before, nodes)
+            interfaces.enter(row, before, nodes, _placing(shader, groups, delivered))
         emitting = tuple(output.value for output in outputs if output.kind == EMITTING)
         works.insert(0, _Work(row, delivered, emitting, groups, nodes))
     stages = [_stage(work, shader, blocks, interfaces.all) for work in works]
@@ -93,7 +93,7 @@ def split_stages(
     return Program(
         shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
         shader.expansion, shader.tessellation, shader.capture, shader.work_group,
-        _corner_buffer(shader), shader.render_state.fill,
+        _corner_buffer(shader), shader.render_state.fill, bool(shader.placing),
     )  # fmt: skip
 
 
@@ -132,6 +132,28 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
         for group in groups
         for node in (group.condition, group.count, group.emitted, *group.delivered)
     ]
+
+
+def _placing(
+    shader: Shader, groups: Sequence[GroupValues], outputs: Sequence[Output]
+) -> frozenset[Node]:
+    """What a stage computes for positions that have to be invariant."""
+    numbers = [
+        number
+        for number, output in enumerate(outputs)
+        if output.kind in shader.placing or (output.field is not None and output.field.invariant)
+    ]
+    if not numbers:
+        return frozenset()
+    roots = [outputs[number].value for number in numbers]
+    if groups:
+        roots = [
+            node
+            for group in groups
+            for node in (group.condition, group.count, group.emitted)
+        ]  # fmt: skip
+        roots += [group.delivered[number] for group in groups for number in numbers]
+    return frozenset(visible(roots, into_bodies=True))
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:

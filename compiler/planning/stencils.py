@@ -6,10 +6,12 @@ draws there, or over what is there: then all of these have one format.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from itertools import chain
 
 from ...frozen import record
 from ..ir.frame import Attachment, Frame, Image, RenderStep, Step
+from ..ir.shared_depths import shared_depths
 from .lifetimes import uses_of
 
 STENCIL_FORMATS: Mapping[str, str] = {"depth32f": "depth32f_stencil8"}
@@ -26,21 +28,8 @@ class Stencils:
     @classmethod
     def of(cls, frame: Frame) -> Stencils:
         """Those of a frame."""
-        over: dict[Image, list[Image]] = {}
-        pending: list[Image] = []
-        for step, depth in _depths(frame):
-            if depth.over is not None:
-                over.setdefault(depth.image, []).append(depth.over)
-                over.setdefault(depth.over, []).append(depth.image)
-            if _uses_stencil(step):
-                pending.append(depth.image)
-        found: set[Image] = set()
-        while pending:
-            image = pending.pop()
-            if image not in found:
-                found.add(image)
-                pending += over.get(image, [])
-        return cls(frame, frozenset(found))
+        found = (d.images for d in shared_depths(frame.steps) if any(map(_uses_stencil, d.steps)))
+        return cls(frame, frozenset(chain.from_iterable(found)))
 
     def format_of(self, image: Image) -> str:
         """The format of the texture that holds an image."""
@@ -59,12 +48,6 @@ class Stencils:
 
 def _place(depth: Attachment) -> tuple[Image, int | None, int]:
     return depth.image, depth.layer, depth.level
-
-
-def _depths(frame: Frame) -> Iterator[tuple[Step, Attachment]]:
-    for step in frame.steps:
-        if isinstance(step, RenderStep) and step.depth is not None:
-            yield step, step.depth
 
 
 def _uses_stencil(step: Step) -> bool:

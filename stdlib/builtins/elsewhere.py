@@ -342,8 +342,8 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
             ("static", "inline", "precise", "highp", "mediump", "lowp", "flat"),
             "an equation is `name = expression`; the compiler sees to the rest",
         ),
-        "invariant": "two shaders may place a vertex a little differently: compare no depths for "
-        "being equal",
+        "invariant": "`raster { invariant = true }` of a pass; frames, and passes that compare "
+        "depths for being equal, see to it",
     }
 )  # fmt: skip
 """Words that begin statements and declarations in other languages."""

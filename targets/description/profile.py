@@ -177,6 +177,8 @@ class Profile:
     patch_winding: Literal["ccw", "cw"] = "ccw"
     """What the API calls triangles of a patch that turn counter-clockwise where u points to the
     right and v upwards. It is the other way round where the API has v point downwards."""
+    invariant_inputs: bool = False
+    """What one stage delivers as invariant has to be called so where the next one reads it."""
     varyings_by_name: bool = False
     """Stages are matched by the names of varyings instead of their locations."""
     explicit_bindings: bool = True

@@ -27,10 +27,7 @@ class Fields:
         self._stage = stage
         self._names = context.names
         self._roles = dict(_roles_of_inputs(context.program, stage))
-        self._inputs = [
-            self._field(field, self._roles[field.name], field.mode == "corner")
-            for field in stage.inputs
-        ]
+        self._inputs = [self._input(field, self._roles[field.name]) for field in stage.inputs]
         self._handed_on = [self._field(f, "control point", True) for f in stage.handed_on]
         self._delivered = [self._output(each) for each in stage.results if each.field is not None]
 
@@ -89,6 +86,11 @@ class Fields:
             ],
         )
 
+    def _input(self, field: Field, role: FieldRole) -> FieldView:
+        view = self._field(field, role, field.mode == "corner")
+        says_so = field.invariant and self._context.profile.invariant_inputs
+        return changed(view, invariant=says_so)
+
     def _output(self, output: Output) -> FieldView:
         assert output.field is not None
         view = self._field(output.field, self._role(output))
@@ -131,6 +133,7 @@ class Fields:
             comment=comment_line(field.doc),
             of_patch=role == "of patch",
             per_corner=per_corner,
+            invariant=field.invariant,
         )
 
 

@@ -115,6 +115,7 @@ class StagePrinter:
             position=""
             if stage.emitted
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
+            invariant=self._context.program.invariant,
             opening=opening,
             guard=guard,
             work_group=() if group is None else group,

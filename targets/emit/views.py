@@ -100,6 +100,9 @@ class FieldView:
     """Whether it is the same all over a patch."""
     per_corner: bool = False
     """Whether there is one for each corner of a primitive, or for each control point."""
+    invariant: bool = False
+    """Whether the text has to say that it is the same, bit by bit, in all shaders that compute it
+    in this way."""
     captured_at: str = ""
     """At which byte of a vertex it is captured, where the text says so."""
 
@@ -195,6 +198,9 @@ class EntryView:
     """Lines with which a kernel writes elements of buffers and texels of images."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
+    invariant: bool
+    """Whether positions are the same, bit by bit, in all shaders that compute them in this way:
+    where they are delivered, and how finely patches are divided."""
     opening: list[str]
     """The statements that tell a kernel's invocations apart; none in other stages."""
     guard: str

@@ -236,6 +236,7 @@ OPENGL = Profile(
     framebuffer=BOTTOM_FIRST,
     limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
     varyings_by_name=True,
+    invariant_inputs=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
     agrees=AGREES,

@@ -126,9 +126,19 @@ frame F {
     output value = seen.value
 }
 """
+CANCELLED = """
+kernel Steps { result steps : int[64] = int(float(index) / 7 * 7) }
+pass Seen : Shown { buffer steps : int[]  shown = float(steps[here]) }
+frame F {
+    made = Steps()
+    seen = Seen(screen) with { steps = made.steps }
+    output value = seen.value
+}
+"""
+"""Texts do not compute the division, so that it cannot change their picture."""
 FRAMES = {
     "rounded": ROUNDED, "members": MEMBERS, "tipping": TIPPING, "chosen": CHOSEN,
-    "scattered": SCATTERED, "growing": GROWING, "placed": PLACED,
+    "scattered": SCATTERED, "growing": GROWING, "placed": PLACED, "cancelled": CANCELLED,
 }  # fmt: skip
 
 
@@ -139,6 +149,7 @@ WRONG = {
     "chosen": ("int(nearly(index))", "int(nearly(index)) + 1"),
     "scattered": ("add uint(index)", "add uint(index + 1)"),
     "growing": ("1.5 *", "1.5002 *"),
+    "cancelled": ("* 7)", "* 7) + 1"),
     "placed": ("sin(float(index))", "sin(float(index)) + 0.01"),
 }
 """What the kernel of each frame says, and what one says that is slightly wrong."""

@@ -14,7 +14,10 @@ from .tree import Node, listed, walk
 
 COMPARISONS = ("less", "less_equal", "greater", "always")
 OPERATIONS = get_args(StencilOperation)
-_RASTER = {"cull": ("none", "front", "back"), "front": ("clockwise", "counter_clockwise")}
+_RASTER = {
+    "cull": ("none", "front", "back"), "front": ("clockwise", "counter_clockwise"),
+    "invariant": ("true", "false"),
+}  # fmt: skip
 _DEPTH = {
     "compare": COMPARISONS, "write": ("true", "false"), "bias": ("-3", "0", "1000"),
     "slope_bias": ("-0.5", "2"), "bias_clamp": ("0.001", "-0.1"),

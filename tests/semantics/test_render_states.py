@@ -46,6 +46,26 @@ def test_settings_are_words_and_constants() -> None:
     assert found.stencil.tests and not found.stencil.writes
 
 
+@pytest.mark.parametrize(
+    ("settings", "is_invariant"),
+    [
+        ("", False),
+        ("depth { compare = equal }", True),
+        ("depth { compare = less_equal }", True),
+        ("depth { compare = not_equal }", True),
+        ("depth { compare = greater_equal }", True),
+        ("depth { compare = greater }", False),
+        ("depth { compare = always }", False),
+        ("raster { invariant = true }", True),
+        ("depth { compare = equal } raster { invariant = false }", False),
+    ],
+)
+def test_positions_are_invariant_where_equal_depths_decide_or_the_pass_says_so(
+    settings: str, is_invariant: bool
+) -> None:
+    assert state(settings).is_invariant == is_invariant
+
+
 def test_a_setting_of_one_side_counts_more_than_one_of_both_wherever_it_stands() -> None:
     found = state("stencil { back.pass = invert, pass = replace, depth_fail = zero }").stencil
     assert found.front == StencilSide(depth_fail_op="zero", pass_op="replace")

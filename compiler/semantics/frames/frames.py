@@ -29,6 +29,8 @@ from ..state.context import Context
 from ..state.scope import OUTERMOST, Instance
 from .around import Around, Owner
 from .drawn import ModelsOf
+from .invariance import with_invariant_positions
+from .samples import check_readable
 from .shaders import Shaders
 from .steps import Steps
 from .values import no_result
@@ -99,6 +101,7 @@ class _Checking:
         lights = tuple(leaves for _, leaves in self._entries)
         everything = (self._leaves, *lights)
         values, _graph, _notes = lowered(self._ctx, self._steps.numbers.nodes)
+        shaders, steps = with_invariant_positions(self._shaders.made, needed)
         return Frame(
             name=self._symbol.name,
             doc=declaration.doc,
@@ -113,8 +116,8 @@ class _Checking:
                        each.member.name.span)
                 for name, each in self._models.items()
             ),
-            shaders=self._shaders.made,
-            steps=needed,
+            shaders=shaders,
+            steps=steps,
             outputs=tuple(outputs),
         )  # fmt: skip
 
@@ -167,6 +170,7 @@ class _Checking:
             around = Around(self._own, self._own.scope(owner, level), member.name.text)
             made = self._steps.made(member.value, around)
             if isinstance(made, Image | Elements):
+                check_readable(self._ctx.report, made, member.value.span)
                 yield Output(member.name.text, made, member.doc, member.name.span)
             else:
                 no_result(self._ctx, made, member.value.span)

@@ -50,6 +50,7 @@ from .drawn import Draws, ModelsOf
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .repetitions import FACES, Repetitions
+from .samples import SampleChecks
 from .settings import AREAS, Settings
 from .shaders import Shaders
 from .values import Made, Numbers, StepValue, no_result, no_step
@@ -90,6 +91,7 @@ class Steps:
         self._names: set[str] = set()
         self._previous: list[tuple[Previous, ast.Call, Around]] = []
         self._later: list[Later] = []
+        self._samples = SampleChecks(ctx.report)
 
     def check(self, owner: Owner, needs: list[Need]) -> None:
         """Check steps that nobody has asked for yet, each behind those that it needs."""
@@ -225,8 +227,6 @@ class Steps:
             )  # fmt: skip
             return FAILURE
         return self.made(e.then if known else e.otherwise, around)
-
-    # --- repetitions ---
 
     # --- steps ---
 
@@ -377,6 +377,8 @@ class Steps:
         if layered:
             place = changed(place, dimension="cube" if layered == FACES else "2d_array",
                             layers=layered)  # fmt: skip
+        state = shader.shader.render_state
+        samples = state.samples
         given = over if isinstance(over, Mapping) else {}
         size = next(iter(given.values())).size if isinstance(over, Mapping) else over
 
@@ -388,7 +390,7 @@ class Steps:
             if image is None:
                 image = Image(
                     f"{around.name}.{target}", format_, size, place.dimension, place.layers,
-                    place.levels, doc, e.span,
+                    place.levels, doc, e.span, samples,
                 )  # fmt: skip
                 place.images[target] = image
             if behind is not None and behind.format != format_:
@@ -405,9 +407,10 @@ class Steps:
             for result in shader.shader.results_of(TARGET)
             if result.state is not None
         )
-        state = shader.shader.render_state
         uses_depth = state.depth.is_used or state.stencil.is_used
         depth = attached(DEPTH, DEPTH_FORMAT, "", state.depth.clear) if uses_depth else None
+        drawn_to = targets if depth is None else (*targets, depth)
+        self._samples.check(drawn_to, samples, e.span)
         return RenderStep(
             name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span,
             *(settings.number(setting) for setting in AREAS),

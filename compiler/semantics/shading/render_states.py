@@ -124,6 +124,7 @@ OPERATIONS = Words(get_args(StencilOperation))
 SETTINGS: Mapping[Stated, Mapping[str, Setting]] = {
     ast.Raster: _plain(
         cull=Words(get_args(Cull)), front=Words(get_args(Winding)), fill=Words(get_args(Fill)),
+        invariant=SWITCH,
         samples=OneOf(SAMPLES),
     ),
     ast.Depth: _plain(

@@ -1,0 +1,50 @@
+"""Finds the steps of a frame that draw to the same depths, one over what another one has left.
+
+These depths have one format, and are compared with each other. ``semantics/frames`` and
+``compiler/planning`` ask.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ...frozen import frozen
+from .frame import Image, RenderStep, Step
+
+
+@frozen(eq=False)
+class SharedDepths:
+    """Depths that belong together."""
+
+    images: tuple[Image, ...]
+    steps: tuple[RenderStep, ...]
+    """Those that draw to them, in order."""
+
+
+def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
+    """All depths that steps draw to, together with those that they are drawn over."""
+    drawing: dict[Image, list[RenderStep]] = {}
+    for step in steps:
+        if isinstance(step, RenderStep):
+            for image in _depths_of(step):
+                drawing.setdefault(image, []).append(step)
+    seen: set[Image] = set()
+    for first in drawing:
+        if first in seen:
+            continue
+        images, together = {first: None}, dict[RenderStep, None]()
+        pending = [first]
+        for image in pending:  # It grows on the way.
+            together.update(dict.fromkeys(drawing[image]))
+            beside = {each for step in drawing[image] for each in _depths_of(step)}
+            pending += (new := [each for each in beside if each not in images])
+            images.update(dict.fromkeys(new))
+        seen.update(images)
+        yield SharedDepths(tuple(images), tuple(together))
+
+
+def _depths_of(step: RenderStep) -> tuple[Image, ...]:
+    """What a step draws its depths to, and what it draws them over."""
+    if step.depth is None:
+        return ()
+    return (step.depth.image,) if step.depth.over is None else (step.depth.image, step.depth.over)
