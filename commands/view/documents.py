@@ -129,7 +129,7 @@ class Documents:
         chosen = self._chosen(choice, declared)
         frame = self._compiled(chosen, declared)
         host = self._host(frame, chosen)
-        has_mesh = self._request.scene is None and bool(frame.plan["models"])
+        has_mesh = self._request.scene is None and _takes_mesh(frame)
         return {
             "chosen": {
                 "subject": chosen.subject, "rig": chosen.rig, "pass": chosen.pass_,
@@ -193,14 +193,17 @@ class Documents:
     def _host(self, frame: FrameSubject, chosen: Choice) -> FrameHost:
         """The frame with a scene, and with the values of the command line."""
         from ...targets.runner.frames.host import FrameHost
-        from ...targets.runner.frames.single import SingleFrame
+        from ...targets.runner.frames.single import SingleFrame, captures, give_captured
 
-        host = FrameHost(frame, self._scenery(frame, chosen.mesh or self._request.mesh), _SIZE)
+        mesh = chosen.mesh or self._request.mesh
+        host = FrameHost(frame, self._scenery(frame, mesh), _SIZE)
         kernels = self._kernels(host, chosen) if isinstance(frame, SingleFrame) else []
         for name, text in self._request.values:
             _set(host, kernels, name, text)
         if isinstance(frame, SingleFrame):
             set_pictures(host.instances, _SIZE)
+            if captures(frame):
+                give_captured(host, mesh, self._request.instances)
             if kernels:
                 feed(kernels, host.instances, {}).run(1, lambda _share: None)
         for name in host.unused_lamps() if self._request.scene else ():
@@ -210,13 +213,13 @@ class Documents:
         return host
 
     def _kernels(self, host: FrameHost, chosen: Choice) -> list[Kernel]:
-        """The kernels of the file, if a material reads buffers, which they may write."""
+        """The other kernels of the file, if what is shown reads buffers, which they may write."""
         rows = (row for each in host.instances for row in each.reflection["buffers"])
         if not any(row["stages"] for row in rows):
             return []
         request = self._request
         compiled = api.compile(request.file, (), rig=chosen.rig, search_path=request.search_path)
-        return kernels_of(compiled)
+        return [kernel for kernel in kernels_of(compiled) if kernel.name != chosen.subject]
 
     def _scenery(self, frame: FrameSubject, mesh: str) -> Scenery:
         """A mesh for a material; for a frame one of each of its materials; or a file's objects."""
@@ -252,6 +255,13 @@ def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> No
             found = True
     if not found and unknown is not None:
         raise unknown
+
+
+def _takes_mesh(frame: FrameSubject) -> bool:
+    """Whether a mesh of the page's choice is drawn, or captured."""
+    from ...targets.runner.frames.single import SingleFrame, captures
+
+    return bool(frame.plan["models"]) or (isinstance(frame, SingleFrame) and captures(frame))
 
 
 def _first(*names: str | None) -> str | None:

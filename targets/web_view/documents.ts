@@ -32,6 +32,8 @@ export interface Choice {
   rig: string | null;
   pass: string | null;
   mesh: string | null;
+  /** Which output is shown of it; the server need not know. */
+  output?: string | null;
 }
 
 /** What every document has. */

@@ -259,12 +259,7 @@ def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
     return tuple(np.ascontiguousarray(array.T, dtype=kind))
 
 
-def compares_neighbours(shader: Shader, rules: RasterRules) -> bool:
-    """Whether pixels depend on others of their quad; if not, no rules about quads count."""
-    results = (result.value for result in shader.results if result.kind in (TARGET, DISCARD))
-    return _compares(reachable(tuple(results)), rules)
-
-
 def _compares(nodes: Iterable[Node], rules: RasterRules) -> bool:
+    """Whether pixels depend on others of their quad."""
     neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
     return any(node.op in BUILTIN_OPS and CALL.data(node) in neighbours for node in nodes)
