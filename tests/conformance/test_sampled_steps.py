@@ -38,6 +38,10 @@ pass Bright : LeftOf {{
     raster {{ samples = 4 }}
     target value : rgba16f = vec4(8)
 }}
+pass Sloped : LeftOf {{
+    raster {{ samples = 4 }}
+    target value : rgba16f = vec4({SIZE[0]} * uv.x)
+}}
 pass Box {{
     raster {{ samples = 4 }}
     param corner : vec2
@@ -110,6 +114,18 @@ def test_a_pixel_has_the_mean_of_the_samples_that_are_covered(studio: Studio, wh
     for number, corner in enumerate(CORNERS):
         covered = (pixels[:, :, None] + PLACES < corner).all(axis=-1).mean(axis=-1)
         assert np.array_equal(found[f"shown{number}"][0, ..., 0], covered), corner
+
+
+@EVERYWHERE
+@pytest.mark.parametrize("quarters", [1, 3])
+def test_values_are_those_of_the_centre(studio: Studio, where: str, quarters: int) -> None:
+    """Also where it lies outside of the triangle."""
+    sloped = f"sloped = Sloped(screen) with {{ edge = {CUT + quarters / 4} }}"
+    frame = f"{PASSES}\nframe F {{ {sloped} output picture = sloped.value }}"
+    found = outputs(frame, where, studio)[-1]["picture"][0, ..., 0]
+    centres = np.where(np.arange(SIZE[0]) < CUT, np.arange(SIZE[0]) + 0.5, 0)
+    centres[CUT] = quarters / 4 * (CUT + 0.5)
+    assert np.abs(found - centres).max() <= 0.01
 
 
 @EVERYWHERE
