@@ -42,6 +42,15 @@ pass Sloped : LeftOf {{
     raster {{ samples = 4 }}
     target value : rgba16f = vec4({SIZE[0]} * uv.x)
 }}
+pass Tilted {{
+    raster {{ samples = 4 }}
+    param slope : vec2                                  /// Of depths, from side to side
+    param near  : float = 0
+    column : float = if vertex_index == 1u then 3 else -1
+    row    : float = if vertex_index == 2u then 3 else -1
+    clip_position = vec4(column, row, near + dot(slope, vec2(0.5 + 0.5 * column, 0.5 - 0.5 * row)), 1)
+    target value : rgba16f = vec4(near)
+}}
 pass Box {{
     raster {{ samples = 4 }}
     param corner : vec2
@@ -114,6 +123,30 @@ def test_a_pixel_has_the_mean_of_the_samples_that_are_covered(studio: Studio, wh
     for number, corner in enumerate(CORNERS):
         covered = (pixels[:, :, None] + PLACES < corner).all(axis=-1).mean(axis=-1)
         assert np.array_equal(found[f"shown{number}"][0, ..., 0], covered), corner
+
+
+@EVERYWHERE
+@pytest.mark.parametrize("across", [True, False])
+def test_depths_are_those_of_the_places(studio: Studio, where: str, across: bool) -> None:
+    """Something at one depth is drawn over something that goes away to the right, or downwards: it
+    is seen where that is behind it."""
+    axis = 0 if across else 1
+    slope = "vec2(0.25, 0)" if across else "vec2(0, 0.25)"
+    cuts = (1.25, 1.5, 1.75)
+    steps = f"tilted = Tilted(screen) with {{ slope = {slope} }}\n" + "\n".join(
+        f"""tilted{n} = Tilted(screen) with {{ slope = {slope} }}
+        level{n} = Tilted(screen, tilted{n}) with {{
+            slope = vec2(0), near = {0.25 * cut / SIZE[axis]}
+        }}
+        output shown{n} = level{n}.value"""
+        for n, cut in enumerate(cuts)
+    )
+    (found,) = outputs(f"{PASSES}\nframe F {{ {steps} }}", where, studio)
+    pixels = np.stack(np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1])), axis=-1)
+    for n, cut in enumerate(cuts):
+        seen = ((pixels[:, :, None] + PLACES)[..., axis] > cut).mean(axis=-1)
+        picture = found[f"shown{n}"][0, ..., 0] / (0.25 * cut / SIZE[axis])
+        assert np.abs(picture - seen).max() < 0.01
 
 
 @EVERYWHERE
