@@ -48,7 +48,8 @@ pass Tilted {{
     param near  : float = 0
     column : float = if vertex_index == 1u then 3 else -1
     row    : float = if vertex_index == 2u then 3 else -1
-    clip_position = vec4(column, row, near + dot(slope, vec2(0.5 + 0.5 * column, 0.5 - 0.5 * row)), 1)
+    depth  : float = near + dot(slope, vec2(0.5 + 0.5 * column, 0.5 - 0.5 * row))
+    clip_position = vec4(column, row, depth, 1)
     target value : rgba16f = vec4(near)
 }}
 pass Box {{
