@@ -27,6 +27,7 @@ from ..runner.scene import texture_roles, value_roles
 from ..runner.scene_state import drawn_state
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
+from .webgpu import WGSL, webgpu_pipeline
 
 MODULES = Path(__file__).with_name("modules")
 """The folder with the modules that a page loads; ``host.js`` is the first of them."""
@@ -41,7 +42,7 @@ _CAMERA = {"world_to_clip": "view_projection", "eye": "eye"}
 """What the host calls a value of the camera, by what a scene calls it."""
 
 
-def frame_package(host: FrameHost, profiles: Iterable[str] = ("wgsl:webgpu",)) -> dict[str, Any]:
+def frame_package(host: FrameHost, profiles: Iterable[str] = (WGSL,)) -> dict[str, Any]:
     """The package of a frame with the values and the scene that its host has now, and with the
     texts for some profiles.
 
@@ -88,16 +89,18 @@ class _Package:
         plain = replace(self._host.scenery.scene, look=PLAIN, bones=None)
         plain.apply(instance, _SQUARE, self._host.given)
         self._instances.append(instance)
-        reflection = instance.reflection
+        reflection, texts = instance.reflection, self._texts(shader)
+        stages = texts.get(WGSL)
         return {
             "reflection": _without_source_maps(reflection),
-            "texts": self._texts(shader),
+            "texts": texts,
             "values": _values(instance),
             "roles": _roles(reflection),
             "textures": self._textures(instance),
             "texture_roles": texture_roles(reflection),
             "buffers": _buffers(instance),
             "levels": _levels(instance),
+            "webgpu": webgpu_pipeline(reflection, stages) if stages else None,
         }
 
     def _texts(self, shader: Subject) -> dict[str, dict[str, Any]]:
