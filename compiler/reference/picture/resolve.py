@@ -41,6 +41,7 @@ def expected_on(
         high=tuple(target[2] for target in targets),
         layers=layers,
         broken=broken,
+        counted=canvas.counted,
     )
 
 

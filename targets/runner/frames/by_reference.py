@@ -17,6 +17,7 @@ from ....compiler.ir.shader import Shader
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
     Canvas,
+    Counted,
     Hulls,
     RasterRules,
     Texels,
@@ -51,6 +52,8 @@ class ReferenceFrames:
     textures: dict[int, Drawn] = field(default_factory=dict)
     buffers: dict[str, Contents] = field(default_factory=dict)
     """By the name of the result."""
+    counted: Counted = frozenset()
+    """The rare rules on which it hangs what has been drawn so far."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -143,6 +146,7 @@ class ReferenceFrames:
         for draw in draws:
             self._onto(canvas, hulls, draw, rules, layer)
         store(canvas, hulls, step, layer, rules, self.textures)
+        self.counted |= canvas.counted
 
     def _shader(self, number: int) -> Shader:
         if self.shader_of is not None:
