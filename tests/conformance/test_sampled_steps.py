@@ -65,7 +65,7 @@ pass Shown : FullScreen {{
 }}
 """
 
-EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
+EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, "chromium:webgpu", "chromium:webgl2"])
 
 
 def shown(studio: Studio, where: str, steps: str, name: str = "picture", count: int = 1) -> Floats:

@@ -267,6 +267,10 @@ export interface Parameter {
    */
   library: string | null;
   /**
+   * What a program that shows scenes has for it, such as `world_to_clip` of the camera; null where it is the material's own affair.
+   */
+  role: string | null;
+  /**
    * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
    */
   group: string;
