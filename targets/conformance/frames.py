@@ -14,15 +14,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.ir.shader import Shader
 from ...compiler.reference.bounds.errors import Errors
-from ...compiler.reference.picture import Expected, RasterRules, formats
+from ...compiler.reference.picture import Counted, Expected, RasterRules, formats
 from ..runner.drivers.device import Device
-from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
+from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
+from ..runner.frames.drawn import DEPTHS, Drawn
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable, is_drawn
+from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..toolchain import Toolchain
@@ -66,6 +67,16 @@ def _turned_over(bounds: Bounds) -> Bounds:
     return replace(bounds, rules=rules)
 
 
+@dataclass(frozen=True, slots=True)
+class _Pictures:
+    """What the reference has drawn."""
+
+    frames: list[dict[str, Drawn]]
+    """Of each frame the outputs, by name."""
+    counted: Counted
+    """The rare rules on which they hang."""
+
+
 class FramePlan:
     """The pictures of one frame. Several threads use it."""
 
@@ -77,7 +88,8 @@ class FramePlan:
         self._size = size
         self._count = SEVERAL if meant.plan["kept"] else 1
         self._names = [row["name"] for row in meant.plan["outputs"] if row["texture"] is not None]
-        self._expected: Known[list[dict[str, Drawn]]] = Known()
+        self._expected: Known[_Pictures] = Known()
+        self._programs: Known[list[Program]] = Known()
 
     def results(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
@@ -132,21 +144,36 @@ class FramePlan:
     ) -> list[dict[str, Drawn]]:
         """What the reference draws of a profile's texts, or of the source: within bounds, or what
         is meant."""
+        programs = self._programs.value(profile, lambda: self._programs_of(profile))
 
-        def shader(number: int) -> Shader:
-            subject = self.subject.shaders[number]
-            made = subject.shader if profile is None else subject.emitted(profile)
-            return to_targets(drawable(made), exact=False) if is_drawn(subject.reflection) else made
-
-        def made() -> list[dict[str, Drawn]]:
-            drawing = ReferenceFrames(self._host(self._meant), rules, errors, shader)
+        def made() -> _Pictures:
+            drawing = ReferenceFrames(
+                self._host(self._meant), rules, errors, lambda number: programs[number].shader
+            )
             found = []
             for _ in range(self._count):
                 drawing.draw()
                 found.append({name: drawing.output(name).copy() for name in self._names})
-            return found
+            return _Pictures(found, drawing.counted)
 
-        return self._expected.value((profile, rules, errors), made)
+        asked = tuple(program.text for program in programs), errors
+        found = self._expected.shared(
+            (*asked, rules.common),
+            (*asked, rules),
+            made,
+            lambda pictures: rules.agree_with(pictures.counted),
+        )
+        return found.frames
+
+    def _programs_of(self, profile: str | None) -> list[Program]:
+        """The shaders as emitted for a profile, or those of the source."""
+        found = []
+        for subject in self.subject.shaders:
+            made = subject.shader if profile is None else subject.emitted(profile)
+            if is_drawn(subject.reflection):
+                made = to_targets(drawable(made), exact=False)
+            found.append(Program.of(made))
+        return found
 
     def _host(self, subject: PlannedFrame) -> FrameHost:
         tags = {row["name"]: row["materials"] for row in self._meant.plan["models"]}

@@ -1,8 +1,8 @@
 // The textures and buffers of a plan: which size they have, and what is kept for the next frame.
 
-import { formatOf } from "./bytes.js";
+import { formatOf, halved } from "./bytes.js";
+import type { FramePackage, PlanRun } from "./generated/documents.js";
 import type { Bound, Renderer } from "./renderer.js";
-import type { FramePackage, RunStep } from "./types.js";
 import type { Values } from "./values.js";
 
 interface Made<Texture> {
@@ -90,7 +90,7 @@ export class Resources<Texture, Buffer> {
       const { frame } = this.from.plan;
       throw new Error(`a texture of ${frame} would have ${sides.join(" x ")} texels`);
     }
-    return sides.map((side) => Math.max(side >> level, 1));
+    return sides.map((side) => halved(side, level));
   }
 
   /** A texture of the plan, which is made when it is needed first, and anew for another size. */
@@ -113,7 +113,7 @@ export class Resources<Texture, Buffer> {
   }
 
   /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
-  giveWritten({ buffers, shader }: RunStep, bound: Bound<Texture, Buffer>): void {
+  giveWritten({ buffers, shader }: PlanRun, bound: Bound<Texture, Buffer>): void {
     const { results } = this.from.shaders[shader].reflection;
     for (const { name, result } of buffers) {
       const { count, stride, initial } = results.find((each) => each.name === name)!;

@@ -87,7 +87,7 @@ def test_a_scene(tmp_path: Path) -> None:
     scene = triangle().save(tmp_path)
     found = document(file, scene=scene)
     assert (found["chosen"]["mesh"], found["meshes"]) == (None, [])
-    (model,) = found["package"]["scene"]["models"]
+    (model,) = found["package"]["models"]
     assert model["material"] == "First"
     assert document(file, scene=tmp_path / "none.gltf")["error"].endswith(
         "none.gltf: No such file or directory"

@@ -77,7 +77,7 @@ def shader(texts: dict[str, str], backend: dict[str, Any], **further: Any) -> di
     empty: dict[str, Any] = {
         kind: {} for kind in ("values", "roles", "textures", "texture_roles", "buffers")
     }
-    return {"reflection": reflection, "texts": {PROFILE: given}, "pattern": None, **empty}
+    return {"reflection": reflection, "texts": {PROFILE: given}, "levels": None, **empty}
 
 
 def texture_row(name: str) -> dict[str, Any]:
@@ -167,7 +167,7 @@ def package() -> dict[str, Any]:
     return {
         "package": 1, "plan": plan, "shaders": [filled, doubled, added], "size": [WIDTH, HEIGHT],
         "camera": {"view_projection": [], "eye": [0, 0, 0]}, "values": {"glow": 3},
-        "roles": {"size": "size"}, "scene": {"models": [], "meshes": []}, "given": [],
+        "roles": {"size": "size"}, "models": [], "geometries": [], "given": [],
         "textures": {}, "buffers": {}, "pictures": [],
     }  # fmt: skip
 

@@ -9,22 +9,22 @@ from . import formats
 from .canvas import Canvas
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
-from .resolve import expected_on
-from .scene import Expected, Geometry, RasterRules, Texels, instanced
-from .stage_evaluation import compares_neighbours
+from .resolve import expected_on, samples_on
+from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
 
 __all__ = [
     "Canvas",
+    "Counted",
     "Expected",
     "Geometry",
     "Hulls",
     "RasterRules",
     "Texels",
-    "compares_neighbours",
     "draw",
     "draw_onto",
     "expected_on",
     "formats",
     "instanced",
+    "samples_on",
     "written_by",
 ]

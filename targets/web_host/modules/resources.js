@@ -1,5 +1,5 @@
 // The textures and buffers of a plan: which size they have, and what is kept for the next frame.
-import { formatOf } from "./bytes.js";
+import { formatOf, halved } from "./bytes.js";
 export class Resources {
     from;
     renderer;
@@ -72,7 +72,7 @@ export class Resources {
             const { frame } = this.from.plan;
             throw new Error(`a texture of ${frame} would have ${sides.join(" x ")} texels`);
         }
-        return sides.map((side) => Math.max(side >> level, 1));
+        return sides.map((side) => halved(side, level));
     }
     /** A texture of the plan, which is made when it is needed first, and anew for another size. */
     texture(number) {

@@ -1,22 +1,25 @@
 // Textures of WebGL 2: those that frames draw to, and pictures of the host.
 
-import { bytesOf, isDepth, hasStencil } from "../bytes.js";
+import { bytesOf, halved, isDepth, hasStencil } from "../bytes.js";
+import type { Picture, Sampler } from "../generated/documents.js";
 import type { TextureSize } from "../renderer.js";
-import type { Dimension, Picture, SamplerState } from "../types.js";
 import type { Context, Gl } from "./context.js";
 
 /** `layers` are the slices of a first level, if it has three dimensions. */
-export interface Texture extends Omit<TextureSize, "isImage"> {
+export interface Texture extends Omit<TextureSize, "isImage" | "dimension"> {
+  dimension: Picture["dimension"];
   gl: WebGLTexture;
   /** The texels of its first level in each direction, as shaders see them. */
   sides: number[];
 }
 
 type Bind = "TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP";
-const BINDS: Record<Dimension, Bind> = {
+const BINDS: Record<Picture["dimension"], Bind> = {
   "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
-const WRAPS = { repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT" } as const;
+const WRAPS: Record<string, "REPEAT" | "CLAMP_TO_EDGE" | "MIRRORED_REPEAT"> = {
+  repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT",
+};
 
 /** How WebGL stores each format, and in which lanes and numbers texels are brought there. */
 const STORAGE: Partial<Record<GPUTextureFormat, [string, string, string]>> = {
@@ -42,9 +45,7 @@ const STORAGE: Partial<Record<GPUTextureFormat, [string, string, string]>> = {
 
 const constant = (gl: Gl, name: string) => gl[name as keyof Gl] as number;
 
-export const bindOf = (gl: Gl, dimension: Dimension) => gl[BINDS[dimension]];
-
-export const halved = (side: number, level: number) => Math.max(side >> level, 1);
+export const bindOf = (gl: Gl, dimension: Picture["dimension"]) => gl[BINDS[dimension]];
 
 function allocate(context: Context, made: Omit<Texture, "gl">): Texture {
   const { gl } = context;
@@ -111,7 +112,8 @@ export function attach(
  * v = 0. */
 export function makePicture(context: Context, picture: Picture): Texture {
   const { gl } = context;
-  const { format, dimension, width, height, depth, levels } = picture;
+  const { dimension, width, height, depth, levels } = picture;
+  const format = picture.format as GPUTextureFormat;
   if (format === "rgba32float") {
     context.need("OES_texture_float_linear", "filter pictures of floats");
   }
@@ -161,10 +163,10 @@ function numbersOf(type: string, { buffer }: Uint8Array<ArrayBuffer>) {
 }
 
 /** The sampler of a texture in a shader; without a state, its texels are only loaded. */
-export function makeSampler(gl: Gl, state: SamplerState | null): WebGLSampler {
+export function makeSampler(gl: Gl, state: Sampler["state"] | null): WebGLSampler {
   const sampler = gl.createSampler();
   const set = (name: number, value: number) => gl.samplerParameteri(sampler, name, value);
-  const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: undefined } as const;
+  const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: "" };
   const { filter, mip, wrap, compare } = state ?? plain;
   const words = [filter, mip === "linear" ? "linear" : "nearest"];
   const [near, between] = words.map((word) => word.toUpperCase());

@@ -1,25 +1,19 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 
 import { formatOf } from "../bytes.js";
-import type { FramePackage, PackagedShader, Place, Reflection, ShaderText } from "../types.js";
-import { ShaderStage, type Device } from "./device.js";
+import type {
+  FramePackage, PackagedShader, Reflection, ShaderText,
+} from "../generated/documents.js";
+import type { Device } from "./device.js";
+import { PROFILE, slotsOf, type Slot } from "./slots.js";
 import { colorTarget, depthStencil, vertexBuffers } from "./states.js";
 
-export const PROFILE = "wgsl:webgpu";
-
-/** A pipeline, with the layouts of its bind groups. */
+/** A pipeline, with its bind groups. */
 export interface Pipeline {
-  layouts: GPUBindGroupLayout[];
+  groups: { layout: GPUBindGroupLayout; slots: Slot[] }[];
   render?: GPURenderPipeline;
   compute?: GPUComputePipeline;
 }
-
-/** What a shader reads or writes at one place of a bind group. */
-export type Slot = { binding: number } & (
-  | { kind: "block" | "texture" | "sampler"; name: string }
-  | { kind: "buffer"; name: string; written: boolean }
-  | { kind: "image"; number: number }
-);
 
 /** The formats of what a pipeline draws to. */
 interface Formats {
@@ -63,19 +57,20 @@ export class Pipelines {
     return this.made.get(keyOf(shader, { targets, depth }))!;
   }
 
-  private async make({ reflection, texts }: PackagedShader, formats: Formats): Promise<Pipeline> {
+  private async make(shader: PackagedShader, formats: Formats): Promise<Pipeline> {
+    const { reflection, texts } = shader;
     const { compute, vertex, fragment } = texts[PROFILE] ?? {};
     if (!compute && !vertex) throw new Error(`${reflection.material} has no text for ${PROFILE}`);
     const { gpu } = this.device;
-    const stages = compute ? ShaderStage.COMPUTE : ShaderStage.DRAWN;
-    const layouts = slotsOf(reflection).map((slots) => {
-      const entries = slots.map((slot) => layoutEntry(reflection, slot, stages));
-      return gpu.createBindGroupLayout({ entries });
+    const groups = slotsOf(shader).map((slots) => {
+      const entries = slots.map(({ layout }) => layout);
+      return { slots, layout: gpu.createBindGroupLayout({ entries }) };
     });
-    const layout = gpu.createPipelineLayout({ bindGroupLayouts: layouts });
+    const bindGroupLayouts = groups.map(({ layout }) => layout);
+    const layout = gpu.createPipelineLayout({ bindGroupLayouts });
     if (compute) {
       const stage = await this.stage(reflection, compute);
-      return { layouts, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
+      return { groups, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
     }
     const { backends, draw, render_state: state, material } = reflection;
     const topology = draw?.topology ?? "triangle";
@@ -90,13 +85,13 @@ export class Pipelines {
       vertex: { ...vertices, buffers: vertexBuffers(reflection) },
       fragment: { ...fragments, targets: this.targets(reflection, formats.targets) },
       primitive: {
-        topology: `${topology}-list`,
+        topology: `${topology}-list` as GPUPrimitiveTopology,
         cullMode: state.cull,
         frontFace: backends[PROFILE].front_face,
       },
       ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, topology) }),
     });
-    return { layouts, render };
+    return { groups, render };
   }
 
   private async stage({ material }: Reflection, { text, entry }: ShaderText) {
@@ -126,45 +121,3 @@ export class Pipelines {
 
 const keyOf = (shader: number, { targets, depth }: Formats) =>
   [shader, ...targets, depth].join(" ");
-
-/** What a shader reads and writes, by group; a group that is not used is empty. */
-export function slotsOf(reflection: Reflection): Slot[][] {
-  const { blocks, buffers, images, textures, samplers } = reflection.backends[PROFILE];
-  const found: Slot[][] = [];
-  const add = (place: Place | undefined, slot: object) => {
-    if (!place) return;
-    while (found.length <= place.group) found.push([]);
-    found[place.group].push({ ...slot, binding: place.binding } as Slot);
-  };
-  for (const { name } of reflection.blocks) add(blocks[name], { kind: "block", name });
-  for (const { name } of reflection.buffers) {
-    add(buffers[name], { kind: "buffer", name, written: false });
-  }
-  for (const { name } of reflection.results) {
-    add(buffers[name], { kind: "buffer", name, written: true });
-  }
-  reflection.targets.forEach(({ name }, number) => add(images[name], { kind: "image", number }));
-  for (const { name } of reflection.textures) {
-    add(textures[name], { kind: "texture", name });
-    add(samplers[name], { kind: "sampler", name });
-  }
-  return found;
-}
-
-// The layout that WebGPU infers would leave out bindings that a text does not use.
-function layoutEntry(
-  { targets, textures }: Reflection, slot: Slot, visibility: number,
-): GPUBindGroupLayoutEntry {
-  const entry = { binding: slot.binding, visibility };
-  if (slot.kind === "block") return { ...entry, buffer: {} };
-  if (slot.kind === "buffer") {
-    return { ...entry, buffer: { type: slot.written ? "storage" : "read-only-storage" } };
-  }
-  if (slot.kind === "image") {
-    return { ...entry, storageTexture: { format: formatOf(targets[slot.number].format) } };
-  }
-  const { layout } = textures.find(({ name }) => name === slot.name)!;
-  const { viewDimension, sampleType, sampler } = layout;
-  if (slot.kind === "sampler") return { ...entry, sampler: { type: sampler! } };
-  return { ...entry, texture: { viewDimension, sampleType } };
-}

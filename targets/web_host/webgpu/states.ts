@@ -1,14 +1,15 @@
 // What reflections say of the fixed functions of a pipeline, in the words of WebGPU.
 
 import { hasStencil } from "../bytes.js";
-import type { BlendEquation, Reflection, RenderState, StencilSide, TargetRow } from "../types.js";
+import { interleaved } from "../geometry.js";
+import type { BlendEquation, Reflection, StencilSide, Target } from "../generated/documents.js";
 
 /** A word of a reflection as WebGPU writes it. */
 const word = <Word extends string>(text: string) => text.replaceAll("_", "-") as Word;
 
 /** How a target is blended, and which of its lanes are written. */
 export function colorTarget(
-  { blend, mask }: TargetRow, format: GPUTextureFormat,
+  { blend, mask }: Target, format: GPUTextureFormat,
 ): GPUColorTargetState {
   const lanes = mask === "none" ? [] : [...mask];
   const writeMask = lanes.reduce((bits, lane) => bits | (1 << "rgba".indexOf(lane)), 0);
@@ -23,7 +24,7 @@ const component = ({ source, destination, operation }: BlendEquation): GPUBlendC
 
 /** Depth test, bias and stencil test. Lines of a mesh are never moved by a bias. */
 export function depthStencil(
-  { depth, stencil }: RenderState, format: GPUTextureFormat, topology: string,
+  { depth, stencil }: Reflection["render_state"], format: GPUTextureFormat, topology: string,
 ): GPUDepthStencilState {
   return {
     format,
@@ -47,23 +48,14 @@ const stencilSide = ({ compare, fail, depth_fail, pass }: StencilSide): GPUStenc
   compare: word(compare), failOp: word(fail), depthFailOp: word(depth_fail), passOp: word(pass),
 });
 
-/** One buffer for the inputs of vertices and one for those of instances, as `interleaved` makes
- * them. */
-export function vertexBuffers({ vertex_inputs: inputs }: Reflection): GPUVertexBufferLayout[] {
-  return (["vertex", "instance"] as const).flatMap((stepMode) => {
-    const members = inputs.filter((each) => each.step === stepMode && !each.buffer);
-    let arrayStride = 0;
-    const attributes = members.map(({ representation, location }) => {
-      const lanes = Number(/\d$/.exec(representation)?.[0] ?? 1);
-      const offset = arrayStride;
-      arrayStride += 4 * lanes;
-      return { format: vertexFormat(representation, lanes), offset, shaderLocation: location! };
-    });
-    return members.length ? [{ arrayStride, stepMode, attributes }] : [];
-  });
-}
-
-function vertexFormat(representation: string, lanes: number): GPUVertexFormat {
-  const type = { u: "uint32", i: "sint32" }[representation[0]] ?? "float32";
-  return (lanes > 1 ? `${type}x${lanes}` : type) as GPUVertexFormat;
+export function vertexBuffers(reflection: Reflection): GPUVertexBufferLayout[] {
+  return interleaved(reflection).map(({ step, stride, members }) => ({
+    arrayStride: stride,
+    stepMode: step,
+    attributes: members.map(({ input, lanes, offset }) => {
+      const type = { u: "uint32", i: "sint32" }[input.representation[0]] ?? "float32";
+      const format = (lanes > 1 ? `${type}x${lanes}` : type) as GPUVertexFormat;
+      return { format, offset, shaderLocation: input.location! };
+    }),
+  }));
 }

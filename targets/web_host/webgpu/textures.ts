@@ -1,8 +1,8 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
 
-import { bytesOf, hasStencil, isDepth, lanesOf } from "../bytes.js";
+import { bytesOf, halved, hasStencil, isDepth, lanesOf } from "../bytes.js";
+import type { Picture, Sampler } from "../generated/documents.js";
 import type { TextureSize } from "../renderer.js";
-import type { Dimension, Picture, SamplerState } from "../types.js";
 import { BufferUsage, TextureUsage, type Device } from "./device.js";
 
 export interface Texture {
@@ -11,10 +11,9 @@ export interface Texture {
   sides: number[];
 }
 
-export const VIEWS: Record<Dimension, GPUTextureViewDimension> = {
-  "2d": "2d", "2d_array": "2d-array", "3d": "3d", cube: "cube",
+const WRAPS: Record<string, GPUAddressMode> = {
+  repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat",
 };
-const WRAPS = { repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat" } as const;
 
 export function makeTexture({ gpu }: Device, size: TextureSize): Texture {
   const { format, width, height, layers, levels, isImage } = size;
@@ -38,22 +37,28 @@ export function layerOf(texture: GPUTexture, layer: number, level: number): GPUT
   });
 }
 
-export function makeSampler({ gpu }: Device, state: SamplerState): GPUSampler {
+/** The view by which a shader reads a whole texture. */
+export function viewOf({ gpu }: Texture, dimension: GPUTextureViewDimension): GPUTextureView {
+  return gpu.createView({ dimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
+}
+
+export function makeSampler({ gpu }: Device, state: Sampler["state"]): GPUSampler {
   const { filter, mip, wrap, compare } = state;
   return gpu.createSampler({
     addressModeU: WRAPS[wrap],
     addressModeV: WRAPS[wrap],
     addressModeW: WRAPS[wrap],
-    magFilter: filter,
-    minFilter: filter,
+    magFilter: filter as GPUFilterMode,
+    minFilter: filter as GPUFilterMode,
     // A sampler cannot ignore mip levels, but it can stay on the first one.
-    ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
+    ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip as GPUMipmapFilterMode }),
     ...(compare && { compare: compare.replace("_", "-") as GPUCompareFunction }),
   });
 }
 
 export function makePicture(device: Device, picture: Picture): Texture {
-  const { format, dimension, width, height, depth, levels } = picture;
+  const { dimension, width, height, depth, levels } = picture;
+  const format = picture.format as GPUTextureFormat;
   if (format === "rgba32float" && !device.gpu.features.has("float32-filterable")) {
     throw new Error("this device cannot filter pictures of floats: it lacks float32-filterable");
   }
@@ -76,8 +81,6 @@ export function makePicture(device: Device, picture: Picture): Texture {
   const hasThree = isSolid || dimension === "2d_array";
   return { gpu: texture, sides: hasThree ? [width, height, depth] : [width, height] };
 }
-
-const halved = (side: number, level: number) => Math.max(side >> level, 1);
 
 function writeTexels(
   { gpu }: Device, texture: GPUTexture, bytes: Uint8Array<ArrayBuffer>, mipLevel: number,

@@ -1,9 +1,11 @@
 // Textures of WebGL 2: those that frames draw to, and pictures of the host.
-import { bytesOf, isDepth, hasStencil } from "../bytes.js";
+import { bytesOf, halved, isDepth, hasStencil } from "../bytes.js";
 const BINDS = {
     "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
-const WRAPS = { repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT" };
+const WRAPS = {
+    repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT",
+};
 /** How WebGL stores each format, and in which lanes and numbers texels are brought there. */
 const STORAGE = {
     "r8unorm": ["R8", "RED", "UNSIGNED_BYTE"],
@@ -27,7 +29,6 @@ const STORAGE = {
 };
 const constant = (gl, name) => gl[name];
 export const bindOf = (gl, dimension) => gl[BINDS[dimension]];
-export const halved = (side, level) => Math.max(side >> level, 1);
 function allocate(context, made) {
     const { gl } = context;
     const { format, dimension, width, height, layers, levels } = made;
@@ -90,7 +91,8 @@ export function attach(gl, framebuffer, point, { gl: texture, dimension }, layer
  * v = 0. */
 export function makePicture(context, picture) {
     const { gl } = context;
-    const { format, dimension, width, height, depth, levels } = picture;
+    const { dimension, width, height, depth, levels } = picture;
+    const format = picture.format;
     if (format === "rgba32float") {
         context.need("OES_texture_float_linear", "filter pictures of floats");
     }
@@ -139,7 +141,7 @@ function numbersOf(type, { buffer }) {
 export function makeSampler(gl, state) {
     const sampler = gl.createSampler();
     const set = (name, value) => gl.samplerParameteri(sampler, name, value);
-    const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: undefined };
+    const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: "" };
     const { filter, mip, wrap, compare } = state ?? plain;
     const words = [filter, mip === "linear" ? "linear" : "nearest"];
     const [near, between] = words.map((word) => word.toUpperCase());

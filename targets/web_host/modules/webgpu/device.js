@@ -7,7 +7,6 @@ export const BufferUsage = {
 export const TextureUsage = {
     COPY_SRC: 0x1, COPY_DST: 0x2, TEXTURE_BINDING: 0x4, STORAGE_BINDING: 0x8, RENDER_ATTACHMENT: 0x10,
 };
-export const ShaderStage = { DRAWN: 0x3, COMPUTE: 0x4 };
 export const MAP_READ = 0x1;
 /** Features that targets and textures of 32 bits need, and stencil values beside such depths. */
 const FEATURES = [

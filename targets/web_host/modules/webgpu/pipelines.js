@@ -1,8 +1,7 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 import { formatOf } from "../bytes.js";
-import { ShaderStage } from "./device.js";
+import { PROFILE, slotsOf } from "./slots.js";
 import { colorTarget, depthStencil, vertexBuffers } from "./states.js";
-export const PROFILE = "wgsl:webgpu";
 /** All pipelines of a frame, by shader and formats. */
 export class Pipelines {
     device;
@@ -37,20 +36,21 @@ export class Pipelines {
     get(shader, targets, depth) {
         return this.made.get(keyOf(shader, { targets, depth }));
     }
-    async make({ reflection, texts }, formats) {
+    async make(shader, formats) {
+        const { reflection, texts } = shader;
         const { compute, vertex, fragment } = texts[PROFILE] ?? {};
         if (!compute && !vertex)
             throw new Error(`${reflection.material} has no text for ${PROFILE}`);
         const { gpu } = this.device;
-        const stages = compute ? ShaderStage.COMPUTE : ShaderStage.DRAWN;
-        const layouts = slotsOf(reflection).map((slots) => {
-            const entries = slots.map((slot) => layoutEntry(reflection, slot, stages));
-            return gpu.createBindGroupLayout({ entries });
+        const groups = slotsOf(shader).map((slots) => {
+            const entries = slots.map(({ layout }) => layout);
+            return { slots, layout: gpu.createBindGroupLayout({ entries }) };
         });
-        const layout = gpu.createPipelineLayout({ bindGroupLayouts: layouts });
+        const bindGroupLayouts = groups.map(({ layout }) => layout);
+        const layout = gpu.createPipelineLayout({ bindGroupLayouts });
         if (compute) {
             const stage = await this.stage(reflection, compute);
-            return { layouts, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
+            return { groups, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
         }
         const { backends, draw, render_state: state, material } = reflection;
         const topology = draw?.topology ?? "triangle";
@@ -71,7 +71,7 @@ export class Pipelines {
             },
             ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, topology) }),
         });
-        return { layouts, render };
+        return { groups, render };
     }
     async stage({ material }, { text, entry }) {
         const module = this.device.gpu.createShaderModule({ code: text });
@@ -95,46 +95,3 @@ export class Pipelines {
     }
 }
 const keyOf = (shader, { targets, depth }) => [shader, ...targets, depth].join(" ");
-/** What a shader reads and writes, by group; a group that is not used is empty. */
-export function slotsOf(reflection) {
-    const { blocks, buffers, images, textures, samplers } = reflection.backends[PROFILE];
-    const found = [];
-    const add = (place, slot) => {
-        if (!place)
-            return;
-        while (found.length <= place.group)
-            found.push([]);
-        found[place.group].push({ ...slot, binding: place.binding });
-    };
-    for (const { name } of reflection.blocks)
-        add(blocks[name], { kind: "block", name });
-    for (const { name } of reflection.buffers) {
-        add(buffers[name], { kind: "buffer", name, written: false });
-    }
-    for (const { name } of reflection.results) {
-        add(buffers[name], { kind: "buffer", name, written: true });
-    }
-    reflection.targets.forEach(({ name }, number) => add(images[name], { kind: "image", number }));
-    for (const { name } of reflection.textures) {
-        add(textures[name], { kind: "texture", name });
-        add(samplers[name], { kind: "sampler", name });
-    }
-    return found;
-}
-// The layout that WebGPU infers would leave out bindings that a text does not use.
-function layoutEntry({ targets, textures }, slot, visibility) {
-    const entry = { binding: slot.binding, visibility };
-    if (slot.kind === "block")
-        return { ...entry, buffer: {} };
-    if (slot.kind === "buffer") {
-        return { ...entry, buffer: { type: slot.written ? "storage" : "read-only-storage" } };
-    }
-    if (slot.kind === "image") {
-        return { ...entry, storageTexture: { format: formatOf(targets[slot.number].format) } };
-    }
-    const { layout } = textures.find(({ name }) => name === slot.name);
-    const { viewDimension, sampleType, sampler } = layout;
-    if (slot.kind === "sampler")
-        return { ...entry, sampler: { type: sampler } };
-    return { ...entry, texture: { viewDimension, sampleType } };
-}

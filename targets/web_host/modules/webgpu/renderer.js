@@ -1,9 +1,9 @@
 // Draws frames with WebGPU.
-import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
-import { interleaved } from "../geometry.js";
+import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { Presenter } from "./canvas.js";
 import { Arena, BufferUsage } from "./device.js";
-import { PROFILE, Pipelines, slotsOf } from "./pipelines.js";
+import { Pipelines } from "./pipelines.js";
+import { PROFILE } from "./slots.js";
 import { layerOf, makePicture, makeSampler, makeTexture } from "./textures.js";
 /** Rows of texels that are copied to a buffer begin at multiples of this. */
 const ROW_ALIGNMENT = 256;
@@ -15,7 +15,6 @@ export class WebGpuRenderer {
     shaders;
     encoder;
     arena;
-    slots;
     samplers = new Map();
     uploaded = new Map();
     owned = new Set();
@@ -24,7 +23,6 @@ export class WebGpuRenderer {
         this.pipelines = pipelines;
         this.presenter = presenter;
         this.shaders = shaders;
-        this.slots = shaders.map(({ reflection }) => slotsOf(reflection));
         const { minUniformBufferOffsetAlignment } = device.gpu.limits;
         this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
     }
@@ -99,7 +97,7 @@ export class WebGpuRenderer {
             const { stencil } = this.shaders[call.shader].reflection.render_state;
             pass.setStencilReference(stencil?.reference ?? 0);
             this.bind(pass, pipeline, call, []);
-            this.drawGeometry(pass, call.geometry);
+            this.drawMesh(pass, call.mesh);
         }
         pass.end();
     }
@@ -118,34 +116,24 @@ export class WebGpuRenderer {
     }
     copy({ gpu: from }, { gpu: to }) {
         for (let mipLevel = 0; mipLevel < from.mipLevelCount; mipLevel++) {
-            const halved = (side) => Math.max(side >> mipLevel, 1);
-            const size = [halved(from.width), halved(from.height), from.depthOrArrayLayers];
+            const [width, height] = [from.width, from.height].map((side) => halved(side, mipLevel));
+            const size = [width, height, from.depthOrArrayLayers];
             const [source, target] = [from, to].map((texture) => ({ texture, mipLevel }));
             this.encoder.copyTextureToTexture(source, target, size);
         }
     }
-    bind(pass, { layouts }, bound, images) {
+    bind(pass, { groups }, bound, images) {
         const blocks = bound.values.blocks();
-        const { textures } = this.shaders[bound.shader].reflection;
-        const resource = (slot) => {
-            switch (slot.kind) {
-                case "block":
-                    return this.arena.put(blocks.get(slot.name));
-                case "buffer":
-                    return { buffer: given(bound.buffers, slot.name, bound) };
-                case "image":
-                    return layerOf(images[slot.number].gpu, 0, 0);
-                case "sampler":
-                    return this.sampler(bound.shader, slot.name);
-                case "texture": {
-                    const row = textures.find(({ name }) => name === slot.name);
-                    return viewOf(given(bound.textures, slot.name, bound), row);
-                }
-            }
+        const given = {
+            ...bound,
+            images,
+            block: (name) => this.arena.put(blocks.get(name)),
+            sampler: (texture) => this.sampler(bound.shader, texture),
         };
-        this.slots[bound.shader].forEach((slots, group) => {
-            const entries = slots.map((slot) => ({ binding: slot.binding, resource: resource(slot) }));
-            const layout = layouts[group];
+        groups.forEach(({ layout, slots }, group) => {
+            const entries = slots.map(({ layout: { binding }, resource }) => ({
+                binding, resource: resource(given),
+            }));
             pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
         });
     }
@@ -157,31 +145,35 @@ export class WebGpuRenderer {
         this.samplers.set(key, found);
         return found;
     }
-    drawGeometry(pass, geometry) {
-        if (!geometry.count || !geometry.instances)
+    drawMesh(pass, mesh) {
+        const { count, instance_count: instances } = mesh;
+        if (!count || !instances)
             return;
-        const { vertices, indices } = this.upload(geometry);
+        const { vertices, indices } = this.upload(mesh);
         vertices.forEach((buffer, at) => pass.setVertexBuffer(at, buffer));
         if (indices) {
             pass.setIndexBuffer(indices, "uint32");
-            pass.drawIndexed(geometry.count, geometry.instances);
+            pass.drawIndexed(count, instances);
         }
         else {
-            pass.draw(geometry.count, geometry.instances);
+            pass.draw(count, instances);
         }
     }
-    upload(geometry) {
-        const known = this.uploaded.get(geometry);
+    upload(mesh) {
+        const known = this.uploaded.get(mesh);
         if (known)
             return known;
-        const steps = ["vertex", "instance"];
-        const streams = steps.flatMap((step) => interleaved(geometry.attributes, step) ?? []);
-        const made = {
-            vertices: streams.map(({ data }) => this.device.buffer(data, BufferUsage.VERTEX)),
-            indices: geometry.indices && this.device.buffer(geometry.indices, BufferUsage.INDEX),
+        const buffer = (bytes, usage) => {
+            const made = this.device.buffer(bytes, usage);
+            this.owned.add(made);
+            return made;
         };
-        [...made.vertices, made.indices].forEach((buffer) => buffer && this.owned.add(buffer));
-        this.uploaded.set(geometry, made);
+        const streams = [mesh.vertices, mesh.instances].filter(({ length }) => length);
+        const made = {
+            vertices: streams.map((bytes) => buffer(bytes, BufferUsage.VERTEX)),
+            indices: mesh.indices && buffer(mesh.indices, BufferUsage.INDEX),
+        };
+        this.uploaded.set(mesh, made);
         return made;
     }
     // --- results ---
@@ -232,15 +224,3 @@ function depthAttachment({ texture, layer, target, clear }) {
     };
 }
 const storeOp = ({ store }) => (store ? "store" : "discard");
-/** Something that a shader reads. */
-function given(items, name, { values }) {
-    const found = items.get(name);
-    if (found === undefined)
-        throw new Error(`nobody gives ${values.name} its \`${name}\``);
-    return found;
-}
-/** The view by which a shader reads a whole texture. */
-function viewOf({ gpu }, { layout: { viewDimension } }) {
-    const aspect = isDepth(gpu.format) ? "depth-only" : "all";
-    return gpu.createView({ dimension: viewDimension, aspect });
-}

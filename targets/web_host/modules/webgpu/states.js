@@ -1,5 +1,6 @@
 // What reflections say of the fixed functions of a pipeline, in the words of WebGPU.
 import { hasStencil } from "../bytes.js";
+import { interleaved } from "../geometry.js";
 /** A word of a reflection as WebGPU writes it. */
 const word = (text) => text.replaceAll("_", "-");
 /** How a target is blended, and which of its lanes are written. */
@@ -36,22 +37,14 @@ export function depthStencil({ depth, stencil }, format, topology) {
 const stencilSide = ({ compare, fail, depth_fail, pass }) => ({
     compare: word(compare), failOp: word(fail), depthFailOp: word(depth_fail), passOp: word(pass),
 });
-/** One buffer for the inputs of vertices and one for those of instances, as `interleaved` makes
- * them. */
-export function vertexBuffers({ vertex_inputs: inputs }) {
-    return ["vertex", "instance"].flatMap((stepMode) => {
-        const members = inputs.filter((each) => each.step === stepMode && !each.buffer);
-        let arrayStride = 0;
-        const attributes = members.map(({ representation, location }) => {
-            const lanes = Number(/\d$/.exec(representation)?.[0] ?? 1);
-            const offset = arrayStride;
-            arrayStride += 4 * lanes;
-            return { format: vertexFormat(representation, lanes), offset, shaderLocation: location };
-        });
-        return members.length ? [{ arrayStride, stepMode, attributes }] : [];
-    });
-}
-function vertexFormat(representation, lanes) {
-    const type = { u: "uint32", i: "sint32" }[representation[0]] ?? "float32";
-    return (lanes > 1 ? `${type}x${lanes}` : type);
+export function vertexBuffers(reflection) {
+    return interleaved(reflection).map(({ step, stride, members }) => ({
+        arrayStride: stride,
+        stepMode: step,
+        attributes: members.map(({ input, lanes, offset }) => {
+            const type = { u: "uint32", i: "sint32" }[input.representation[0]] ?? "float32";
+            const format = (lanes > 1 ? `${type}x${lanes}` : type);
+            return { format, offset, shaderLocation: input.location };
+        }),
+    }));
 }

@@ -1,10 +1,9 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
-import { bytesOf, hasStencil, isDepth, lanesOf } from "../bytes.js";
+import { bytesOf, halved, hasStencil, isDepth, lanesOf } from "../bytes.js";
 import { BufferUsage, TextureUsage } from "./device.js";
-export const VIEWS = {
-    "2d": "2d", "2d_array": "2d-array", "3d": "3d", cube: "cube",
+const WRAPS = {
+    repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat",
 };
-const WRAPS = { repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat" };
 export function makeTexture({ gpu }, size) {
     const { format, width, height, layers, levels, isImage } = size;
     const texture = gpu.createTexture({
@@ -25,6 +24,10 @@ export function layerOf(texture, layer, level) {
         mipLevelCount: 1,
     });
 }
+/** The view by which a shader reads a whole texture. */
+export function viewOf({ gpu }, dimension) {
+    return gpu.createView({ dimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
+}
 export function makeSampler({ gpu }, state) {
     const { filter, mip, wrap, compare } = state;
     return gpu.createSampler({
@@ -39,7 +42,8 @@ export function makeSampler({ gpu }, state) {
     });
 }
 export function makePicture(device, picture) {
-    const { format, dimension, width, height, depth, levels } = picture;
+    const { dimension, width, height, depth, levels } = picture;
+    const format = picture.format;
     if (format === "rgba32float" && !device.gpu.features.has("float32-filterable")) {
         throw new Error("this device cannot filter pictures of floats: it lacks float32-filterable");
     }
@@ -61,7 +65,6 @@ export function makePicture(device, picture) {
     const hasThree = isSolid || dimension === "2d_array";
     return { gpu: texture, sides: hasThree ? [width, height, depth] : [width, height] };
 }
-const halved = (side, level) => Math.max(side >> level, 1);
 function writeTexels({ gpu }, texture, bytes, mipLevel, size) {
     const [lanes, bytesPerLane] = lanesOf(texture.format);
     const layout = { bytesPerRow: size[0] * lanes * bytesPerLane, rowsPerImage: size[1] };

@@ -1,0 +1,44 @@
+// What shaders read and write at the places of their bind groups.
+import { formatOf } from "../bytes.js";
+import { viewOf } from "./textures.js";
+export const PROFILE = "wgsl:webgpu";
+/** What a shader reads and writes, by group; a group that is not used is empty. The layout that
+ * WebGPU infers would leave out bindings that a text does not use. */
+export function slotsOf({ reflection, texts }) {
+    const { blocks, buffers, images, textures, samplers } = reflection.backends[PROFILE];
+    // The bits of GPUShaderStage, which TypeScript's own types lack.
+    const visibility = texts[PROFILE]?.compute ? 4 : 3;
+    const found = [];
+    const add = (place, layout, resource) => {
+        if (!place)
+            return;
+        while (found.length <= place.group)
+            found.push([]);
+        const entry = { binding: place.binding, visibility, ...layout };
+        found[place.group].push({ layout: entry, resource });
+    };
+    for (const { name } of reflection.blocks) {
+        add(blocks[name], { buffer: {} }, (given) => given.block(name));
+    }
+    for (const { name } of [...reflection.buffers, ...reflection.results]) {
+        const isRead = reflection.buffers.some((row) => row.name === name);
+        const type = isRead ? "read-only-storage" : "storage";
+        add(buffers[name], { buffer: { type } }, (given) => ({ buffer: of(given, "buffers", name) }));
+    }
+    reflection.targets.forEach(({ name, format }, number) => {
+        const storageTexture = { format: formatOf(format) };
+        add(images[name], { storageTexture }, ({ images }) => viewOf(images[number], "2d"));
+    });
+    for (const { name, layout: { viewDimension, sampleType, sampler } } of reflection.textures) {
+        add(textures[name], { texture: { viewDimension, sampleType } }, (given) => viewOf(of(given, "textures", name), viewDimension));
+        add(samplers[name], { sampler: { type: sampler } }, (given) => given.sampler(name));
+    }
+    return found;
+}
+/** Something that a shader reads. */
+function of(given, kind, name) {
+    const found = given[kind].get(name);
+    if (found === undefined)
+        throw new Error(`nobody gives ${given.values.name} its \`${name}\``);
+    return found;
+}
