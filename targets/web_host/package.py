@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import INSTANCES, VERTICES
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance
@@ -193,14 +194,14 @@ def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
     rows = [row for row in instance.reflection["vertex_inputs"] if row["buffer"] is None]
     steps = {
         step: [(row, state.attributes[row["name"]]) for row in rows if row["step"] == step]
-        for step in ("vertex", "instance")
+        for step in (VERTICES, INSTANCES)
     }
     corners = state.triangles.reshape(-1)
     is_in_order = np.array_equal(corners, np.arange(len(corners)))
     buffers = instance.buffers()
     return {
-        "vertices": _interleaved(steps["vertex"]),
-        "instances": _interleaved(steps["instance"]),
+        "vertices": _interleaved(steps[VERTICES]),
+        "instances": _interleaved(steps[INSTANCES]),
         "indices": None if is_in_order else _base64(corners.astype("<u4").tobytes()),
         "count": len(corners),
         "instance_count": state.instance_count,

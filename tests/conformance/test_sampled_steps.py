@@ -73,7 +73,7 @@ pass Shown : FullScreen {{
 }}
 """
 
-EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, "chromium:webgpu", "chromium:webgl2"])
+EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
 
 
 def shown(studio: Studio, where: str, steps: str, name: str = "picture", count: int = 1) -> Floats:
