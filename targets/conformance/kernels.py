@@ -98,9 +98,12 @@ class KernelPlan:
         data = elements_of(run.instance, written)
         for bounds in bounds_of(run, route, device):
             low_high = self._computed(program, run, bounds)
-            meant = self._computed(self._source, run, bounds)
+            # The text has no promises any more, nor what was written as `unguarded`.
+            nowhere = replace(bounds, rules=replace(bounds.rules, unguarded_is_nan=True))
+            meant = self._computed(self._source, run, nowhere)
             got = _got(low_high, data, run.width)
             expected = _expected(low_high, run.width)
+            expected = replace(expected, undecided=_undecided(meant, run.width))
             targets = [_target([lane.value for lane in part], run.width) for part in _parts(meant)]
             steps = [formats.step(FLOATS, values) for values in targets]
             # In float64, too, numbers that cancel may tip a decision.
@@ -157,6 +160,14 @@ def _expected(lanes: Sequence[Lane], width: int) -> Expected:
     )
     everywhere = np.ones((1, width), np.bool_)
     return Expected(values, everywhere, ~everywhere, lows, highs, everywhere.astype(np.int64))
+
+
+def _undecided(lanes: Sequence[Lane], width: int) -> NDArray[np.bool_]:
+    """Where nothing is defined of anything that is written."""
+    found = np.zeros((1, width), np.bool_)
+    for lane in lanes:
+        found[0, : len(lane.undecided)] |= lane.undecided
+    return found
 
 
 def _got(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> list[Floats]:

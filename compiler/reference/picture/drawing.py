@@ -154,7 +154,7 @@ class _Drawing:
     @property
     def broken(self) -> frozenset[int]:
         """The ids of the promises that were broken."""
-        return frozenset(self._stages.broken)
+        return frozenset(self._stages.found.broken)
 
     def draw(self, progress: Callable[[float], None] | None, hulls: Hulls | None) -> None:
         """Draw all fragments on the canvas."""
