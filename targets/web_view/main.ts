@@ -6,10 +6,12 @@ import {
   fetchDocument, listen, type Choice, type Document, type Drawable,
 } from "./documents.js";
 import { BufferView } from "./buffers.js";
+import { takeDrops } from "./drops.js";
 import { element, make } from "./elements.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
+import { Pictures } from "./pictures.js";
 import { Screen, type Status } from "./screen.js";
 import { showTextsOf } from "./texts.js";
 
@@ -55,6 +57,7 @@ function view(api: Api): void {
     elapsed: (seconds) => panel?.advance(seconds),
   });
   const buffer = new BufferView();
+  const pictures = new Pictures(() => void load());
   let panel: Panel | null = null;
 
   async function showDocument(found: Document): Promise<void> {
@@ -63,12 +66,12 @@ function view(api: Api): void {
     if (found.error === undefined) {
       panel ??= new Panel(
         element("controls", HTMLElement), found.file,
-        (name, value) => screen.set(name, value), () => screen.request(),
+        (name, value) => screen.set(name, value), () => screen.request(), pictures,
       );
       const before = shown;
       shown = found;
       Object.assign(choice, found.chosen);
-      const values = panel.show(found.chosen.subject ?? "", found.controls);
+      const values = panel.show(found.chosen.subject ?? "", found.controls, found.most_bytes);
       fillOutputs(found);
       showTextsOf(found.package);
       try {
@@ -97,7 +100,10 @@ function view(api: Api): void {
     try {
       while (again) {
         again = false;
-        const found = await fetchDocument(choice, PROFILES[api]);
+        const found = await fetchDocument(choice, PROFILES[api], pictures.query);
+        if (found.error === undefined) {
+          again ||= pictures.enter(`${found.file}/${found.chosen.subject}`);
+        }
         if (!again) await showDocument(found);
       }
     } catch (error) {
@@ -115,6 +121,7 @@ function view(api: Api): void {
     (isConnected) => { element("gone", HTMLElement).hidden = isConnected; },
   );
   follow(canvas, () => screen.orbit, () => screen.request());
+  takeDrops(() => panel, notify);
 
   for (const [name, select] of Object.entries(selects)) {
     select.addEventListener("change", () => {
@@ -161,6 +168,15 @@ function view(api: Api): void {
     event.preventDefault();
     acts[name]!();
   });
+}
+
+/** Say something for a few seconds. */
+function notify(text: string): void {
+  const place = element("notice", HTMLElement);
+  place.textContent = text;
+  place.hidden = false;
+  clearTimeout(Number(place.dataset.timer));
+  place.dataset.timer = String(setTimeout(() => { place.hidden = true; }, 4000));
 }
 
 /** Have the page's address say what is shown. */

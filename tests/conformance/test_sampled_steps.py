@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from .kit import REFERENCE, Floats, Studio
-from .test_frames import SIZE, outputs
+from .test_frames import FRAME_ROUTES, SIZE, outputs
 
 CUT = 3
 """The column that edges cut."""
@@ -38,11 +38,27 @@ pass Bright : LeftOf {{
     raster {{ samples = 4 }}
     target value : rgba16f = vec4(8)
 }}
+pass Box {{
+    raster {{ samples = 4 }}
+    param corner : vec2
+    column : float = if vertex_index mod 2u == 0u then -1 else corner.x
+    row    : float = if vertex_index < 2u or vertex_index == 3u then 1 else corner.y
+    clip_position = vec4(column, row, 0.5, 1)
+    target value : rgba16f = vec4(1)
+}}
 pass Hiding : LeftOf {{
     raster {{ samples = 4 }}
     depth {{ compare = less, write = true }}
     param away : float = 0.5
     clip_position = @vertex (vec4(across, above, away, 1) as point<clip>)
+    target value : rgba8 = vec4(shade)
+}}
+pass Sloped : LeftOf {{
+    raster {{ samples = 4 }}
+    depth {{ compare = less, write = true }}
+    param crossing : float = 0                     /// Where the depth is 1/2, in pixels
+    beyond = (across + 1) / 2 - crossing / {SIZE[0]}
+    clip_position = @vertex (vec4(across, above, 0.5 + 0.005 * beyond, 1) as point<clip>)
     target value : rgba8 = vec4(shade)
 }}
 pass Faded : FullScreen {{
@@ -57,7 +73,7 @@ pass Shown : FullScreen {{
 }}
 """
 
-EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE])
+EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
 
 
 def shown(studio: Studio, where: str, steps: str, name: str = "picture", count: int = 1) -> Floats:
@@ -80,15 +96,28 @@ def columns(left: float, cut: float, right: float = 0.0) -> Floats:
 STEP = 1 / 255
 
 
+PLACES = np.array(((0.375, 0.125), (0.875, 0.375), (0.125, 0.625), (0.625, 0.875)))
+"""Of the samples in a pixel, from the left and from the top."""
+CORNERS = [(2.25, 1.5), (2.5, 2.25), (5.75, 0.5), (3.0, 2.0), (7.5, 3.75)]
+"""Between columns and between rows of samples, in pixels."""
+
+
 @EVERYWHERE
-@pytest.mark.parametrize("quarters", [0, 1, 2, 3, 4])
-def test_a_pixel_has_the_mean_of_its_samples(studio: Studio, where: str, quarters: int) -> None:
-    edge = CUT + quarters / 4
-    found = shown(studio, where, f"""
-        smooth = Bright(screen) with {{ edge = {edge} }}
-        output picture = smooth.value
-    """)  # fmt: skip
-    assert np.array_equal(found, columns(8, 2 * quarters))
+def test_a_pixel_has_the_mean_of_the_samples_that_are_covered(studio: Studio, where: str) -> None:
+    """All that is to the left of a corner and above it, which tells each place apart."""
+    width, height = SIZE
+    steps = "\n".join(
+        f"""box{number} = Box(vertices(6)) with {{
+            corner = vec2({2 * right / width - 1}, {1 - 2 * bottom / height})
+        }}
+        output shown{number} = box{number}.value"""
+        for number, (right, bottom) in enumerate(CORNERS)
+    )
+    (found,) = outputs(f"{PASSES}\nframe F {{ {steps} }}", where, studio)
+    pixels = np.stack(np.meshgrid(np.arange(width), np.arange(height)), axis=-1)
+    for number, corner in enumerate(CORNERS):
+        covered = (pixels[:, :, None] + PLACES < corner).all(axis=-1).mean(axis=-1)
+        assert np.array_equal(found[f"shown{number}"][0, ..., 0], covered), corner
 
 
 @EVERYWHERE
@@ -135,6 +164,18 @@ def test_the_depths_of_samples_hide_what_another_step_draws(studio: Studio, wher
         output picture = far.value
     """)  # fmt: skip
     assert np.abs(found - columns(1, (1 + 2 * 0.5) / 4)).max() <= STEP
+
+
+@EVERYWHERE
+@pytest.mark.parametrize("quarters", [0, 1, 2, 3, 4])
+def test_the_depth_of_each_sample_is_its_own(studio: Studio, where: str, quarters: int) -> None:
+    """Two triangles go through each other within a pixel, from the left to the right."""
+    found = shown(studio, where, f"""
+        level = Hiding(screen) with {{ shade = 0 }}
+        steep = Sloped(screen, level) with {{ crossing = {CUT + quarters / 4} }}
+        output picture = steep.value
+    """)  # fmt: skip
+    assert np.abs(found - columns(1, quarters / 4)).max() <= STEP
 
 
 @EVERYWHERE

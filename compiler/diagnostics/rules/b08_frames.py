@@ -167,3 +167,10 @@ DEPTHS_OF_SAMPLES = error(
     "Depths have no mean that says something, and not every API can read those of the samples. "
     "Draw them once more with a pass of one sample, or write them to a target.",
 )
+BLEND_CONSTANT_UNUSED = error(
+    "B0827",
+    "no target of `{step}` is blended by a constant",
+    "`blend_constant` is what the factors `constant` and `one_minus_constant` mean. A pass says "
+    "them: `target color : rgba16f = e blend { source = constant, destination = "
+    "one_minus_constant }`.",
+)

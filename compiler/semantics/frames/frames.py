@@ -74,6 +74,8 @@ class _Checking:
         )  # fmt: skip
         self._shaders = shaders
         self._own = Owner(self._instance, Dependencies(self._record, around.report))
+        for each in (self._own, *lights.values()):
+            ctx.is_step[each.instance] = each.dependencies.is_step
         self._steps = Steps(ctx, self._own, lights, shaders, self._models)
 
     def frame(self) -> Frame | None:

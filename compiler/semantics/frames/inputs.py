@@ -101,11 +101,11 @@ class Inputs:
         """The names that no shader has as an input so far."""
         return [name for name, _ in self._given if name.text not in self._met]
 
-    def report_unknown(self, step: str) -> bool:
+    def report_unknown(self) -> bool:
         """Whether some name is no input of any of the shaders, which is reported."""
         unmet = self._unmet()
         for name in unmet:
-            unknown(self._ctx, f"input of `{step}`", name.text, name.span, sorted(self._seen))
+            unknown(self._ctx, "input", name.text, name.span, sorted(self._seen))
         return bool(unmet)
 
     def _source(self, name: str, written: ast.Expression, wanted: Input) -> Source | Failure:

@@ -38,6 +38,7 @@ from ...syntax import ast
 from ..checking.slots import slot
 from ..checking.step_needs import PREVIOUS, SCREEN, Key, Need, applied, is_previous
 from ..checking.unknown_names import unknown
+from ..declarations.maps import DEFAULTS
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
@@ -58,6 +59,11 @@ DEEPEST = 48
 """How deep expressions about steps nest."""
 
 DEPTH_FORMAT = "depth32f"
+
+OF_A_DEFAULT = (
+    "`{0}` is what a texture is that nobody binds: `map plain : texture2d = {0}` in the frame "
+    "declares one, which steps are given by its name"
+)
 
 
 class Steps:
@@ -148,8 +154,24 @@ class Steps:
         if key[0] in definitions:
             number = slot(self._ctx, owner.instance, key[0], span, key[1])
             return FAILURE if isinstance(number, Failure) else no_step(self._ctx, span)
-        unknown(self._ctx, "step", key[0], span, [*definitions, *self._models])
+        if key[0] in self._models:
+            hint = f"models are drawn by a pass: `Pass({key[0]})` is a step"
+            self._ctx.report.add(rules.NO_STEP, span, hint=hint)
+            return FAILURE
+        self._unknown_step(key[0], span, owner)
         return FAILURE
+
+    def _unknown_step(self, name: str, span: Span, owner: Owner) -> None:
+        """Report a name that is neither a step nor something that the frame's host binds."""
+        is_step = owner.dependencies.is_step
+        known = [n for n in owner.instance.record.definitions if is_step((n, OUTERMOST))]
+        if owner is self._frame:
+            known += self._frame.instance.resources
+            if name in DEFAULTS:
+                hint = OF_A_DEFAULT.format(name)
+                self._ctx.report.add(rules.UNKNOWN_NAME, span, kind="step", name=name, hint=hint)
+                return
+        unknown(self._ctx, "step", name, span, known)
 
     def _left(self, whole: Made, e: ast.Field) -> Made:
         """``step.target``: what a step leaves."""
@@ -160,8 +182,7 @@ class Steps:
             return FAILURE
         found = whole.left.get(e.name.text)
         if found is None:
-            what = f"result of `{whole.name}`"
-            unknown(self._ctx, what, e.name.text, e.name.span, whole.left)
+            unknown(self._ctx, "result", e.name.text, e.name.span, whole.left)
             return FAILURE
         return found
 
@@ -243,7 +264,7 @@ class Steps:
         name = self._unique(around.name)
         inputs = self._inputs(given, changed(around, name=name))
         use = self._drawn.use("", shader, symbol, inputs, e)
-        if inputs.report_unknown(symbol.name) or use is None:
+        if inputs.report_unknown() or use is None:
             return FAILURE
         size = self._extent(shader, use, name)
         images = {
@@ -313,7 +334,7 @@ class Steps:
         inputs = self._inputs(given, within)
         draws = None if what is None else self._drawn.draws(symbol, what, inputs, e, around.light)
         over = self._destinations.of(e, changed(within, name=f"{name}.over"))
-        if not draws or over is None or inputs.report_unknown(symbol.name):
+        if not draws or over is None or inputs.report_unknown():
             return FAILURE
         shader = draws[0].uses[0].shader
         step = self._step(name, shader, draws, over, settings, changed(around, place=place), e)

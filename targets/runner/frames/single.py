@@ -134,7 +134,7 @@ def _size_row() -> Row:
     return {
         **_IVEC2,
         "name": SIZE, "range": [1.0, 16384.0], "default": [512, 512],
-        "doc": "Of what is shown, in pixels", "library": declared_as("size"),
+        "doc": "Of what is shown, in pixels", "library": declared_as("size"), "role": "size",
         "group": "frame", "block": None, "offset": None, "size": 8,
         "layout": {"stored": "ivec2", "kind": "int", "lanes": 2}, "members": [], "count": None,
     }  # fmt: skip

@@ -3,10 +3,12 @@ import { PROFILES } from "../web_host/host.js";
 import { chosenApi, NO_API, TITLES } from "./apis.js";
 import { fetchDocument, listen, } from "./documents.js";
 import { BufferView } from "./buffers.js";
+import { takeDrops } from "./drops.js";
 import { element, make } from "./elements.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
+import { Pictures } from "./pictures.js";
 import { Screen } from "./screen.js";
 import { showTextsOf } from "./texts.js";
 const canvas = element("picture", HTMLCanvasElement);
@@ -49,16 +51,17 @@ function view(api) {
         elapsed: (seconds) => panel?.advance(seconds),
     });
     const buffer = new BufferView();
+    const pictures = new Pictures(() => void load());
     let panel = null;
     async function showDocument(found) {
         fillSelects(found);
         problems.source = found.error ?? "";
         if (found.error === undefined) {
-            panel ??= new Panel(element("controls", HTMLElement), found.file, (name, value) => screen.set(name, value), () => screen.request());
+            panel ??= new Panel(element("controls", HTMLElement), found.file, (name, value) => screen.set(name, value), () => screen.request(), pictures);
             const before = shown;
             shown = found;
             Object.assign(choice, found.chosen);
-            const values = panel.show(found.chosen.subject ?? "", found.controls);
+            const values = panel.show(found.chosen.subject ?? "", found.controls, found.most_bytes);
             fillOutputs(found);
             showTextsOf(found.package);
             try {
@@ -87,7 +90,10 @@ function view(api) {
         try {
             while (again) {
                 again = false;
-                const found = await fetchDocument(choice, PROFILES[api]);
+                const found = await fetchDocument(choice, PROFILES[api], pictures.query);
+                if (found.error === undefined) {
+                    again ||= pictures.enter(`${found.file}/${found.chosen.subject}`);
+                }
                 if (!again)
                     await showDocument(found);
             }
@@ -105,6 +111,7 @@ function view(api) {
             void load();
     }, (isConnected) => { element("gone", HTMLElement).hidden = isConnected; });
     follow(canvas, () => screen.orbit, () => screen.request());
+    takeDrops(() => panel, notify);
     for (const [name, select] of Object.entries(selects)) {
         select.addEventListener("change", () => {
             choice[name] = select.value;
@@ -152,6 +159,14 @@ function view(api) {
         event.preventDefault();
         acts[name]();
     });
+}
+/** Say something for a few seconds. */
+function notify(text) {
+    const place = element("notice", HTMLElement);
+    place.textContent = text;
+    place.hidden = false;
+    clearTimeout(Number(place.dataset.timer));
+    place.dataset.timer = String(setTimeout(() => { place.hidden = true; }, 4000));
 }
 /** Have the page's address say what is shown. */
 function remember() {
