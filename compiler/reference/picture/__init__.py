@@ -6,7 +6,8 @@ imports it.
 """
 
 from . import formats
-from .canvas import Canvas
+from .canvas import NOWHERE, Canvas
+from .copies import Places
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
 from .resolve import expected_on
@@ -14,10 +15,12 @@ from .scene import Expected, Geometry, RasterRules, Texels, instanced
 from .stage_evaluation import compares_neighbours
 
 __all__ = [
+    "NOWHERE",
     "Canvas",
     "Expected",
     "Geometry",
     "Hulls",
+    "Places",
     "RasterRules",
     "Texels",
     "compares_neighbours",

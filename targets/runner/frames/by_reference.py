@@ -18,9 +18,11 @@ from ....compiler.ir.image_sizes import halved
 from ....compiler.ir.shader import Shader
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
+    NOWHERE,
     Canvas,
     Expected,
     Hulls,
+    Places,
     RasterRules,
     Texels,
     draw_onto,
@@ -58,6 +60,9 @@ class Drawn:
     """Of each level (layers, height, width): the values beside depths; empty if there are none."""
     stencil_unsure: list[NDArray[np.bool_]]
     """Likewise: where a device may have another one."""
+    places: list[NDArray[np.int64]]
+    """Of each level of depths (layers, height, width): the number of the place of the face that
+    each is the depth of; empty if there are none."""
 
     @classmethod
     def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
@@ -71,7 +76,9 @@ class Drawn:
         beside = undecided if row["format"].endswith(STENCILS) else []
         stencil = [np.zeros(level.shape, np.int64) for level in beside]
         unsure = [level.copy() for level in beside]
-        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure)
+        deep = undecided if row["format"].startswith(DEPTHS) else []
+        places = [np.full(level.shape, NOWHERE) for level in deep]
+        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure, places)
 
     @property
     def lanes(self) -> int:
@@ -106,6 +113,7 @@ class ReferenceFrames:
     frames: int = 0
     """How many have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
+    places: Places = field(default_factory=Places)
     buffers: dict[str, Contents] = field(default_factory=dict)
     """By the name of the result."""
 
@@ -191,7 +199,7 @@ class ReferenceFrames:
             rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
             depth=1.0 if depth is None else self.host.clear_of(depth)[0],
-            blend_constant=state.blend_constant,
+            blend_constant=state.blend_constant, places=self.places,
         )  # fmt: skip
         self._load(canvas, step, layer)
         hulls = Hulls(canvas)
@@ -248,6 +256,8 @@ class ReferenceFrames:
             value, low, high = self._pixels(depth, layer)[..., 0]
             canvas.depth[:] = value
             canvas.depth_off[:] = np.maximum(high - value, value - low)
+            texture, at, level = _place(depth, layer)
+            canvas.place[:] = self.textures[texture].places[level][at].ravel()
             self._load_stencil(canvas, depth, layer)
         for target in self._loaded(step):
             texture, at, level = _place(target, layer)
@@ -292,6 +302,8 @@ class ReferenceFrames:
             off = canvas.depth_off.reshape(value.shape)
             ends = np.stack([value, value - off, value + off])
             self._keep_pixels(step["depth"], layer, ends, hulls.depth[..., None], picture)
+            texture, at, level = _place(step["depth"], layer)
+            self.textures[texture].places[level][at] = canvas.place.reshape(value.shape[:2])
             self._keep_stencil(step["depth"], layer, canvas)
 
     def _keep_pixels(
