@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -26,6 +26,7 @@ from ..frames import scenery_of
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
 from ..subjects import set_pictures
+from .pictures import MOST_BYTES, Pictures, Wanted
 from .request import Choice, Request
 
 if TYPE_CHECKING:
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
 
 PROFILES = ("wgsl:webgpu", "glsl:es300")
 """The texts that a page can ask for."""
+_PICTURE = "picture."
+"""Begins the names by which a page asks for pictures; the rest is the texture's."""
 _SIZE = (512, 512)
 """Of the picture, until the page says how large it is."""
 
@@ -43,8 +46,9 @@ _SIZE = (512, 512)
 class Documents:
     """The documents of a file as it is now. Threads may share it."""
 
-    def __init__(self, request: Request) -> None:
+    def __init__(self, request: Request, pictures: Pictures) -> None:
         self._request = request
+        self._pictures = pictures
         self._lock = Lock()
         self._changes = 0
         self._made: dict[Choice, bytes] = {}
@@ -80,7 +84,8 @@ class Documents:
                 made = json.dumps(document, separators=(",", ":")).encode()
                 self._made[choice] = made
                 if chosen := document.get("chosen"):  # What the page will ask for after a change.
-                    self._made[choice_of({**chosen, "profile": choice.profile})] = made
+                    whole = choice_of({**chosen, "profile": choice.profile})
+                    self._made[whole._replace(pictures=choice.pictures)] = made
                 self._told = self.version
             return self._made[choice]
 
@@ -118,6 +123,7 @@ class Documents:
             "file": self._request.file.name,
             **self._listed,
             "meshes": [],
+            "most_bytes": MOST_BYTES,
         }
 
     def _drawn(self, choice: Choice) -> dict[str, Any]:
@@ -128,8 +134,8 @@ class Documents:
         declared = self._declared()
         chosen = self._chosen(choice, declared)
         frame = self._compiled(chosen, declared)
-        host = self._host(frame, chosen)
-        has_mesh = self._request.scene is None and bool(frame.plan["models"])
+        host, given = self._host(frame, chosen)
+        has_mesh = self._request.scene is None and _takes_mesh(frame)
         return {
             "chosen": {
                 "subject": chosen.subject, "rig": chosen.rig, "pass": chosen.pass_,
@@ -137,7 +143,7 @@ class Documents:
             },
             "meshes": list(MESHES) if has_mesh else [],
             "doc": frame.plan["doc"],
-            "controls": controls(host),
+            "controls": [{**row, "picture": given.get(row["name"])} for row in controls(host)],
             "orbit": orbit(host.scenery),
             "package": frame_package(host, (choice.profile,)),
         }  # fmt: skip
@@ -172,6 +178,7 @@ class Documents:
             None if subject in declared.frames else _first(pass_, request.pass_, *own),
             choice.mesh if choice.mesh in MESHES else request.mesh,
             choice.profile,
+            choice.pictures,
         )
 
     def _compiled(self, chosen: Choice, declared: api.Declared) -> FrameSubject:
@@ -190,33 +197,54 @@ class Documents:
         red, green, blue = color_lanes(BACKGROUND) or (0.0, 0.0, 0.0)
         return single_frame(result.materials[0], (red, green, blue, 1.0))
 
-    def _host(self, frame: FrameSubject, chosen: Choice) -> FrameHost:
-        """The frame with a scene, and with the values of the command line."""
+    def _host(
+        self, frame: FrameSubject, chosen: Choice
+    ) -> tuple[FrameHost, dict[str, dict[str, Any]]]:
+        """The frame with a scene, with the values of the command line, and with the pictures that
+        were given, which are also told by name."""
         from ...targets.runner.frames.host import FrameHost
-        from ...targets.runner.frames.single import SingleFrame
+        from ...targets.runner.frames.single import SingleFrame, captures, give_captured
 
-        host = FrameHost(frame, self._scenery(frame, chosen.mesh or self._request.mesh), _SIZE)
+        mesh = chosen.mesh or self._request.mesh
+        host = FrameHost(frame, self._scenery(frame, mesh), _SIZE)
         kernels = self._kernels(host, chosen) if isinstance(frame, SingleFrame) else []
         for name, text in self._request.values:
             _set(host, kernels, name, text)
+        given = dict(self._give(host, chosen.pictures))
         if isinstance(frame, SingleFrame):
             set_pictures(host.instances, _SIZE)
+            if captures(frame):
+                give_captured(host, mesh, self._request.instances)
             if kernels:
                 feed(kernels, host.instances, {}).run(1, lambda _share: None)
         for name in host.unused_lamps() if self._request.scene else ():
             remark(
                 "note", f"the light {name!r} of the scene is left out: the rig has no place for it"
             )
-        return host
+        return host, given
+
+    def _give(
+        self, host: FrameHost, pictures: Sequence[tuple[str, str]]
+    ) -> Iterator[tuple[str, dict[str, Any]]]:
+        """Give textures the pictures of the page, as far as both are there. Yields what the page
+        tells of each."""
+        for name, asked in pictures:
+            wanted = _wanted(host, name)
+            texture = wanted and self._pictures.texture(asked, wanted)
+            kept = self._pictures.get(asked)
+            if wanted and texture and kept:
+                host.set(name, texture)
+                is_srgb = self._pictures.is_srgb(asked, wanted)
+                yield name, {"file": kept.name, "is_float": kept.is_float, "is_srgb": is_srgb}
 
     def _kernels(self, host: FrameHost, chosen: Choice) -> list[Kernel]:
-        """The kernels of the file, if a material reads buffers, which they may write."""
+        """The other kernels of the file, if what is shown reads buffers, which they may write."""
         rows = (row for each in host.instances for row in each.reflection["buffers"])
         if not any(row["stages"] for row in rows):
             return []
         request = self._request
         compiled = api.compile(request.file, (), rig=chosen.rig, search_path=request.search_path)
-        return kernels_of(compiled)
+        return [kernel for kernel in kernels_of(compiled) if kernel.name != chosen.subject]
 
     def _scenery(self, frame: FrameSubject, mesh: str) -> Scenery:
         """A mesh for a material; for a frame one of each of its materials; or a file's objects."""
@@ -230,9 +258,15 @@ class Documents:
 def choice_of(query: Mapping[str, str]) -> Choice:
     """What a page asks for, by the names in its address. What nobody can mean is left out."""
     profile = query.get("profile", PROFILES[0])
+    pictures = {
+        key.removeprefix(_PICTURE): asked
+        for key, asked in query.items()
+        if key.startswith(_PICTURE)
+    }
     return Choice(
         query.get("subject"), query.get("rig"), query.get("pass"), query.get("mesh"),
         profile if profile in PROFILES else PROFILES[0],
+        tuple(sorted(pictures.items())),
     )  # fmt: skip
 
 
@@ -252,6 +286,22 @@ def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> No
             found = True
     if not found and unknown is not None:
         raise unknown
+
+
+def _takes_mesh(frame: FrameSubject) -> bool:
+    """Whether a mesh of the page's choice is drawn, or captured."""
+    from ...targets.runner.frames.single import SingleFrame, captures
+
+    return bool(frame.plan["models"]) or (isinstance(frame, SingleFrame) and captures(frame))
+
+
+def _wanted(host: FrameHost, name: str) -> Wanted | None:
+    """What the texture of this name has to be, if there is one."""
+    for instance in (host.values, *host.instances):
+        for row in instance.reflection["textures"]:
+            if row["name"] == name:
+                return Wanted(row["dimension"], row["sample"])
+    return None
 
 
 def _first(*names: str | None) -> str | None:

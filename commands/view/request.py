@@ -31,3 +31,5 @@ class Choice(NamedTuple):
     mesh: str | None = None
     profile: str = "wgsl:webgpu"
     """The texts that its browser can draw."""
+    pictures: tuple[tuple[str, str], ...] = ()
+    """For textures, by name, the pictures that somebody has given, by the words of ``Pictures``."""

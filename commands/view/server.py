@@ -17,13 +17,16 @@ import uvicorn
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request as HttpRequest
-from starlette.responses import Response, StreamingResponse
+from starlette.responses import PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 
+from ...targets.runner.textures.kinds import PictureError
+from ..failures import lacking
 from ..watch import states
 from .documents import Documents, choice_of
 from .files import page_files
 from .guarding import Guarded
+from .pictures import MOST_BYTES, Pictures, wanted_of
 from .request import Choice, Request
 
 HOST = "127.0.0.1"
@@ -40,7 +43,8 @@ class Server:
     def __init__(self, request: Request, port: int = 0) -> None:
         """Bind the port, or any that is free. Raises ``OSError`` if it cannot be had."""
         self._request = request
-        self._documents = Documents(request)
+        self._pictures = Pictures()
+        self._documents = Documents(request, self._pictures)
         self._socket = socket.create_server((HOST, port))
         self._port: int = self._socket.getsockname()[1]
         self._pages: set[asyncio.Queue[str | None]] = set()
@@ -65,6 +69,7 @@ class Server:
         routes = [
             Route("/document", self._document),
             Route("/changes", self._changes),
+            Route("/picture", self._picture, methods=["POST"]),
             *(_route(path, *file) for path, file in page_files().items()),
         ]
         return Guarded(Starlette(routes=routes, lifespan=self._watching), self._port)
@@ -73,6 +78,27 @@ class Server:
         choice = choice_of(request.query_params)
         content = await run_in_threadpool(self._documents.get, choice)
         return Response(content, media_type="application/json")
+
+    async def _picture(self, request: HttpRequest) -> Response:
+        """Keep the picture that is sent, for a texture as the query says."""
+        asked = request.query_params
+        wanted = wanted_of(asked.get("dimension", ""), asked.get("sample", ""))
+        if wanted is None:
+            return PlainTextResponse("there is no such texture", 400)
+        data = bytearray()
+        async for part in request.stream():
+            data += part
+            if len(data) > MOST_BYTES:
+                said = f"the file is larger than {MOST_BYTES >> 20} MB"
+                return PlainTextResponse(said, 413, {"connection": "close"})
+        name = asked.get("name", "the picture")
+        try:
+            word = await run_in_threadpool(self._pictures.keep, name, bytes(data), wanted)
+        except (PictureError, MemoryError) as error:
+            return PlainTextResponse(str(error) or "there is not enough memory for this", 422)
+        except ModuleNotFoundError as error:
+            return PlainTextResponse(lacking(error), 422)
+        return PlainTextResponse(word)
 
     async def _changes(self, _request: HttpRequest) -> Response:
         return StreamingResponse(self._told(), media_type="text/event-stream")

@@ -17,7 +17,7 @@ from .shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
 ImageDimension = Literal["2d", "2d_array", "cube"]
 
 DEPTH = "depth"
-"""What the depths are called that a pass leaves."""
+"""What the depths are called that a pass leaves, and what the names of their formats begin with."""
 
 
 @frozen(eq=False)
@@ -56,6 +56,14 @@ class Image:
     levels: int
     doc: str
     span: Span
+    samples: int = 1
+    """How many samples each pixel has while steps draw to it. Who reads it finds their mean; depths
+    of several samples cannot be read."""
+
+    @property
+    def is_depth(self) -> bool:
+        """Whether it holds depths."""
+        return self.format.startswith(DEPTH)
 
 
 @frozen(eq=False)

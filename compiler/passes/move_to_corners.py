@@ -9,7 +9,8 @@ it often takes further, and after ``hoist``.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
+from functools import reduce
 
 from ...frozen import fresh, frozen, record
 from ..ir import build
@@ -58,19 +59,39 @@ class _Place:
 
 @record
 class _Family:
-    """Values of the stage before that are read together, and what would cross if work moved."""
+    """Values of the stage before that are read together, and what would cross if work moved.
+
+    A value that two later stages read crosses into the first of them for both, so what either of
+    them computes of it belongs to one family.
+    """
 
     sources: dict[int, int] = fresh(factory=dict)
     """The lanes of the values that cross now, by their nodes' ids."""
-    results: dict[object, int] = fresh(factory=dict)
+    results: dict[int, int] = fresh(factory=dict)
     """The lanes of what would cross instead, by what is computed."""
     work: list[int] = fresh(factory=list)
     """The ids of what would move."""
+    within: _Family | None = None
+    """The family that this one has become a part of."""
 
-    def join(self, other: _Family) -> None:
-        """Take what another family has; the results are not known yet."""
-        self.sources.update(other.sources)
-        self.work += other.work
+    @property
+    def whole(self) -> _Family:
+        """The family that has all that this one was joined with."""
+        whole = self
+        while whole.within is not None:
+            whole = whole.within
+        if whole is not self:
+            self.within = whole
+        return whole
+
+    def join(self, other: _Family) -> _Family:
+        """The family that has what both have; the results are not known yet."""
+        small, large = sorted((self.whole, other.whole), key=lambda family: len(family.work))
+        if small is not large:
+            large.sources.update(small.sources)
+            large.work += small.work
+            small.within = large
+        return large
 
     @property
     def pays(self) -> bool:
@@ -85,17 +106,19 @@ class _Corners:
         self._roots = roots
         self._constant = DrawConstants()
         self._places: dict[int, _Place] = {}
-        self._computed: dict[int, object] = {}
-        """What nodes at corners compute: equal for equal values of different corners."""
+        self._computed: dict[int, int] = {}
+        """What nodes at corners compute, as numbers: the same for the same of other corners."""
+        self._numbers: dict[object, int] = {}
         self._families: dict[int, _Family] = {}
+        """The families of nodes at corners, and of the values that cross."""
 
     def moved(self) -> frozenset[int]:
         """The ids of the nodes that are to be computed in the stage before."""
         for node in self._roots.nodes:
             self._look_at(node)
         for node in self._ends():
-            self._families[node.id].results[self._computed[node.id]] = _lanes(node)
-        families = {id(family): family for family in self._families.values()}
+            self._families[node.id].whole.results[self._computed[node.id]] = _lanes(node)
+        families = {id(family.whole): family.whole for family in self._families.values()}
         paying = [family for family in families.values() if family.pays]
         return frozenset(node for family in paying for node in family.work)
 
@@ -104,42 +127,29 @@ class _Corners:
         if _is_corner(node):
             value, number = node.operands
             self._places[node.id] = _Place(CROSS.data(node), number.id)
-            self._computed[node.id] = value.id
-            self._families[node.id] = self._family([value.id])
-            self._families[node.id].sources[value.id] = _lanes(value)
-            self._families[value.id] = self._families[node.id]
-        elif self._may_move(node):
-            varying = self._varying(node)
-            self._places[node.id] = self._places[varying[0].id]
-            parts = (self._computed.get(operand.id, -operand.id) for operand in node.operands)
-            self._computed[node.id] = (node.op, node.type, node.data, *parts)
-            self._families[node.id] = self._family([operand.id for operand in varying])
-            self._families[node.id].work.append(node.id)
+            self._computed[node.id] = self._number(value.id)
+            family = self._families.setdefault(value.id, _Family())
+            family.whole.sources[value.id] = _lanes(value)
+            self._families[node.id] = family
+        elif _is_movable(node):
+            varying = [operand for operand in node.operands if operand not in self._constant]
+            places = {self._places.get(operand.id) for operand in varying}
+            place = places.pop() if len(places) == 1 else None
+            if place is None:
+                return
+            self._places[node.id] = place
+            parts = [self._value(operand) for operand in node.operands]
+            self._computed[node.id] = self._number((node.op, node.type, node.data, *parts))
+            family = reduce(_Family.join, (self._families[operand.id] for operand in varying))
+            family.whole.work.append(node.id)
+            self._families[node.id] = family
 
-    def _may_move(self, node: Node) -> bool:
-        if node.op not in MOVED or scalar_kind(node.type) != "float":
-            return False
-        if node.op == "swizzle" and len(set(SWIZZLE.data(node))) < len(SWIZZLE.data(node)):
-            return False
-        varying = self._varying(node)
-        places = [self._places.get(operand.id) for operand in varying]
-        return bool(places) and places[0] is not None and len(set(places)) == 1
+    def _value(self, node: Node) -> int:
+        return self._computed[node.id] if node.id in self._computed else self._number(node.id)
 
-    def _varying(self, node: Node) -> list[Node]:
-        return [operand for operand in node.operands if operand not in self._constant]
-
-    def _family(self, ids: Sequence[int]) -> _Family:
-        """The one family of some nodes, which so far may have had several."""
-        known = [self._families[each] for each in ids if each in self._families]
-        if not known:
-            return _Family()
-        first = known[0]
-        for other in known[1:]:
-            if other is not first:
-                first.join(other)
-                for each in [key for key, value in self._families.items() if value is other]:
-                    self._families[each] = first
-        return first
+    def _number(self, what: object) -> int:
+        """A number for each different thing. Comparing what a long chain computes takes long."""
+        return self._numbers.setdefault(what, len(self._numbers))
 
     def _ends(self) -> Iterable[Node]:
         """The values of corners that something else reads."""
@@ -153,6 +163,13 @@ class _Corners:
 def _lanes(node: Node) -> int:
     """How many numbers cross for a value; only scalars and vectors do."""
     return width(node.type) if isinstance(node.type, Scalar | Vector) else 0
+
+
+def _is_movable(node: Node) -> bool:
+    """Whether an operation can be done in either stage, and does not repeat what it reads."""
+    if node.op not in MOVED or scalar_kind(node.type) != "float":
+        return False
+    return node.op != "swizzle" or len(set(SWIZZLE.data(node))) == len(SWIZZLE.data(node))
 
 
 def _is_corner(node: Node) -> bool:

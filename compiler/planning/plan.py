@@ -6,9 +6,9 @@ writes what comes of it as JSON.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-from ...frozen import changed, frozen, record
+from ...frozen import changed, frozen
 from ..ir.frame import Attachment, Elements, Frame, Image, KernelStep, RenderStep, Step
 from .barriers import BufferState, State, Waiting, Waits
 from .lifetimes import (
@@ -21,18 +21,11 @@ from .lifetimes import (
     written_by,
 )
 from .stencils import Stencils
+from .textures import PlannedTexture, Shape, Textures
 from .unchanging import unchanging
 
-
-@record
-class PlannedTexture:
-    """A texture that the host makes, for one result after the other."""
-
-    images: list[Image]
-    uses: tuple[State, ...] = ()
-    """All that it is used as, also where it is exchanged with the one that the last frame left."""
-    kept: bool = False
-    """Whether its contents are needed in the next frame."""
+DrawnPart = tuple[Image, int | None, int]
+"""A layer and a level of a result; ``None`` is all of its layers."""
 
 
 @frozen(eq=False)
@@ -49,6 +42,15 @@ class Target:
     """Whether there are stencil values, too."""
     stores_stencil: bool = False
     """Whether a later step finds these."""
+    resolved: int | None = None
+    """The texture to which the means of the samples are written behind the step, in the
+    attachment's layer and level."""
+
+    @property
+    def place(self) -> tuple[int, int | None, int]:
+        """The texture, its layer and its level that are drawn to."""
+        at = self.attachment
+        return (self.texture, at.layer, at.level) if at.image.samples == 1 else (self.texture, 0, 0)
 
 
 @frozen(eq=False)
@@ -78,8 +80,12 @@ class PlannedStep:
     @property
     def places(self) -> list[tuple[int, int | None, int]]:
         """The textures, layers and levels that it draws to, its depths last."""
-        every = self.targets if self.depth is None else (*self.targets, self.depth)
-        return [(each.texture, each.attachment.layer, each.attachment.level) for each in every]
+        return [target.place for target in self.drawn_to]
+
+    @property
+    def drawn_to(self) -> tuple[Target, ...]:
+        """All that it draws to, its depths last."""
+        return self.targets if self.depth is None else (*self.targets, self.depth)
 
 
 @frozen(eq=False)
@@ -120,16 +126,16 @@ class _Planning:
         self._shares = shares
         self._lifetimes = Lifetimes.of(frame)
         self._stencils = Stencils.of(frame)
-        self._textures: list[PlannedTexture] = []
-        self._texture_of: dict[Image, int] = {}
-        self._free: dict[Hashable, list[int]] = {}
         self._waits = Waits(self._is_rare)
-        self._drawn: set[tuple[Image, int | None, int]] = set()
-        """Layers and levels that have been drawn to."""
+        self._textures = Textures(self._waits, shares=shares)
+        self._texture_of: dict[Image, int] = {}
+        self._samples_of: dict[DrawnPart, int] = {}
+        """The textures that steps with several samples draw to."""
+        self._drawn: set[DrawnPart] = set()
+        """What has been drawn to."""
         self._rare = only_first(frame) | unchanging(frame)
-        """The names of the steps of the first frame only."""
-        self._rare_textures: set[int] = set()
-        """Theirs, which nothing else shares: these steps may be left out."""
+        """The names of the steps of the first frame only, which share no textures: they may be left
+        out."""
         self._rare_buffers = {
             left
             for step in frame.steps
@@ -150,10 +156,14 @@ class _Planning:
             steps.append(planned)
             self._release(number, step)
         end = self._waits.before(self._images_left(), self._buffers_left())
-        self._join_uses(kept)
+        self._textures.join_uses(
+            (each.texture, each.previous)
+            for each in kept
+            if each.texture is not None and each.previous is not None
+        )
         return Plan(
             self._frame,
-            tuple(self._textures),
+            tuple(self._textures.made),
             self._texture_of,
             self._lifetimes,
             self._stencils,
@@ -164,68 +174,67 @@ class _Planning:
 
     def _is_rare(self, used: int | Elements) -> bool:
         """Whether a texture, or a buffer, is used in the first frame only."""
-        return used in (self._rare_buffers if isinstance(used, Elements) else self._rare_textures)
+        if isinstance(used, Elements):
+            return used in self._rare_buffers
+        return self._textures.lasts(used)
 
     # --- textures ---
 
     def _kept(self, left: Left) -> Kept:
         if not isinstance(left, Image):
             return Kept(left, None, None)
-        texture, previous = self._new(left), self._new(left)
-        for number in (texture, previous):
-            self._textures[number].kept = True
+        shape = self._shape(left)
+        texture, previous = (self._textures.new(shape, left) for _ in range(2))
+        self._textures.exchange(texture, previous)
         self._texture_of[left] = texture
         self._waits.add(previous, "sampled")
         return Kept(left, texture, previous)
 
-    def _new(self, image: Image) -> int:
-        self._textures.append(PlannedTexture([image]))
-        self._waits.add(len(self._textures) - 1)
-        return len(self._textures) - 1
-
-    def _join_uses(self, kept: Iterable[Kept]) -> None:
-        """Say what each texture is used as; of two that are exchanged, what either is."""
-        uses = self._waits.uses
-        for number, texture in enumerate(self._textures):
-            texture.uses = tuple(uses[number])
-        for each in kept:
-            if each.texture is not None and each.previous is not None:
-                joined = tuple({**uses[each.texture], **uses[each.previous]})
-                for number in (each.texture, each.previous):
-                    self._textures[number].uses = joined
-
-    def _key(self, image: Image) -> Hashable:
-        """What two images have in common that can share a texture."""
-        value = image.size.value
-        size = image.size.kernel if value is None else self._frame.values[value].id
-        format_ = self._stencils.format_of(image)
-        return (format_, size, image.size.level, image.dimension, image.layers, image.levels)
+    def _shape(self, image: Image) -> Shape:
+        return Shape.of(self._frame, self._stencils, image)
 
     def _placed(self, number: int, step: Step) -> Iterator[Copy]:
         """Find a texture for everything that a step draws; what has to be copied before it."""
         read = set(read_by(step))
         for attachment in attachments_of(step):
             image, over = attachment.image, attachment.over
+            if image.samples > 1:
+                self._place_samples(step, attachment)
+                continue
             if over is None or self._lifetimes.first[image] < number:
                 continue
             if image in self._texture_of:
                 yield Copy(over, image)  # What is kept has a texture of its own.
             elif self._shares and over not in read and self._is_drawn_over(over, image, number):
-                self._share(image, self._texture_of[over])
+                self._texture_of[image] = self._texture_of[over]
+                self._textures.share(self._texture_of[over], image)
             else:
-                self._find_texture(step, image)
+                self._texture_of[image] = self._found(step, image, self._shape(image))
                 yield Copy(over, image)
         for left in written_by(step):
-            if isinstance(left, Image) and left not in self._texture_of:
-                self._find_texture(step, left)
+            if not isinstance(left, Image) or left in self._texture_of:
+                continue
+            if left.samples == 1 or self._is_resolved(number, left):
+                self._texture_of[left] = self._found(step, left, self._shape(left))
 
-    def _find_texture(self, step: Step, image: Image) -> None:
-        """Find a texture for what a step leaves."""
-        if step.name in self._rare:
-            self._texture_of[image] = self._new(image)
-            self._rare_textures.add(self._texture_of[image])
+    def _place_samples(self, step: Step, attachment: Attachment) -> None:
+        """Find a texture for the samples to which a step draws: the one over which it draws."""
+        image, over = attachment.image, attachment.over
+        if _part(attachment) in self._samples_of:
+            return
+        if over is None:
+            shape = Shape.of_samples(self._frame, self._stencils, image, attachment.level)
+            texture = self._found(step, image, shape)
         else:
-            self._allot(image)
+            texture = self._samples_of[over, attachment.layer, attachment.level]
+            self._textures.share(texture, image)
+        self._samples_of[_part(attachment)] = texture
+
+    def _found(self, step: Step, image: Image, shape: Shape) -> int:
+        """A texture for what a step leaves."""
+        if step.name in self._rare:
+            return self._textures.new(shape, image, lasts=True)
+        return self._textures.allot(shape, image)
 
     def _is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
         """Whether nobody needs what is there from a step on but those that draw an image over it:
@@ -238,27 +247,18 @@ class _Planning:
             for step in self._frame.steps[number:]
         )
 
-    def _allot(self, image: Image) -> None:
-        free = self._free.get(self._key(image))
-        if free and self._shares:
-            self._share(image, free.pop())
-        else:
-            self._texture_of[image] = self._new(image)
-
-    def _share(self, image: Image, texture: int) -> None:
-        self._texture_of[image] = texture
-        self._textures[texture].images.append(image)
-
     def _release(self, number: int, step: Step) -> None:
         """Free the textures that nothing needs behind a step."""
         over = [each.over for each in attachments_of(step) if each.over is not None]
         touched = dict.fromkeys([*written_by(step), *read_by(step), *over])
         for left in touched:
-            if not isinstance(left, Image) or not self._lifetimes.is_over(left, number):
-                continue
-            texture = self._texture_of[left]
-            if self._textures[texture].images[-1] is left and texture not in self._rare_textures:
-                self._free.setdefault(self._key(left), []).append(texture)
+            if isinstance(left, Image) and self._lifetimes.is_over(left, number):
+                texture = self._texture_of.get(left)
+                if texture is not None:
+                    self._textures.release(texture, left)
+        for attachment in attachments_of(step):
+            if attachment.image.samples > 1 and not self._finds_samples(number, attachment):
+                self._textures.release(self._samples_of[_part(attachment)], attachment.image)
 
     # --- steps ---
 
@@ -272,23 +272,23 @@ class _Planning:
         return PlannedStep(copy, self._waits.before(used, ()), only_first=is_rare)
 
     def _planned(self, number: int, step: Step) -> PlannedStep:
-        waiting = self._waits.before(self._used(step), _buffers_used(step))
         targets = [self._target(number, each) for each in attachments_of(step)]
-        for target in targets:
-            attachment = target.attachment
-            self._drawn.add((attachment.image, attachment.layer, attachment.level))
+        self._drawn.update(_part(target.attachment) for target in targets)
+        waiting = self._waits.before(self._used(step, targets), _buffers_used(step))
         has_depth = not isinstance(step, KernelStep) and step.depth is not None
         depth = targets.pop() if has_depth else None
         return PlannedStep(step, waiting, tuple(targets), depth, step.name in self._rare)
 
     def _target(self, number: int, attachment: Attachment) -> Target:
-        image = attachment.image
-        again = (image, attachment.layer, attachment.level) in self._drawn
-        return Target(
-            attachment, self._texture_of[image], again or attachment.over is not None,
-            self._is_needed(number, image), image in self._stencils.images,
-            self._stencils.are_needed(number, attachment),
-        )  # fmt: skip
+        image, part = attachment.image, _part(attachment)
+        loads = part in self._drawn or attachment.over is not None
+        stencil = image in self._stencils.images, self._stencils.are_needed(number, attachment)
+        if image.samples == 1:
+            needed = self._is_needed(number, image)
+            return Target(attachment, self._texture_of[image], loads, needed, *stencil)
+        resolved = self._texture_of[image] if self._resolves(number, attachment) else None
+        finds = self._finds_samples(number, attachment)
+        return Target(attachment, self._samples_of[part], loads, finds, *stencil, resolved)
 
     def _is_needed(self, number: int, image: Image) -> bool:
         """Whether somebody reads an image behind a step that draws it."""
@@ -296,21 +296,53 @@ class _Planning:
             return image in self._lifetimes.kept
         later = self._frame.steps[number + 1 :]
         reads = any(image in set(read_by(step)) for step in later)
-        drawn_over = any(each.over is image for step in later for each in attachments_of(step))
+        drawn_over = any(
+            each.over is image and each.image.samples == 1
+            for step in later
+            for each in attachments_of(step)
+        )
         return reads or drawn_over or any(o.source is image for o in self._frame.outputs)
 
-    def _used(self, step: Step) -> Iterator[tuple[int, State]]:
+    def _is_resolved(self, number: int, image: Image) -> bool:
+        """Whether somebody reads the means of a result's samples behind a step."""
+        return not image.is_depth and self._is_needed(number, image)
+
+    def _resolves(self, number: int, attachment: Attachment) -> bool:
+        """Whether somebody reads what a step has drawn before another one draws there, too."""
+        image, part = attachment.image, _part(attachment)
+        if not self._is_resolved(number, image):
+            return False
+        for step in self._frame.steps[number + 1 :]:
+            if image in set(read_by(step)):
+                return True
+            if any(_part(each) == part for each in attachments_of(step)):
+                return False
+        return True
+
+    def _finds_samples(self, number: int, attachment: Attachment) -> bool:
+        """Whether a later step draws on where a step with several samples has drawn."""
+        image, layer, level = _part(attachment)
+        return any(
+            _part(each) == (image, layer, level)
+            or (
+                each.image.samples > 1
+                and (each.over, each.layer, each.level) == (image, layer, level)
+            )
+            for step in self._frame.steps[number + 1 :]
+            for each in attachments_of(step)
+        )
+
+    def _used(self, step: Step, targets: Iterable[Target]) -> Iterator[tuple[int, State]]:
         for left in read_by(step):
             if isinstance(left, Image):
                 yield self._texture_of[left], "sampled"
         if isinstance(step, KernelStep):
             for image in step.images.values():
                 yield self._texture_of[image], "image"
-            return
-        for attachment in step.attachments:
-            yield self._texture_of[attachment.image], "target"
-        if step.depth is not None:
-            yield self._texture_of[step.depth.image], "depth"
+        for target in targets:
+            yield target.texture, "depth" if target.attachment.image.is_depth else "target"
+            if target.resolved is not None:
+                yield target.resolved, "target"
 
     # --- what is left ---
 
@@ -331,6 +363,11 @@ class _Planning:
         yield from self._lifetimes.kept
 
 
+def _part(attachment: Attachment) -> DrawnPart:
+    """What an attachment draws to."""
+    return attachment.image, attachment.layer, attachment.level
+
+
 def _buffers_used(step: Step) -> Iterator[tuple[Elements, BufferState]]:
     for left in read_by(step):
         if isinstance(left, Elements):
@@ -346,13 +383,13 @@ def _draws_on(before: PlannedStep, planned: PlannedStep) -> bool:
     if not isinstance(before.step, RenderStep) or not isinstance(planned.step, RenderStep):
         return False
     places = planned.places
-    every = (*planned.targets, *(() if planned.depth is None else (planned.depth,)))
     return (
         before.places == places
         and (before.depth is None) == (planned.depth is None)
         and before.only_first == planned.only_first
         and all(layer is not None for _, layer, _ in places)
-        and all(each.loads for each in every)
+        and all(target.loads for target in planned.drawn_to)
+        and all(target.resolved is None for target in before.drawn_to)
         and not planned.waiting.buffers
         and {each.texture for each in planned.waiting.textures} <= {place[0] for place in places}
     )

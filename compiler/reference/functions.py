@@ -128,7 +128,7 @@ _CONVERSIONS: Mapping[str, Function] = {
     "to_uint": integers.to_uint,
 }
 
-_WHOLE: Mapping[str, Callable[..., Lanes]] = {
+WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "any": logic.any_,
     "all": logic.all_,
     "cross": vectors.cross,
@@ -177,8 +177,8 @@ def evaluate(
     results can be wrapped to 32 bits. Never raises for operands that fit the builtin's signatures;
     a result that is too large is infinite.
     """
-    if name in _WHOLE:
-        return _WHOLE[name](xp, *operands)
+    if name in WHOLE:
+        return WHOLE[name](xp, *operands)
     if (row := _OF_GROUPS.get(name)) is not None:
         assert isinstance(xp, WorkGroups)
         return work_groups.joined(xp, _lanewise(row.joins, xp, kind), row, *operands)

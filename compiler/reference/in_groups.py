@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .bounds import Bounded, Bounds, Errors
 from .bounds.bounded import as_bounded
@@ -52,6 +53,12 @@ class InGroups(Bounds, WorkGroups):
         """A shift by one invocation."""
         before = self._of_each(x).take(np.maximum(self._index - 1, 0), 0)
         found: Bounded = self.where(self._place > 0, before, np.full_like(before.value, first))
+        return found
+
+    def anywhere(self, condition: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Whether a condition holds anywhere in the group of each invocation."""
+        group = self._index // self._size
+        found: NDArray[np.bool_] = np.bincount(group, condition)[group] > 0
         return found
 
     def _of_each(self, x: Any) -> Bounded:

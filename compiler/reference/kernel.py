@@ -16,17 +16,19 @@ from numpy.typing import NDArray
 from ..ir.kernel import invocations
 from ..ir.leaves import Resource
 from ..ir.node import Node
+from ..ir.operations import joins_group
 from ..ir.scattering import scattered
 from ..ir.shader import Shader, Store
 from ..ir.stages import COMPUTED, STORE
 from .bounds import Bounded, Errors, exact
 from .evaluate import Evaluator
-from .held_values import HeldValues, as_rounded, rounded_constants
+from .held_values import HeldValues, as_rounded
 from .in_groups import InGroups
 from .namespace import Lanes
 from .picture.sampler import TextureReader
 from .picture.scene import RasterRules, Texels
 from .picture.texels import Image
+from .picture.watch import Found, Watch
 from .scattering import joined
 
 Array = NDArray[Any]
@@ -43,6 +45,9 @@ class Lane:
     value: Array
     low: Array
     high: Array
+    undecided: Array
+    """Where nothing is defined: it hangs on a promise that is broken, or on an operation without a
+    guard that has left its domain."""
 
 
 def computed(
@@ -78,24 +83,47 @@ def computed(
 
     assert shader.work_group is not None
     groups = InGroups(errors, count, invocations(shader.work_group))
-    evaluator = Evaluator(leaves, groups, rounded_constants)
-
-    def of_all(node: Node) -> list[Bounded]:
-        lanes = evaluator.value(node)
-        bounded = (lane if isinstance(lane, Bounded) else exact(lane) for lane in lanes)
-        return [lane.spread((count,)) for lane in bounded]
-
-    found: list[Lane] = []
+    stores, scatters = shader.results_of(STORE), scattered(shader.results)
+    joins = [part for row in scatters for part in (row.value, row.place, row.condition)]
+    roots = [*(result.value for result in stores), *joins]
+    watch = _Watch(Found.of(roots), groups, count, unguarded_is_nan=rules.unguarded_is_nan)
+    evaluator = Evaluator(leaves, groups, watch)
     with np.errstate(all="ignore"):
-        for result in shader.results_of(STORE):
+        values_of = {node.id: _of_all(evaluator.value(node), count) for node in roots}
+        watch.end(tuple(lane for lanes in values_of.values() for lane in lanes))
+        found: list[Lane] = []
+        for result in stores:
             assert result.store is not None
-            for number, whole in enumerate(of_all(result.value)):
+            for number, whole in enumerate(values_of[result.value.id]):
                 each = slice(None, None, result.store.of_group or 1)
-                ends = (whole.value, whole.low, whole.high)
+                ends = (whole.value, whole.low, whole.high, watch.undecided)
                 arrays = (np.asarray(end)[each] for end in ends)
                 found.append(Lane(result.store, number, whole.kind, *arrays))
-        for row in scattered(shader.results):
-            parts = (of_all(part)[0] for part in (row.value, row.place, row.condition))
+        for row in scatters:
+            parts = (values_of[part.id][0] for part in (row.value, row.place, row.condition))
             length = lengths[row.store.buffer.name]
-            found.append(Lane(row.store, 0, "i", *joined(row.store, length, *parts)))
+            # What an invocation scatters of which nothing is defined may go anywhere.
+            undecided = np.full(length, watch.undecided.any())
+            found.append(Lane(row.store, 0, "i", *joined(row.store, length, *parts), undecided))
     return found
+
+
+class _Watch(Watch):
+    """Observes all invocations at once, and what their work groups join."""
+
+    def __init__(
+        self, found: Found, groups: InGroups, count: int, *, unguarded_is_nan: bool
+    ) -> None:
+        super().__init__(found, (count,), unguarded_is_nan=unguarded_is_nan, rounds=True)
+        self._groups = groups
+
+    def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+        if joins_group(node) and self.undecided.any():
+            self.undecided = self._groups.anywhere(self.undecided)
+        return super().__call__(node, operands, value)
+
+
+def _of_all(lanes: Lanes, count: int) -> list[Bounded]:
+    """Lanes with a number for each invocation, also where all have the same."""
+    bounded = (lane if isinstance(lane, Bounded) else exact(lane) for lane in lanes)
+    return [lane.spread((count,)) for lane in bounded]

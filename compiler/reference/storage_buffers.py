@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..ir.kernel import ends
 from ..ir.leaves import Buffer
 from ..ir.storage import (
     LANE,
@@ -43,8 +44,10 @@ Table = Any
 """An element with a ``_Column`` for each lane, which holds that lane of all elements."""
 
 _KINDS: Mapping[ScalarKind, str] = {"float": "<f4", "int": "<i4", "uint": "<u4", "bool": "<u4"}
-_NUMBERS: Mapping[ScalarKind, type] = {"float": np.float64, "bool": np.bool_}
-"""The types of arrays for numbers; for all others it is ``int64``."""
+_ANYTHING: Mapping[ScalarKind, tuple[int, int]] = {
+    "int": ends(signed=True), "uint": ends(signed=False), "bool": (0, 1)
+}  # fmt: skip
+"""Between which numbers something is of which nothing is known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +58,8 @@ class Contents:
     ends: NDArray[np.float64] | None = None
     """Of what a kernel has written: for each four bytes the number that they stand for, and between
     which numbers that of a device is, (3, words). It is not rounded to 32 bits, and float64 has
-    every integer of 32 bits. Without it, devices have just what ``data`` says."""
+    every integer of 32 bits. NaN stands for what is not defined. Without it, devices have just what
+    ``data`` says."""
 
 
 class BufferReader:
@@ -67,9 +71,11 @@ class BufferReader:
         is_stored = type_ == stored_type(leaf.type) and type_ != leaf.type
         stride = byte_size(type_.element) if is_stored else element_stride(leaf.type.element)
         self._rows = np.frombuffer(contents.data, np.uint8).reshape(-1, stride)
-        ends = contents.ends
-        self._ends = None if ends is None else ends.reshape(len(ends), -1, stride // LANE)
+        written = contents.ends
+        self._ends = None if written is None else written.reshape(3, -1, stride // LANE)
         self._table: Table = self._lanes(type_.element, 0, is_stored=is_stored)
+        self._undecided = None if self._ends is None else np.isnan(self._ends[0]).any(axis=-1)
+        """Of which elements nothing is defined; ``None`` if all are."""
 
     def element(self, position: Any) -> Lanes:
         """The elements at these positions, which lie within bounds or do not matter.
@@ -84,6 +90,13 @@ class BufferReader:
             at = np.clip(np.asarray(position), 0, last)
             lanes = _mapped(self._table, lambda column: column.plain(at))
         return lanes
+
+    def is_undecided(self, position: Any) -> NDArray[np.bool_] | bool:
+        """Whether anything of the elements at these positions is not defined."""
+        if self._undecided is None or not self._undecided.any():
+            return False
+        found: NDArray[np.bool_] = self._undecided[np.clip(position, 0, len(self._rows) - 1)]
+        return found
 
     # --- elements ---------------------------------------------------------------------------------
 
@@ -116,21 +129,22 @@ class BufferReader:
         )
 
     def _column(self, kind: ScalarKind, offset: int) -> _Column:
-        number = _NUMBERS.get(kind, np.int64)
         if self._ends is not None:
-            value, *ends = (each.astype(number) for each in self._ends[:, :, offset // LANE])
-            return _Column(value, *(() if all((end == value).all() for end in ends) else ends))
+            value, low, high = _numbers(kind, self._ends[:, :, offset // LANE])
+            is_exact = bool(((low == value) & (high == value)).all())
+            return _Column(value) if is_exact else _Column(value, low, high)
         lane = np.ascontiguousarray(self._rows[:, offset : offset + LANE]).view(_KINDS[kind])
-        return _Column(lane[:, 0].astype(number))
+        return _Column(_as_arrays(kind, lane[:, 0]))
 
 
 class _Column:
     """One lane of all elements."""
 
-    def __init__(self, value: NDArray[Any], *ends: NDArray[Any]) -> None:
-        """``ends`` are the lower and the upper ones, of what a device may have otherwise."""
+    def __init__(self, value: NDArray[Any], *off: NDArray[Any]) -> None:
+        """``off`` are the lower and the upper ends of what a device may have, if it may have
+        anything else."""
         self._value = value
-        self._ends = ends
+        self._ends = off
 
     def plain(self, at: NDArray[Any]) -> Any:
         """What it means at these positions; a plain number at a single one."""
@@ -158,6 +172,19 @@ class _Column:
         whole = given(self._value)
         low, high = self._ends or (whole.low, whole.high)
         return Extremes(np.minimum, low), Extremes(np.maximum, high)
+
+
+def _numbers(kind: ScalarKind, written: NDArray[np.float64]) -> Iterator[NDArray[Any]]:
+    """A lane of all elements and its ends; whole numbers are anything where nothing is defined."""
+    least, most = _ANYTHING.get(kind, (np.nan, np.nan))
+    for end, unknown in zip(written, (least, least, most), strict=True):
+        yield _as_arrays(kind, np.where(np.isnan(end), unknown, end))
+
+
+def _as_arrays(kind: ScalarKind, numbers: NDArray[Any]) -> NDArray[Any]:
+    if kind == "bool":
+        return numbers.astype(np.bool_)
+    return numbers.astype(np.float64 if kind == "float" else np.int64)
 
 
 def _members(struct: Struct, *, is_stored: bool) -> Iterator[tuple[Type, int]]:

@@ -12,6 +12,7 @@ from ..ir.shader import ParameterInfo
 from ..ir.types import Array
 from ..packing import PackedMember, Packing, packing, spread
 from .bytes import layout_row
+from .roles import role_of
 from .values import listed, steps
 
 
@@ -60,6 +61,7 @@ def parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) ->
     return {
         "name": parameter.name,
         **_declaration(info),
+        "role": role_of(info),
         "group": parameter.group,
         **places.row(parameter),
         "members": member_rows(packing(parameter.type), info.members),

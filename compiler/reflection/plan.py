@@ -23,6 +23,7 @@ from ..ir.shader import ResourceInfo
 from ..ir.types import Texture
 from ..planning.barriers import Barrier, BufferBarrier, Waiting
 from ..planning.plan import Copy, Plan, PlannedStep, Target
+from ..planning.textures import Shape
 from .buffers import buffer_row
 from .parameters import Places, light_rows, parameter_row
 from .values import steps
@@ -108,22 +109,23 @@ class _Document:
 
     def _texture_rows(self) -> Iterator[dict[str, Any]]:
         for texture in self._plan.textures:
-            image = texture.images[0]
+            shape = texture.shape
             yield {
-                "format": self._plan.stencils.format_of(image),
-                "dimension": image.dimension,
-                "size": self._size_row(image),
-                "layers": image.layers,
-                "levels": image.levels,
+                "format": shape.format,
+                "dimension": shape.dimension,
+                "size": self._size_row(shape),
+                "layers": shape.layers,
+                "levels": shape.levels,
+                "samples": shape.samples,
                 "uses": list(texture.uses),
                 "kept": texture.kept,
                 "results": [each.name for each in texture.images],
             }
 
-    def _size_row(self, image: Image) -> dict[str, Any]:
-        size = image.size
-        value = None if size.value is None else self._value(size.value)
-        return {"value": value, "extent_of": size.kernel or None, "level": size.level}
+    def _size_row(self, shape: Shape) -> dict[str, Any]:
+        if isinstance(shape.size, str):
+            return {"value": None, "extent_of": shape.size, "level": shape.halved}
+        return {"value": self._values[shape.size], "extent_of": None, "level": shape.halved}
 
     def _value(self, number: int) -> int:
         """The row of one of the frame's values."""
@@ -157,7 +159,7 @@ class _Document:
             }
 
     def _texture(self, left: Image | Elements) -> int | None:
-        return self._plan.texture_of[left] if isinstance(left, Image) else None
+        return self._plan.texture_of.get(left) if isinstance(left, Image) else None
 
     # --- what is done ---
 
@@ -208,15 +210,17 @@ class _Document:
 
     def _target_row(self, target: Target) -> dict[str, Any]:
         attachment = target.attachment
+        texture, layer, level = target.place
         return {
             "name": attachment.target,
             "result": attachment.image.name,
-            "texture": target.texture,
-            "layer": attachment.layer,
-            "level": attachment.level,
+            "texture": texture,
+            "layer": layer,
+            "level": level,
             "load": "load" if target.loads else "clear",
             "clear": None if target.loads else self._optional(attachment.clear),
             "store": target.stores,
+            "resolve": _resolve_row(target),
             "over": attachment.over and attachment.over.name,
             **({"stencil": _stencil_row(target)} if target.has_stencil else {}),
         }
@@ -257,6 +261,13 @@ class _Document:
         if isinstance(source, FromHost):
             return {"host": source.name}
         return {"result": source.name, "texture": self._texture(source)}
+
+
+def _resolve_row(target: Target) -> dict[str, Any] | None:
+    if target.resolved is None:
+        return None
+    at = target.attachment
+    return {"texture": target.resolved, "layer": at.layer, "level": at.level}
 
 
 def _stencil_row(target: Target) -> dict[str, Any]:

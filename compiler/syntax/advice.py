@@ -129,6 +129,19 @@ class Advice(TokenView):
             return f"the members need braces: `{head} {{ … }}`"
         return self._dashed(index)
 
+    def of_blending(self, index: int) -> Hint:
+        """About settings of a target's blending that begin at ``index`` without their braces."""
+        behind = self.behind_settings(index)
+        braced = f"{{ {self.quoted(index, behind)} }}"
+        said = f"settings stand in braces: `blend {braced}`"
+        return self.replace(said, index, behind - 1, braced)
+
+    def behind_settings(self, index: int) -> int:
+        """The token behind settings, ``source = one, mask = rgb``, that begin at ``index``."""
+        while self.token(index + 3).kind == "," and self.token(index + 5).kind == "=":
+            index += 4
+        return index + 3
+
     def _of_typed(self, index: int, expected: set[str], start: int, begin: int) -> Hint:
         """About ``param``, ``map`` and ``attribute``, members of structures, arguments, lights."""
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))

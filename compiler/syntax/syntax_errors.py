@@ -60,8 +60,7 @@ class SyntaxErrors:
             self._unclosed(opener, self._token(before))
             return before
         if interrupted:
-            self._interrupted(index, chunk)
-            return index - 1
+            return self._interrupted(index, chunk)
         if self._special(index, found, expected):
             return index
         if word := self._advice.misspelt(index, expected, start, chunk.start):
@@ -79,16 +78,21 @@ class SyntaxErrors:
             index += 1
         return index
 
-    def _interrupted(self, index: int, chunk: Chunk) -> None:
-        """Report an equation that begins in an unfinished value, or after a header without `{`."""
+    def _interrupted(self, index: int, chunk: Chunk) -> int:
+        """Report an equation that begins in an unfinished value, or after a header without `{`;
+        returns where the next member may begin."""
         name, before = self._tokens[index - 1], self._tokens[index - 2]
         if before.kind == ":" and chunk.start + 3 == index - 1 and self._is_record(chunk.start):
             header = " ".join(token.text for token in self._tokens[chunk.start : index - 2])
             self._unexpected(name, {"{"}, f"the members need braces: `{header} {{ … }}`")
-            return
+            return index - 1
+        if before.text == "blend":
+            self._unexpected(name, {"{"}, self._advice.of_blending(index - 1))
+            return self._advice.behind_settings(index - 1)
         over = self._token(index - 3).kind == "NAME" and before.text == "in"
         hint = "a fold counts numbers, `sum i in a..b : e`; a `term … per light` sums over lights"
         self._unexpected(name, {"NUMBER", "NAME"}, hint if over else "")
+        return index - 1
 
     def _is_record(self, index: int) -> bool:
         return self._tokens[index].text in (*RECORD_KINDS, "mixin")

@@ -32,6 +32,8 @@ from .kernels import KernelPlan
 from .plan import Plan
 from .rows import CaseResult, Row, Status
 
+THREADS = 2 * (os.cpu_count() or 1)
+"""How many rows are made at once."""
 Done = Callable[[int, int], None]
 """Called with the number of finished rows and the number of all rows."""
 
@@ -47,6 +49,7 @@ def conform(
     size: Size = SIZE,
     keep: bool = True,
     draw: Draw = expected,
+    threads: int = THREADS,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Row]:
     """A row for each labelled material, kernel or frame and each route, in this order.
@@ -54,7 +57,8 @@ def conform(
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
     programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes
-    use of several processors.
+    use of several processors. ``threads`` says how many rows are made at once, each of which needs
+    the memory for what it draws.
     """
     store = Store(STORE) if keep else Store(STORE, limit=0)
     plans = [
@@ -65,9 +69,9 @@ def conform(
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
     # one material share its pictures, so those of another are what a thread can go on with.
-    with ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as threads:
+    with ThreadPoolExecutor(threads) as pool:
         pending = {
-            threads.submit(_row, plan, route, runner, toolchain, interrupted): (i, j)
+            pool.submit(_row, plan, route, runner, toolchain, interrupted): (i, j)
             for j, route in enumerate(routes)
             for i, plan in enumerate(plans)
         }
@@ -78,7 +82,7 @@ def conform(
                     done(number, len(pending))
         except BaseException:
             interrupted.set()
-            threads.shutdown(cancel_futures=True)
+            pool.shutdown(cancel_futures=True)
             raise
     return [rows[place] for place in sorted(rows)]
 

@@ -14,20 +14,23 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.ir.shader import Shader
-from ...compiler.reference.picture import Expected, formats
+from ...compiler.reference.bounds.errors import Errors
+from ...compiler.reference.picture import Counted, Expected, RasterRules, formats
 from ..runner.drivers.device import Device
-from ..runner.frames.by_reference import DEPTHS, Drawn, ReferenceFrames
+from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
+from ..runner.frames.drawn import DEPTHS, Drawn
+from ..runner.frames.following import FollowedFrames, Made
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable, is_drawn
+from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..toolchain import Toolchain
 from ..web_host.drawing import draw_frames
 from .cases import Size
-from .compare import Comparison, compare
+from .compare import Comparison, Level, compare
 from .once import Known
 from .plan import Bounds, bounds_of, precise, summed_up, to_targets
 from .rows import CaseResult
@@ -65,6 +68,16 @@ def _turned_over(bounds: Bounds) -> Bounds:
     return replace(bounds, rules=rules)
 
 
+@dataclass(frozen=True, slots=True)
+class _Pictures:
+    """What the reference has drawn."""
+
+    frames: list[dict[str, Drawn]]
+    """Of each frame the outputs, by name."""
+    counted: Counted
+    """The rare rules on which they hang."""
+
+
 class FramePlan:
     """The pictures of one frame. Several threads use it."""
 
@@ -76,7 +89,8 @@ class FramePlan:
         self._size = size
         self._count = SEVERAL if meant.plan["kept"] else 1
         self._names = [row["name"] for row in meant.plan["outputs"] if row["texture"] is not None]
-        self._expected: Known[list[dict[str, Drawn]]] = Known()
+        self._expected: Known[_Pictures] = Known()
+        self._programs: Known[list[Program]] = Known()
 
     def results(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
@@ -84,13 +98,40 @@ class FramePlan:
         """A result for each output of each frame. Raises ``CodeError``, ``DriverError`` and
         ``PlanError``."""
         got = draw_frames(self._host(self.subject), route, runner, toolchain, self._count)
-        questions = bounds_of(_Sized(*self._size), route, device)
-        if route.bottom_up:
-            questions = tuple(map(_turned_over, questions))
-        for number, pictures in enumerate(got):
-            for name in self._names:
-                case = name if self._count == 1 else f"{name}, frame {number + 1}"
-                yield self._judged(case, number, name, pictures[name], route, questions)
+        questions = self._questions(route, device)
+        for case, (number, name) in self.cases().items():
+            yield self._judged(case, number, name, got[number][name], route, questions)
+
+    def cases(self) -> dict[str, tuple[int, str]]:
+        """The number of the frame and the output, by the name of the case."""
+        return {
+            name if self._count == 1 else f"{name}, frame {number + 1}": (number, name)
+            for number in range(self._count)
+            for name in self._names
+        }
+
+    def made(
+        self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
+    ) -> Made | None:
+        """How a pixel of a case came about, by the bounds of this level; ``None`` if no step has
+        made it. Layers of an output stand one below the other."""
+        number, name = self.cases()[case]
+        bounds = next(one for one in self._questions(route, device) if one.level == level)
+        programs = self._programs_for(route.profile)
+        host = self._host(self._meant)
+        row = next(row for row in host.plan["outputs"] if row["name"] == name)
+        _, height = host.size_of(row["texture"])
+        drawing = FollowedFrames(
+            host, bounds.rules, bounds.errors, lambda shader: programs[shader].shader,
+            texture=row["texture"], layer=pixel[1] // height, pixel=(pixel[0], pixel[1] % height),
+        )  # fmt: skip
+        for _ in range(number + 1):
+            drawing.draw()
+        return drawing.found
+
+    def _questions(self, route: Route, device: Device) -> tuple[Bounds, ...]:
+        questions = tuple(bounds_of(_Sized(*self._size), route, device))
+        return tuple(map(_turned_over, questions)) if route.bottom_up else questions
 
     def _judged(
         self,
@@ -104,8 +145,8 @@ class FramePlan:
         found: list[tuple[Comparison, Expected]] = []
         drawn = (_rows(got),)
         for bounds in questions:
-            wanted = self._drawn(route.profile, bounds)[frame][name]
-            meant = self._drawn(None, bounds)[frame][name]
+            wanted = self._drawn(route.profile, bounds.rules, bounds.errors)[frame][name]
+            meant = self._drawn(None, precise(bounds.rules), None)[frame][name]
             expected = _expected(wanted)
             expected = replace(expected, undecided=expected.undecided | _undecided(meant))
             (source,) = _expected(meant).targets
@@ -116,32 +157,54 @@ class FramePlan:
                 )
             steps = [_step(meant.format, source)]
             comparison = compare(drawn, expected, [source], steps, bounds.level)
+            if comparison.changed:
+                # In float64, too, numbers that cancel may tip a decision.
+                possible = _expected(self._drawn(None, bounds.rules, bounds.errors)[frame][name])
+                comparison = compare(drawn, expected, [source], steps, bounds.level, possible)
             found.append((comparison, expected))
             if not comparison.wrong:
                 break
         summary = summed_up([comparison for comparison, _ in found])
         return CaseResult(case, summary, drawn, found[-1][1])
 
-    def _drawn(self, profile: str | None, bounds: Bounds) -> list[dict[str, Drawn]]:
-        """What the reference draws of a profile's texts, within bounds; or what the source
-        means."""
-        rules = bounds.rules if profile else precise(bounds.rules)
-        errors = bounds.errors if profile else None
+    def _drawn(
+        self, profile: str | None, rules: RasterRules, errors: Errors | None
+    ) -> list[dict[str, Drawn]]:
+        """What the reference draws of a profile's texts, or of the source: within bounds, or what
+        is meant."""
+        programs = self._programs_for(profile)
 
-        def shader(number: int) -> Shader:
-            subject = self.subject.shaders[number]
-            made = subject.shader if profile is None else subject.emitted(profile)
-            return to_targets(drawable(made), exact=False) if is_drawn(subject.reflection) else made
-
-        def made() -> list[dict[str, Drawn]]:
-            drawing = ReferenceFrames(self._host(self._meant), rules, errors, shader)
+        def made() -> _Pictures:
+            drawing = ReferenceFrames(
+                self._host(self._meant), rules, errors, lambda number: programs[number].shader
+            )
             found = []
             for _ in range(self._count):
                 drawing.draw()
                 found.append({name: drawing.output(name).copy() for name in self._names})
-            return found
+            return _Pictures(found, drawing.counted)
 
-        return self._expected.value((profile, rules, errors), made)
+        asked = tuple(program.text for program in programs), errors
+        found = self._expected.shared(
+            (*asked, rules.common),
+            (*asked, rules),
+            made,
+            lambda pictures: rules.agree_with(pictures.counted),
+        )
+        return found.frames
+
+    def _programs_for(self, profile: str | None) -> list[Program]:
+        return self._programs.value(profile, lambda: self._programs_of(profile))
+
+    def _programs_of(self, profile: str | None) -> list[Program]:
+        """The shaders as emitted for a profile, or those of the source."""
+        found = []
+        for subject in self.subject.shaders:
+            made = subject.shader if profile is None else subject.emitted(profile)
+            if is_drawn(subject.reflection):
+                made = to_targets(drawable(made), exact=False)
+            found.append(Program.of(made))
+        return found
 
     def _host(self, subject: PlannedFrame) -> FrameHost:
         tags = {row["name"]: row["materials"] for row in self._meant.plan["models"]}

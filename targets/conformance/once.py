@@ -7,6 +7,7 @@ from threading import Lock
 from typing import Generic, TypeVar
 
 T = TypeVar("T")
+Fits = Callable[[T], bool]
 
 
 class Known(Generic[T]):
@@ -21,6 +22,12 @@ class Known(Generic[T]):
         with self._lock:
             once = self._values.setdefault(key, _Once())
         return once.value(make)
+
+    def shared(self, shared: Hashable, own: Hashable, make: Callable[[], T], fits: Fits[T]) -> T:
+        """The value that is known by a key that several have in common, if it fits whoever asks;
+        else the one by the asker's own key."""
+        found = self.value(("shared", shared), make)
+        return found if fits(found) else self.value(("own", own), make)
 
 
 class _Once(Generic[T]):

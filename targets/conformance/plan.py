@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.shader import Result, Shader
 from ...compiler.reference.bounds.errors import Errors
-from ...compiler.reference.picture import Expected, RasterRules, compares_neighbours, formats
+from ...compiler.reference.picture import Expected, RasterRules, formats
 from ...frozen import changed
 from ...stdlib.builtins.accuracy import Platform
 from ..runner.binding import FORMATS, pipeline
@@ -152,14 +152,13 @@ class Plan:
     def _wanted(
         self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
     ) -> Expected:
-        alone = program.shader.render_state.samples == 1
-        if alone and not compares_neighbours(program.shader, rules):
-            # Which rows make a quad, and where samples lie, is all that the rules for some drivers
-            # differ in.
-            rules = replace(rules, bottom_up=False)
-        key = program.text, id(state), rules, errors
-        return self._expected.value(
-            key, lambda: remembered(program, state, rules, self._store, errors, self._draw)
+        # Rare rules are all that the rules for some drivers differ in.
+        asked = program.text, id(state), errors
+        return self._expected.shared(
+            (*asked, rules.common),
+            (*asked, rules),
+            lambda: remembered(program, state, rules, self._store, errors, self._draw),
+            lambda picture: rules.agree_with(picture.counted),
         )
 
 
@@ -264,6 +263,7 @@ def rules_of(
         level_power=driver.level_power,
         bottom_up=bottom_up,
         projects_cubes=driver.projects_cubes,
+        mirrors_sample_depths=driver.mirrors_sample_depths,
     )
 
 

@@ -132,7 +132,7 @@ def _numbers(row: Mapping[str, Any], count: int, chance: random.Random) -> list[
     default = row.get("default")
     defaults = [None] * count if default is None else [default] if count == 1 else list(default)
     bounds = [_bounds(row, each) for each in defaults]
-    if limits := WHOLE.get(kind_of(representation)):
+    if limits := WHOLE.get(kind_of(representation.partition("[")[0])):
         return [_whole(lo, hi, limits, chance) for lo, hi in bounds]
     return [chance.uniform(lo, hi) for lo, hi in bounds]
 

@@ -75,8 +75,8 @@ def pipeline(
 
     Inputs, blocks, textures and targets are in the order of the reflection; a texture that no stage
     reads has no slot. With ``exact`` the targets keep what the shader writes: they are neither
-    rounded to the declared format nor blended. Raises ``KeyError`` if the reflection lacks the
-    route's profile.
+    rounded to the declared format nor blended, and each pixel has one sample. Raises ``KeyError``
+    if the reflection lacks the route's profile.
     """
     backend = reflection["backends"][route.profile]
     on_vulkan = EVERY_DRIVER[route.driver].module == "vulkan"
@@ -110,6 +110,7 @@ def pipeline(
         patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
         cull=state["cull"],
         fill=state["fill"],
+        samples=1 if exact else state["samples"],
         depth_compare=state["depth"]["compare"],
         depth_write=state["depth"]["write"],
         depth_bias=_depth_bias(state["depth"]["bias"]),

@@ -46,6 +46,7 @@ def stacked_expected(pictures: Sequence[Expected]) -> Expected:
         _stacked_targets([picture.high for picture in pictures]),
         np.concatenate([picture.layers for picture in pictures]),
         frozenset().union(*(picture.broken for picture in pictures)),
+        frozenset().union(*(picture.counted for picture in pictures)),
     )
 
 

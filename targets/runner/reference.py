@@ -147,11 +147,19 @@ def remembered(
     errors: Errors | None = None,
     draw_it: Draw = expected,
 ) -> Expected:
-    """The expected picture, from the store if the reference has drawn it before."""
-    name = _digest(program, state, rules, errors)
-    kept = store.read(name)
-    if kept is not None:
-        return loaded(kept)
+    """The expected picture, from the store if the reference has drawn it before.
+
+    It is kept by the rules that most pictures hang on. If what is kept there hangs on others as
+    well, and is not by these ``rules``, then it is kept by all of them.
+    """
+    for own in (False, True):
+        name = _digest(program, state, rules, errors, own=own)
+        kept = store.read(name)
+        if kept is None:
+            break
+        picture = loaded(kept)
+        if rules.agree_with(picture.counted):
+            return picture
     made = draw_it(program.shader, state, rules, errors)
     store.write(name, dumped(made))
     return made
@@ -161,7 +169,8 @@ def dumped(picture: Expected) -> bytes:
     """A picture as its arrays, one after the other in NumPy's format."""
     stream = BytesIO()
     ends = *picture.targets, *picture.low, *picture.high
-    for array in (picture.covered, picture.undecided, picture.layers, *ends):
+    counted = np.array(json.dumps(sorted(picture.counted)))
+    for array in (counted, picture.covered, picture.undecided, picture.layers, *ends):
         np.save(stream, array, allow_pickle=False)
     return stream.getvalue()
 
@@ -172,19 +181,27 @@ def loaded(data: bytes) -> Expected:
     arrays = []
     while stream.tell() < len(data):
         arrays.append(np.load(stream, allow_pickle=False))
-    covered, undecided, layers, *floats = arrays
+    counted, covered, undecided, layers, *floats = arrays
     count = len(floats) // 3
     targets, low, high = (tuple(floats[i * count :][:count]) for i in range(3))
-    return Expected(targets, covered, undecided, low, high, layers)
+    rules = frozenset(map(tuple, json.loads(str(counted))))
+    return Expected(targets, covered, undecided, low, high, layers, counted=rules)
 
 
 def _digest(
-    program: Program, state: SceneState, rules: RasterRules, errors: Errors | None = None
+    program: Program,
+    state: SceneState,
+    rules: RasterRules,
+    errors: Errors | None = None,
+    *,
+    own: bool = True,
 ) -> str:
-    """A digest of everything that the picture depends on."""
+    """A digest of everything that the picture depends on; but for the rare rules, if it is not the
+    ``own`` one of these rules."""
     kinds = [(name, str(values.dtype)) for name, values in state.attributes.items()]
     drawn = json.dumps([to_json(state.draw()), kinds])
-    allowed, values = repr((rules, errors)), repr(state.instance.values())
+    by = rules if own else sorted(rules.common)
+    allowed, values = repr((by, errors)), repr(state.instance.values())
     return digest(_code_digest(), np.__version__, program.text, allowed, values, drawn)
 
 

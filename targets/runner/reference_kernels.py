@@ -91,4 +91,6 @@ def _bytes(values: NDArray[np.generic], kind: str) -> NDArray[np.uint8]:
 def _numbers(lane: Lane, kind: str) -> Floats:
     """A lane of all elements: what it means, and between which numbers that of a device is."""
     found = np.stack([lane.value, lane.low, lane.high]).astype(np.float64)
-    return np.clip(found, *_INTEGERS[kind]) if kind in _INTEGERS else found
+    if kind in _INTEGERS:
+        found = np.clip(found, *_INTEGERS[kind])
+    return np.where(lane.undecided, np.nan, found)

@@ -8,11 +8,8 @@ from __future__ import annotations
 
 import math
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,6 +17,7 @@ from numpy.typing import NDArray
 
 from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
 from ...compiler.ir.stages import VERTICES
+from ...compiler.reflection.roles import scene_names
 from .cameras import Camera, Matrix, looking
 from .instances.instance import Instance
 from .instances.shapes import WHOLE, kind_of, lanes_of
@@ -27,7 +25,6 @@ from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
 from .looks import PLAIN, Look
 from .meshes import BONES, CHANNELS, Mesh, MeshError
 
-_NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
 INSTANCES = 4
 """How many instances are drawn if the material distinguishes them."""
 
@@ -121,7 +118,7 @@ def _light_role(row: Mapping[str, Any]) -> str | None:
 
 def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
     """The names of the parameters that every scene sets, including those of single lights."""
-    found = {row["name"] for row in reflection["parameters"] if _role(row) in _OF_VIEWS}
+    found = {row["name"] for row in reflection["parameters"] if row["role"] in _OF_VIEWS}
     for light in reflection["lights"]:
         if light["capacity"] is None:
             roles = light_roles(reflection, light)
@@ -135,8 +132,8 @@ _OF_VIEWS = ("world_to_clip", "eye", "object_to_world", "pose")
 
 def value_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
     """The parameters for which a scene may have a value, each with what it calls that."""
-    found = ((row["name"], _role(row)) for row in reflection["parameters"])
-    return {name: role for name, role in found if role is not None}
+    rows = reflection["parameters"]
+    return {row["name"]: row["role"] for row in rows if row["role"] is not None}
 
 
 def declared_as(role: str) -> str:
@@ -149,18 +146,6 @@ def texture_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
     names = scene_names()["textures"]
     found = ((row["name"], names.get(row.get("library"))) for row in reflection["textures"])
     return {name: role for name, role in found if role is not None}
-
-
-def _role(row: Mapping[str, Any]) -> str | None:
-    """What a scene calls the value of a parameter, if it has one for it."""
-    names = scene_names()
-    return names["parameters"].get(row["library"]) or names["types"].get(row["type"])
-
-
-@cache
-def scene_names() -> Mapping[str, Mapping[str, str]]:
-    """What the declarations of the library mean in a scene, by kind."""
-    return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
 
 
 def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[Any]]:

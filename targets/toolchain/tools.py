@@ -42,6 +42,11 @@ from .versions import (
 DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
+SCHEMA_TYPES = (
+    "node_modules/json-schema-to-typescript/package.json",
+    "node_modules/json-schema-to-typescript/dist/src/cli.js",
+    "node_modules/prettier/bin/prettier.cjs",
+)
 
 VULKAN_LOADER = libraries("libvulkan.so.1")
 MESA_SAYS = rb"Mesa (\d+\.\d+\.\d+)"
@@ -143,7 +148,7 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="node",
-        purpose="runs tint and typescript",
+        purpose="runs tint, typescript and json-schema-to-typescript",
         place=Programs(("node",)),
         version=says("--version", r"v(\S+)"),
         source=Debian(("nodejs", "npm")),
@@ -161,6 +166,13 @@ TOOLS: tuple[Tool, ...] = (
         place=FolderFiles(TYPESCRIPT),
         version=stated("version"),
         source=OwnInstaller("6.0.3"),
+    ),
+    Tool(
+        name="json-schema-to-typescript",
+        purpose="makes types of schemas for the host for web pages; only its tests need it",
+        place=FolderFiles(SCHEMA_TYPES),
+        version=stated("version"),
+        source=OwnInstaller("15.0.4"),
     ),
     Tool(
         name="clang",

@@ -1,7 +1,5 @@
 // Bytes that packages hold in base64, and texels that come back from a device.
 
-import { halfOfBits } from "./functions.js";
-
 /** The bytes of a text in base64. */
 export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   const text = atob(base64);
@@ -9,8 +7,6 @@ export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   for (let at = 0; at < text.length; at++) bytes[at] = text.charCodeAt(at);
   return bytes;
 }
-
-export const wordsOf = (base64: string) => new Uint32Array(bytesOf(base64).buffer);
 
 /** The format of a texture for each format of the language. All APIs can draw to these; lanes of
  * ten bits are drawn with eight, which are clamped and blended in the same way. */
@@ -30,6 +26,9 @@ export function formatOf(name: string): GPUTextureFormat {
 export const isDepth = (format: GPUTextureFormat) => format.startsWith("depth");
 export const hasStencil = (format: GPUTextureFormat) => format.endsWith("stencil8");
 
+/** A side of a mip level. */
+export const halved = (side: number, level: number) => Math.max(side >> level, 1);
+
 /** How many lanes a texel has, and how many bytes each of them. */
 export function lanesOf(format: GPUTextureFormat): [number, number] {
   const count = /^rgba/.test(format) ? 4 : /^rg/.test(format) ? 2 : 1;
@@ -39,25 +38,27 @@ export function lanesOf(format: GPUTextureFormat): [number, number] {
 /** Tightly packed texels as a shader reads them: four numbers each. */
 export function toFloats(format: GPUTextureFormat, bytes: Uint8Array<ArrayBuffer>): Float32Array {
   const [count, size] = lanesOf(format);
-  const lanes = size === 4
-    ? new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4)
-    : size === 2
-      ? new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.length / 2)
-      : bytes;
-  const decode = size === 4 ? (x: number) => x : size === 2 ? floatOfHalf : (x: number) => x / 255;
-  const found = new Float32Array((lanes.length / count) * 4);
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  const decoders: Record<number, (at: number) => number> = {
+    1: (at) => bytes[at] / 255,
+    2: (at) => floatOfHalf(view.getUint16(2 * at, true)),
+    4: (at) => view.getFloat32(4 * at, true),
+  };
+  const found = new Float32Array((bytes.length / size / count) * 4);
   for (let at = 0; at < found.length; at++) {
     const lane = at % 4;
-    const value = lane < count ? decode(lanes[(at >> 2) * count + lane]) : lane === 3 ? 1 : 0;
+    const value = lane < count ? decoders[size]((at >> 2) * count + lane) : Number(lane === 3);
     found[at] = format.endsWith("srgb") && lane < 3 ? linear(value) : value;
   }
   return found;
 }
 
-/** Sixteen bits as a number, those included that are none or infinite. */
 function floatOfHalf(bits: number): number {
-  if (((bits >> 10) & 31) !== 31) return halfOfBits(bits);
-  return bits & 0x3ff ? NaN : bits & 0x8000 ? -Infinity : Infinity;
+  const exponent = (bits >> 10) & 31;
+  const fraction = bits & 0x3ff;
+  const sign = bits & 0x8000 ? -1 : 1;
+  if (exponent === 31) return fraction ? NaN : sign * Infinity;
+  return sign * (exponent ? (fraction + 1024) * 2 ** (exponent - 25) : fraction * 2 ** -24);
 }
 
 const linear = (x: number) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);

@@ -1,15 +1,15 @@
 // Executes the plan of a frame, step by step, with the renderer of an API: see docs/plans.md.
 
-import { settingsOf, type DrawSettings } from "./areas.js";
-import { bytesOf } from "./bytes.js";
-import { bareGeometry, checkLevels, geometryOf, type Geometry } from "./geometry.js";
-import type { Attachment, Bound, DrawCall, Renderer } from "./renderer.js";
-import { hostBuffer, previousOf, Resources } from "./resources.js";
+import { bytesOf, halved } from "./bytes.js";
 import type {
-  Camera, Drawn, DrawStep, Frame, FramePackage, LightRow, Model, PackagedShader, Pixels, Plan,
-  RunStep, Source, Step, Target, Use, Value,
-} from "./types.js";
-import { Values } from "./values.js";
+  Camera, FramePackage, Model, PackagedShader, Plan, PlanDraw, PlanDrawn, PlanInput, PlanRun,
+  PlanTarget, PlanUse, Value,
+} from "./generated/documents.js";
+import { bareMesh, checkLevels, meshOf, type Mesh } from "./geometry.js";
+import type { Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer } from "./renderer.js";
+import { hostBuffer, previousOf, Resources } from "./resources.js";
+import { settingsOf } from "./settings.js";
+import { Values, type LightRow } from "./values.js";
 
 const VERSION = 1;
 /** How many frames are told apart, and how many vertices: as many as float32 can. */
@@ -30,7 +30,9 @@ export function checkVersions({ package: version, plan, shaders }: FramePackage)
 /** One light of an entry of the rig, for which a step draws. */
 type Lit = { entry: string; number: number | null } | null;
 
-export class PlanFrame<Texture, Buffer> implements Frame {
+/** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a
+ * sentence. */
+export class PlanFrame<Texture, Buffer> {
   readonly plan: Plan;
   private readonly values: Values;
   private readonly materials: Values[];
@@ -40,8 +42,8 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   private size: [number, number];
   private drawn = 0;
   private isFirst = true;
-  private readonly geometries = new Map<string, Geometry>();
-  private readonly elements = new WeakMap<Geometry, [string, Buffer][]>();
+  private readonly meshes = new Map<string, Mesh>();
+  private readonly elements = new WeakMap<Mesh, [string, Buffer][]>();
 
   constructor(
     private readonly from: FramePackage,
@@ -72,21 +74,23 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     }
   }
 
-  // --- what a page sets ---
+  // --- what a page does ---
 
+  /** Set something of the frame, `sun.direction` or `lamps[2].place`; or else of all shaders that
+   * have it, such as a material's colour. */
   set(name: string, value: Value): void {
-    const owners = this.values.has(name)
-      ? [this.values]
-      : this.materials.filter((each) => each.has(name));
+    const owners = [this.values, ...this.materials].filter((each) => each.has(name));
     if (!owners.length) throw new Error(`${this.plan.frame} has no parameter \`${name}\``);
-    for (const each of owners) each.set(name, value);
+    for (const each of owners[0] === this.values ? [this.values] : owners) each.set(name, value);
     this.given.add(name);
   }
 
+  /** Look from elsewhere. What is left out stays as it is. */
   setCamera(camera: Partial<Camera>): void {
-    this.camera = { ...this.camera, ...camera } as Camera;
+    this.camera = { ...this.camera, ...camera };
   }
 
+  /** The width and height of what the frame draws, as far as it says no other size. */
   resize(width: number, height: number): void {
     if (!(width >= 1 && height >= 1)) {
       throw new Error(`a frame cannot have ${width} x ${height} pixels`);
@@ -94,16 +98,20 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     this.size = [Math.floor(width), Math.floor(height)];
   }
 
-  // --- frames ---
-
+  /** Draw the frame once; what it keeps goes on from the last time. */
   draw(): void {
-    this.tell("size", this.size);
-    this.tell("number", this.drawn % NUMBERS);
-    this.apply(this.values, this.from.roles, this.camera, this.size[0] / this.size[1]);
+    const told = { ...this.camera, size: this.size, number: this.drawn % NUMBERS };
+    this.apply(this.values, this.from.roles, told, this.size[0] / this.size[1]);
     this.renderer.begin();
     this.isFirst = !this.resources.begin(this.isFirst);
     for (const step of this.plan.steps) {
-      if (this.isFirst || !step.only_first) this.execute(step);
+      if (step.only_first && !this.isFirst) continue;
+      if (step.kind === "draw") this.drawStep(step);
+      else if (step.kind === "run") this.run(step);
+      else {
+        const [from, to] = [step.from, step.to].map((end) => this.resources.texture(end.texture!));
+        this.renderer.copy(from, to);
+      }
     }
     this.renderer.end();
     this.resources.end();
@@ -111,19 +119,18 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     this.drawn += 1;
   }
 
+  /** Put an output on the canvas, by default the first one that is a picture. */
   show(output?: string): void {
     this.renderer.show(this.outputOf(output));
   }
 
+  /** The width and height of an output's first level. */
   sizeOf(output: string): [number, number] {
     const [width, height] = this.renderer.sizeOf(this.outputOf(output));
     return [width, height];
   }
 
-  read(output: string): Promise<Pixels> {
-    return this.renderer.read(this.outputOf(output));
-  }
-
+  /** The elements of an output that is a buffer, as its row of `results` says how they lie. */
   async readElements(output: string): Promise<Uint8Array<ArrayBuffer>> {
     const row = this.plan.outputs.find((each) => each.name === output && each.texture === null);
     const buffer = row && this.resources.written(row.result);
@@ -132,22 +139,34 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     return (await this.renderer.readBuffer(buffer)).subarray(0, this.resources.bytesIn(buffer));
   }
 
+  /** The numbers of an output's first level. */
+  read(output: string): Promise<Pixels> {
+    return this.renderer.read(this.outputOf(output));
+  }
+
+  /** Wait until all is drawn; an error tells what the API has refused of it. */
   finished(): Promise<void> {
     return this.renderer.finished();
   }
 
+  /** Give everything back that the frame has made. */
   dispose(): void {
     this.renderer.dispose();
   }
 
-  /** Set what hosts tell every frame, unless this one says it itself, or somebody has set it. */
-  private tell(role: string, value: Value): void {
-    for (const [name, own] of Object.entries(this.from.roles)) {
-      if (own === role && !this.given.has(name)) this.values.set(name, value);
-    }
+  private outputOf(name?: string): Texture {
+    const { outputs, frame } = this.plan;
+    const isWanted = (row: Plan["outputs"][0]) =>
+      name === undefined ? row.texture !== null : row.name === name;
+    const row = outputs.find(isWanted);
+    const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
+    if (!row) throw new Error(`${frame} has no output ${wanted}`);
+    const found = this.resources.shown(row.result, row.texture);
+    if (!found) throw new Error(`\`${row.name}\` of ${frame} is no picture, or was not drawn yet`);
+    return found;
   }
 
-  /** Give values what they are of a scene. */
+  /** Give values what they are of a scene, unless somebody has set them. */
   private apply(
     values: Values, roles: Record<string, string>, scene: Record<string, Value>, aspect: number,
   ): void {
@@ -158,41 +177,24 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     }
   }
 
-  private outputOf(name?: string): Texture {
-    const { outputs, frame } = this.plan;
-    const row = name === undefined
-      ? outputs.find(({ texture }) => texture !== null)
-      : outputs.find((each) => each.name === name);
-    const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
-    if (!row) throw new Error(`${frame} has no output ${wanted}`);
-    const found = this.resources.shown(row.result, row.texture);
-    if (!found) throw new Error(`\`${row.name}\` of ${frame} is no picture, or was not drawn yet`);
-    return found;
-  }
+  // --- steps that draw ---
 
-  // --- steps ---
-
-  private execute(step: Step): void {
-    const texture = (end: { texture: number }) => this.resources.texture(end.texture);
-    if (step.kind === "copy") this.renderer.copy(texture(step.from), texture(step.to));
-    else if (step.kind === "run") this.run(step);
-    else this.drawStep(step);
-  }
-
-  private drawStep(step: DrawStep): void {
+  private drawStep(step: PlanDraw): void {
     const first = step.targets[0] ?? step.depth!;
-    const sides = this.resources.sizeOf(first.texture);
-    const [width, height] = sides.map((side) => Math.max(side >> first.level, 1));
-    const settings = this.settings(step, width, height);
+    const sides = this.resources.sizeOf(first.texture).map((side) => halved(side, first.level));
+    const settings = this.settings(step, sides);
     const [, , wide, high] = settings.viewport;
     const calls = step.draws.flatMap((drawn) => this.calls(drawn, wide / high));
     const layers = first.layer === null ? this.plan.textures[first.texture].layers : 1;
     for (let layer = 0; layer < layers; layer++) {
       if (first.layer === null) this.tellLayer(calls, layer);
-      const attachment = (target: Target): Attachment<Texture> => ({
+      const attachment = (target: PlanTarget): Attachment<Texture> => ({
         target,
         texture: this.resources.texture(target.texture),
         layer: target.layer ?? layer,
+        resolve: target.resolve && {
+          ...target.resolve, texture: this.resources.texture(target.resolve.texture),
+        },
         clear: this.cleared(target),
       });
       const depth = step.depth && attachment(step.depth);
@@ -200,7 +202,7 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     }
   }
 
-  private settings(step: DrawStep, width: number, height: number): DrawSettings {
+  private settings(step: PlanDraw, [width, height]: number[]): DrawSettings {
     const { viewport, scissor, blend_constant } = step;
     const [seen, drawn, constant] = [viewport, scissor, blend_constant].map((value) =>
       value === null ? null : this.resources.number(value),
@@ -209,7 +211,7 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   }
 
   /** What a target is cleared to, or a depth, which is within 0 and 1. */
-  private cleared({ texture, clear }: Target): number[] {
+  private cleared({ texture, clear }: PlanTarget): number[] {
     const isDepths = this.plan.textures[texture].format.startsWith("depth");
     if (clear === null) return isDepths ? [1] : [0, 0, 0, 0];
     const found = this.resources.number(clear);
@@ -224,40 +226,34 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     }
   }
 
-  private calls(drawn: Drawn, aspect: number): DrawCall<Texture, Buffer>[] {
+  private calls(drawn: PlanDrawn, aspect: number): DrawCall<Texture, Buffer>[] {
+    const models = this.from.models.filter(({ tags }) => tags.includes(drawn.models!));
     return this.lights(drawn.light).flatMap((light) =>
-      drawn.models === null
-        ? [this.ofVertices(drawn, light, aspect)]
-        : this.from.scene.models
-          .filter(({ tags }) => tags.includes(drawn.models!))
-          .map((model) => this.ofModel(drawn, model, light, aspect)),
+      (drawn.models === null ? [null] : models).map((model) => {
+        const use = useFor(drawn, model);
+        return this.call(use, model, light, aspect, this.mesh(drawn, use.shader, model));
+      }),
     );
   }
 
-  private ofVertices({ uses: [use], vertices }: Drawn, light: Lit, aspect: number) {
+  private mesh({ vertices }: PlanDrawn, shader: number, model: Model | null): Mesh {
+    if (model) {
+      const number = model.geometries[shader];
+      return this.known(`${number}`, () => meshOf(this.from.geometries[number]));
+    }
     const [count] = this.resources.number(vertices!);
     if (!(count >= 0 && count <= NUMBERS)) throw new Error(`a step would draw ${count} vertices`);
-    const make = () => bareGeometry(this.from.shaders[use.shader], count);
-    return this.call(use, null, light, aspect, this.geometry(`${use.shader} ${count}`, make));
+    return this.vertices(shader, count);
   }
 
-  private ofModel({ uses, models }: Drawn, model: Model, light: Lit, aspect: number) {
-    const use = uses.find(({ material }) => material === model.material);
-    if (!use) {
-      const known = uses.map(({ material }) => material).join(", ");
-      const wrong = `a model of \`${models}\` has the material ${model.material}`;
-      throw new Error(`${wrong}, and the frame draws ${known}`);
-    }
-    const number = model.primitives[use.shader];
-    const mesh = this.from.scene.meshes[model.mesh];
-    const make = () => geometryOf(this.from.shaders[use.shader], mesh, number);
-    const key = `${use.shader} ${model.mesh} ${number}`;
-    return this.call(use, model, light, aspect, this.geometry(key, make));
+  private vertices(shader: number, count: number): Mesh {
+    const { reflection } = this.from.shaders[shader];
+    return this.known(`${count} vertices of ${shader}`, () => bareMesh(reflection, count));
   }
 
-  private geometry(key: string, make: () => Geometry): Geometry {
-    const found = this.geometries.get(key) ?? make();
-    this.geometries.set(key, found);
+  private known(key: string, make: () => Mesh): Mesh {
+    const found = this.meshes.get(key) ?? make();
+    this.meshes.set(key, found);
     return found;
   }
 
@@ -278,7 +274,7 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   }
 
   private call(
-    use: Use, model: Model | null, light: Lit, aspect: number, geometry: Geometry,
+    use: PlanUse, model: Model | null, light: Lit, aspect: number, mesh: Mesh,
   ): DrawCall<Texture, Buffer> {
     const shader = this.from.shaders[use.shader];
     const bound = this.bind(use, model);
@@ -286,33 +282,34 @@ export class PlanFrame<Texture, Buffer> implements Frame {
     this.shine(bound.values, shader, light);
     this.give(bound, use);
     checkLevels(shader, bound.values);
-    for (const [name, buffer] of this.elementsOf(geometry)) this.giveBuffer(bound, name, buffer);
-    return { ...bound, geometry };
+    for (const [name, buffer] of this.elementsOf(mesh)) this.giveBuffer(bound, name, buffer);
+    return { ...bound, mesh };
   }
 
   /** The storage buffers that stand for vertex inputs. */
-  private elementsOf(geometry: Geometry): [string, Buffer][] {
-    const found = this.elements.get(geometry)
-      ?? [...geometry.elements].map(([name, bytes]) => [name, this.renderer.makeBuffer(bytes)]);
-    this.elements.set(geometry, found);
+  private elementsOf(mesh: Mesh): [string, Buffer][] {
+    const found = this.elements.get(mesh)
+      ?? mesh.elements.map(([name, bytes]) => [name, this.renderer.makeBuffer(bytes)]);
+    this.elements.set(mesh, found);
     return found;
   }
 
+  // --- what shaders read ---
+
   /** A shader with the values of its material, and with what the host has for it. */
-  private bind({ shader: number }: Use, model: Model | null): Bound<Texture, Buffer> {
+  private bind(use: Pick<PlanUse, "shader">, model: Model | null): Bound<Texture, Buffer> {
+    const number = use.shader;
     const shader = this.from.shaders[number];
     const values = this.materials[number].copied();
     const { pictures, buffers: known } = this.resources;
-    const textures = new Map<string, Texture>();
-    for (const [name, picture] of Object.entries(shader.textures)) {
+    const textures = Object.entries(shader.textures).map(([name, picture]) => {
       const own = this.given.has(name) ? undefined : model?.textures[shader.texture_roles[name]];
-      textures.set(name, pictures[own ?? picture]);
-    }
-    const buffers = new Map<string, Buffer>();
-    for (const { name } of values.declared.buffers) {
-      buffers.set(name, known.get(hostBuffer(values.name, name))!);
-    }
-    return { shader: number, values, textures, buffers };
+      return [name, pictures[own ?? picture]] as const;
+    });
+    const buffers = values.declared.buffers.map(({ name }) =>
+      [name, known.get(hostBuffer(values.name, name))!] as const,
+    );
+    return { shader: number, values, textures: new Map(textures), buffers: new Map(buffers) };
   }
 
   /** Give a shader the lights of the frame; of a single one, that of its entry. */
@@ -322,8 +319,8 @@ export class PlanFrame<Texture, Buffer> implements Frame {
       const own = this.light(entry);
       if (!own) continue;
       if (row.capacity !== null) {
-        values.take(row.name, this.values, own.name);
-        if (row.count !== null) values.take(row.count, this.values, own.count!);
+        values.set(row.name, this.values.get(own.name) as Value);
+        if (row.count !== null) values.set(row.count, this.values.get(own.count!) as Value);
         continue;
       }
       const number = light?.entry === entry ? light.number : null;
@@ -336,12 +333,12 @@ export class PlanFrame<Texture, Buffer> implements Frame {
   }
 
   /** Give a shader what the frame sets. */
-  private give(bound: Bound<Texture, Buffer>, { inputs }: Use): void {
+  private give(bound: Bound<Texture, Buffer>, { inputs }: { inputs: PlanInput[] }): void {
     for (const input of inputs) {
-      const source: Source = (this.isFirst && input.initially) || input;
+      const source: Omit<PlanInput, "name"> = (this.isFirst && input.initially) || input;
       const { value, texture, host, result, previous } = source;
       if (value !== undefined) {
-        bound.values.set(input.name, this.resources.number(value) as Value);
+        bound.values.set(input.name, this.resources.number(value));
       } else if (texture !== undefined && texture !== null) {
         bound.textures.set(input.name, this.resources.texture(texture));
       } else if (host !== undefined && host in this.from.textures) {
@@ -351,44 +348,57 @@ export class PlanFrame<Texture, Buffer> implements Frame {
         const key = host !== undefined ? hostBuffer(this.plan.frame, host) : left;
         const buffer = this.resources.buffers.get(key);
         if (!buffer) throw new Error(`${this.plan.frame} reads ${key}, which nobody has written`);
-        this.giveBuffer(bound, input.name, buffer);
+        const count = this.giveBuffer(bound, input.name, buffer);
         const row = this.plan.host_buffers.find((each) => each.name === host);
-        if (row) bound.values.set(countOf(bound, input.name), this.values.get(row.count) as Value);
+        if (row) bound.values.set(count, this.values.get(row.count) as Value);
       }
     }
   }
 
-  private giveBuffer(bound: Bound<Texture, Buffer>, name: string, buffer: Buffer): void {
+  /** Returns the name of the parameter that says how many elements it has. */
+  private giveBuffer(bound: Bound<Texture, Buffer>, name: string, buffer: Buffer): string {
     const row = bound.values.declared.buffers.find((each) => each.name === name)!;
     bound.values.count(row, this.resources.bytesIn(buffer));
     bound.buffers.set(name, buffer);
+    return row.count;
   }
 
-  private run(step: RunStep): void {
+  // --- kernels ---
+
+  private run(step: PlanRun): void {
     const bound = this.bind(step, null);
     this.give(bound, step);
     const extent = this.resources.running(step.name, bound);
-    const { work_group: sides, backends } = this.from.shaders[step.shader].reflection;
-    const groups = sides.map((side, axis) => Math.ceil(Math.max(extent[axis] ?? 1, 0) / side));
+    const { reflection } = this.from.shaders[step.shader];
     const images = step.images.map(({ texture }) => this.resources.texture(texture));
-    if (images.length && !Object.keys(backends[this.renderer.profile].images).length) {
+    if (images.length && !Object.keys(reflection.backends[this.renderer.profile].images).length) {
       // Where a kernel cannot write images it is drawn over all of them.
       const target = { level: 0, load: "clear", store: true } as const;
-      const targets = images.map((texture) => ({ target, texture, layer: 0, clear: [0, 0, 0, 0] }));
-      const geometry = bareGeometry(this.from.shaders[step.shader], 3);
+      const targets = images.map((texture) => ({
+        target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
+      }));
       const [width, height] = this.resources.sizeOf(step.images[0].texture);
       const settings = settingsOf(width, height, null, null, null);
-      this.renderer.draw(targets, null, [{ ...bound, geometry }], settings);
+      const call = { ...bound, mesh: this.vertices(step.shader, 3) };
+      this.renderer.draw(targets, null, [call], settings);
       return;
     }
     this.resources.giveWritten(step, bound);
+    const groups = reflection.work_group!.map((side, axis) =>
+      Math.ceil(Math.max(extent[axis] ?? 1, 0) / side),
+    );
     this.renderer.run(bound, images, groups);
   }
 }
 
-/** The parameter that says how many elements a buffer has. */
-const countOf = ({ values }: Bound<unknown, unknown>, buffer: string) =>
-  values.declared.buffers.find(({ name }) => name === buffer)!.count;
+/** The shader of what is drawn for a model, or for vertices. */
+function useFor({ uses, models }: PlanDrawn, model: Model | null): PlanUse {
+  const use = model ? uses.find(({ material }) => material === model.material) : uses[0];
+  if (use) return use;
+  const known = uses.map(({ material }) => material).join(", ");
+  const wrong = `a model of \`${models}\` has the material ${model!.material}`;
+  throw new Error(`${wrong}, and the frame draws ${known}`);
+}
 
 /** The columns of a projection for a picture that is `aspect` times as wide as high. */
 const ofAspect = (columns: number[][], aspect: number) =>

@@ -1,159 +1,57 @@
 // What a draw call gets of a mesh: see `draw`, "Expansions" and "Patches" in docs/reflection.md.
 
-import { bytesOf, wordsOf } from "./bytes.js";
-import type { BufferRow, Mesh, PackagedShader, Stream, VertexInput } from "./types.js";
-import { write, type Values } from "./values.js";
+import { bytesOf } from "./bytes.js";
+import type { Geometry, PackagedShader, Reflection } from "./generated/documents.js";
+import type { Values } from "./values.js";
 
-/** The numbers of a vertex input, one after the other for each vertex or instance. */
-export interface Attribute {
-  input: VertexInput;
-  type: Stream["type"];
-  lanes: number;
-  words: Uint32Array;
-}
-
-export interface Geometry {
-  attributes: Attribute[];
+/** What packages hold in base64, as bytes. */
+export interface Mesh extends Pick<Geometry, "count" | "instance_count"> {
+  vertices: Uint8Array<ArrayBuffer>;
+  instances: Uint8Array<ArrayBuffer>;
   /** Null where vertices are drawn one after the other. */
-  indices: Uint32Array<ArrayBuffer> | null;
-  count: number;
-  instances: number;
-  /** Elements of storage buffers that stand for vertex inputs, by the buffer's name. */
-  elements: Map<string, Uint8Array<ArrayBuffer>>;
+  indices: Uint8Array<ArrayBuffer> | null;
+  elements: [string, Uint8Array<ArrayBuffer>][];
 }
 
-const NONE: Mesh = { vertices: {}, instances: {}, instance_count: 1, primitives: [] };
-
-/** So many vertices one after the other, which have nothing but their numbers. */
-export function bareGeometry(shader: PackagedShader, count: number): Geometry {
-  const { expanded_by, corners } = shader.reflection.draw ?? { expanded_by: null, corners: 3 };
-  if (expanded_by === null) {
-    return { attributes: [], indices: null, count, instances: 1, elements: new Map() };
-  }
-  const whole = Uint32Array.from({ length: count - (count % corners) }, (_, at) => at);
-  return gathered(shader, NONE, corners, whole);
-}
-
-/** What a shader draws of some primitives of a mesh. */
-export function geometryOf(shader: PackagedShader, mesh: Mesh, number: number): Geometry {
-  const { draw, vertex_inputs: inputs } = shader.reflection;
-  const { corners, indices: text } = mesh.primitives[number];
-  const indices = wordsOf(text);
-  if (draw!.tessellation || draw!.expanded_by) return gathered(shader, mesh, corners, indices);
+export function meshOf({ count, instance_count, ...packed }: Geometry): Mesh {
   return {
-    attributes: inputs.map((input) => streamOf(input, mesh, input.step, input.name)),
-    indices,
-    count: indices.length,
-    instances: mesh.instance_count,
-    elements: new Map(),
+    count,
+    instance_count,
+    vertices: bytesOf(packed.vertices),
+    instances: bytesOf(packed.instances),
+    indices: packed.indices === null ? null : bytesOf(packed.indices),
+    elements: Object.entries(packed.elements).map(([name, bytes]) => [name, bytesOf(bytes)]),
   };
+}
+
+/** So many vertices one after the other, which have nothing but their numbers. Of primitives that
+ * are instances, the numbers are vertex inputs. */
+export function bareMesh({ draw, vertex_inputs: inputs }: Reflection, count: number): Mesh {
+  const none = new Uint8Array(0);
+  const mesh = { vertices: none, instances: none, indices: null, elements: [] };
+  if (!draw?.expanded_by) return { ...mesh, count, instance_count: 1 };
+  const primitives = Math.floor(count / draw.corners);
+  const numbers = Uint32Array.from({ length: primitives * inputs.length }, (_, at) => {
+    const { corner, name } = inputs[at % inputs.length].mesh!;
+    const primitive = Math.floor(at / inputs.length);
+    if (corner !== null) return primitive * draw.corners + corner;
+    return name === "instance_index" ? 0 : primitive;
+  });
+  const instances = new Uint8Array(numbers.buffer);
+  return { ...mesh, instances, count: draw.vertices!, instance_count: primitives };
 }
 
 /** An error if patches are to be divided in another way than the package has been made for. */
-export function checkLevels({ reflection, pattern }: PackagedShader, values: Values): void {
-  if (!pattern) return;
+export function checkLevels({ reflection, levels: packaged }: PackagedShader, values: Values) {
+  if (!packaged) return;
   const { edges, inside } = reflection.draw!.tessellation!.levels!;
-  const levels = [...edges, ...inside].map((steps) => Math.fround(values.number(steps)));
-  if (levels.some((level, at) => level !== pattern.levels[at])) {
+  const levels = [...edges, ...inside].map((steps) =>
+    Math.fround((values.evaluated(steps) as number[])[0]),
+  );
+  if (levels.some((level, at) => level !== packaged[at])) {
     throw new Error(
-      `${reflection.material} was packaged with patches of the levels ` +
-        `${pattern.levels.join(", ")}, and its values say ${levels.join(", ")}: ` +
-        "make the package anew",
+      `${reflection.material} was packaged with patches of the levels ${packaged.join(", ")}, ` +
+        `and its values say ${levels.join(", ")}: make the package anew`,
     );
   }
-}
-
-/** Primitives or patches that are instances: each of these has the values of all its corners. */
-function gathered(
-  { reflection, pattern }: PackagedShader, mesh: Mesh, corners: number, indices: Uint32Array,
-): Geometry {
-  const count = indices.length / corners;
-  const instances = mesh.instance_count * count;
-  const all = reflection.vertex_inputs.map((input): Attribute => {
-    const { name, corner, is_number, is_of_pattern } = input.mesh!;
-    if (is_of_pattern) return decoded(input, pattern!.vertices[input.name]);
-    const numbers = Uint32Array.from({ length: instances }, (_, at) => {
-      if (corner !== null) return indices[(at % count) * corners + corner];
-      return is_number && name !== "instance_index" ? at % count : Math.floor(at / count);
-    });
-    const type = input.representation.startsWith("u") ? "uint" : "int";
-    if (is_number) return { input, type, lanes: 1, words: numbers };
-    return picked(streamOf(input, mesh, corner === null ? "instance" : "vertex", name), numbers);
-  });
-  const drawn = pattern && wordsOf(pattern.indices);
-  return {
-    attributes: all.filter(({ input }) => !input.buffer),
-    indices: drawn,
-    count: drawn?.length ?? reflection.draw!.vertices!,
-    instances,
-    elements: elementsOf(all.filter(({ input }) => input.buffer), reflection.buffers, instances),
-  };
-}
-
-/** The values of some vertices, in their order. */
-function picked({ words, lanes, ...further }: Attribute, numbers: Uint32Array): Attribute {
-  const found = new Uint32Array(numbers.length * lanes);
-  numbers.forEach((number, at) => {
-    found.set(words.subarray(number * lanes, (number + 1) * lanes), at * lanes);
-  });
-  return { ...further, lanes, words: found };
-}
-
-function streamOf(input: VertexInput, mesh: Mesh, step: string, name: string): Attribute {
-  const streams = step === "instance" ? mesh.instances : mesh.vertices;
-  const stream = streams[`${input.representation} ${name}`];
-  if (!stream) {
-    throw new Error(`a mesh has no \`${name}\` (${input.representation}) for each ${step}`);
-  }
-  return decoded(input, stream);
-}
-
-function decoded(input: VertexInput, { type, lanes, data }: Stream): Attribute {
-  return { input, type, lanes, words: new Uint32Array(bytesOf(data).buffer) };
-}
-
-/** The elements of the storage buffers that inputs are members of. */
-function elementsOf(
-  attributes: Attribute[], buffers: BufferRow[], count: number,
-): Geometry["elements"] {
-  const found: Geometry["elements"] = new Map();
-  for (const { input, type, lanes, words } of attributes) {
-    const { name, member } = input.buffer!;
-    const row = buffers.find((each) => each.name === name)!;
-    if (!found.has(name)) found.set(name, new Uint8Array(count * row.stride));
-    const view = new DataView(found.get(name)!.buffer);
-    const numbers = type === "float" ? new Float32Array(words.buffer) : words;
-    const place = row.members!.find((each) => each.name === member)!;
-    for (let at = 0; at < count; at++) {
-      const value = [...numbers.subarray(at * lanes, (at + 1) * lanes)];
-      write(view, at * row.stride + place.offset, place, value);
-    }
-  }
-  return found;
-}
-
-export interface Interleaved {
-  stride: number;
-  members: { attribute: Attribute; offset: number }[];
-  data: Uint32Array<ArrayBuffer>;
-}
-
-/** The attributes that step alike, as one buffer: WebGPU guarantees 16 attributes, but only 8
- * buffers. */
-export function interleaved(attributes: Attribute[], step: string): Interleaved | null {
-  const members = attributes.filter(({ input }) => input.step === step);
-  if (!members.length) return null;
-  const words = members.reduce((sum, each) => sum + each.lanes, 0);
-  const count = members[0].words.length / members[0].lanes;
-  const data = new Uint32Array(count * words);
-  let first = 0;
-  const placed = members.map((attribute) => {
-    const { lanes } = attribute;
-    for (let at = 0; at < count; at++) {
-      data.set(attribute.words.subarray(at * lanes, (at + 1) * lanes), at * words + first);
-    }
-    first += lanes;
-    return { attribute, offset: 4 * (first - lanes) };
-  });
-  return { stride: 4 * words, members: placed, data };
 }

@@ -1,14 +1,18 @@
 // Opens packages of frames in a web page: see docs/hosts.md.
 
 import { checkVersions, PlanFrame } from "./frame.js";
-import type { Frame, FramePackage } from "./types.js";
+import type { FramePackage } from "./generated/documents.js";
 import { PROFILE as ES_3_00 } from "./webgl2/programs.js";
 import { WebGl2Renderer } from "./webgl2/renderer.js";
 import { Device } from "./webgpu/device.js";
 import { PROFILE as WGSL } from "./webgpu/pipelines.js";
 import { WebGpuRenderer } from "./webgpu/renderer.js";
 
-export type { Camera, Frame, FramePackage, Pixels, Value } from "./types.js";
+export type { Camera, FramePackage, Value } from "./generated/documents.js";
+export type { Pixels } from "./renderer.js";
+
+/** A frame of any API. */
+export type Frame = Pick<PlanFrame<unknown, unknown>, keyof PlanFrame<unknown, unknown>>;
 
 /** What a browser can draw with. */
 export type Api = "webgpu" | "webgl2";

@@ -1,8 +1,8 @@
 """Makes the package of a frame: all that the host for web pages needs, as one JSON document.
 
-``burnish view`` sends packages to its page, and routes of the browser draw with them. The records
-of ``types.ts`` describe the document. What only Python knows is resolved here: what the library's
-declarations mean in a scene, the primitives of meshes, and the patterns of patches.
+``burnish view`` sends packages to its page, and routes of the browser draw with them.
+``package.schema.json`` is the document's JSON Schema. What only Python knows is resolved here: what
+the library's declarations mean in a scene, and what draw calls get of meshes.
 """
 
 from __future__ import annotations
@@ -16,18 +16,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..runner.expanding import pattern_of
+from ...compiler.ir.stages import INSTANCES, VERTICES
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance
-from ..runner.instances.shapes import kind_of, stored_as
+from ..runner.instances.shapes import stored_as
 from ..runner.looks import PLAIN
-from ..runner.meshes import Indices, Mesh
-from ..runner.patches import patches
-from ..runner.primitives import primitives
-from ..runner.scene import inputs_of_mesh, texture_roles, value_roles, vertex_data
+from ..runner.mesh_buffers import mesh_rows
+from ..runner.meshes import Mesh
+from ..runner.scene import texture_roles, value_roles
+from ..runner.scene_state import drawn_state
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
+from .webgpu import WGSL, webgpu_pipeline
 
 MODULES = Path(__file__).with_name("modules")
 """The folder with the modules that a page loads; ``host.js`` is the first of them."""
@@ -42,7 +43,7 @@ _CAMERA = {"world_to_clip": "view_projection", "eye": "eye"}
 """What the host calls a value of the camera, by what a scene calls it."""
 
 
-def frame_package(host: FrameHost, profiles: Iterable[str] = ("wgsl:webgpu",)) -> dict[str, Any]:
+def frame_package(host: FrameHost, profiles: Iterable[str] = (WGSL,)) -> dict[str, Any]:
     """The package of a frame with the values and the scene that its host has now, and with the
     texts for some profiles.
 
@@ -58,8 +59,9 @@ class _Package:
         self._profiles = profiles
         self._pictures: list[dict[str, Any]] = []
         self._picture_of: dict[Texture, int] = {}
-        self._meshes: list[dict[str, Any]] = []
-        self._mesh_of: dict[int, int] = {}
+        self._geometries: list[dict[str, Any]] = []
+        self._geometry_of: dict[tuple[int, int], int] = {}
+        self._instances: list[Instance] = []
 
     def document(self) -> dict[str, Any]:
         host = self._host
@@ -71,10 +73,8 @@ class _Package:
             "shaders": [self._shader(*each) for each in enumerate(host.shaders)],
             "size": list(host.size),
             "camera": {own: camera[name] for name, own in _CAMERA.items()},
-            "scene": {
-                "models": [self._model(model) for model in host.scenery.models],
-                "meshes": self._meshes,
-            },
+            "models": [self._model(model) for model in host.scenery.models],
+            "geometries": self._geometries,
             "values": _values(values),
             "roles": _roles(values.reflection),
             "given": sorted(host.given),
@@ -89,16 +89,19 @@ class _Package:
         instance = self._host.instances[number].copied()
         plain = replace(self._host.scenery.scene, look=PLAIN, bones=None)
         plain.apply(instance, _SQUARE, self._host.given)
-        reflection = instance.reflection
+        self._instances.append(instance)
+        reflection, texts = instance.reflection, self._texts(shader)
+        stages = texts.get(WGSL)
         return {
             "reflection": _without_source_maps(reflection),
-            "texts": self._texts(shader),
+            "texts": texts,
             "values": _values(instance),
             "roles": _roles(reflection),
             "textures": self._textures(instance),
             "texture_roles": texture_roles(reflection),
             "buffers": _buffers(instance),
-            "pattern": _pattern(instance),
+            "levels": _levels(instance),
+            "webgpu": webgpu_pipeline(reflection, stages) if stages else None,
         }
 
     def _texts(self, shader: Subject) -> dict[str, dict[str, Any]]:
@@ -125,12 +128,10 @@ class _Package:
         words = {
             word for each in shaders for word in texture_roles(self._reflection(each)).values()
         }
-        mesh = self._mesh(model.mesh)
         return {
             "material": model.material,
             "tags": ["scene", *sorted(model.tags)],
-            "mesh": mesh,
-            "primitives": {str(each): self._primitives(mesh, model.mesh, each) for each in shaders},
+            "geometries": {str(each): self._geometry(model.mesh, each) for each in shaders},
             "values": {
                 role: value
                 for role, value in scene.values(_SQUARE).items()
@@ -158,28 +159,15 @@ class _Package:
                     use["shader"] for use in drawn["uses"] if use["material"] == model.material
                 )
 
-    def _mesh(self, mesh: Mesh) -> int:
-        if id(mesh) not in self._mesh_of:
-            self._mesh_of[id(mesh)] = len(self._meshes)
-            self._meshes.append({
-                "vertices": {}, "instances": {}, "instance_count": mesh.instance_count,
-                "primitives": [],
-            })  # fmt: skip
-        return self._mesh_of[id(mesh)]
-
-    def _primitives(self, number: int, mesh: Mesh, shader: int) -> int:
-        """Add to a mesh what a shader reads of it; returns the number of the primitives."""
-        reflection, row = self._reflection(shader), self._meshes[number]
-        data = vertex_data(reflection, mesh)
-        for each in inputs_of_mesh(reflection):
-            streams = row["instances" if each["step"] == "instance" else "vertices"]
-            key = f"{each['representation']} {each['name']}"
-            streams[key] = _stream(each["representation"], data[each["name"]])
-        drawn = _indices(_drawn_of(mesh, reflection["draw"]))
-        if drawn not in row["primitives"]:
-            row["primitives"].append(drawn)
-        found: int = row["primitives"].index(drawn)
-        return found
+    def _geometry(self, mesh: Mesh, shader: int) -> int:
+        """The number of what a shader gets of a mesh. Shaders with the same inputs share it."""
+        key = id(mesh), shader
+        if key not in self._geometry_of:
+            made = _geometry(self._instances[shader].copied(), mesh)
+            if made not in self._geometries:
+                self._geometries.append(made)
+            self._geometry_of[key] = self._geometries.index(made)
+        return self._geometry_of[key]
 
     # --- pictures --------------------------------------------------------------------------------
 
@@ -200,31 +188,48 @@ class _Package:
         return self._picture_of[texture]
 
 
-def _drawn_of(mesh: Mesh, draw: Row) -> Indices:
-    """The vertices of each primitive or patch that a shader draws of a mesh."""
-    row = draw["tessellation"]
-    if row is None:
-        return primitives(mesh, draw["primitive"])
-    return patches(mesh, row["kind"], draw["corners"], row["ends"])
+def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
+    """What a draw call gets of a mesh. The instance gets the buffer that has vertex inputs."""
+    state = drawn_state(instance, mesh, (1, 1))
+    rows = [row for row in instance.reflection["vertex_inputs"] if row["buffer"] is None]
+    steps = {
+        step: [(row, state.attributes[row["name"]]) for row in rows if row["step"] == step]
+        for step in (VERTICES, INSTANCES)
+    }
+    corners = state.triangles.reshape(-1)
+    is_in_order = np.array_equal(corners, np.arange(len(corners)))
+    buffers = instance.buffers()
+    return {
+        "vertices": _interleaved(steps[VERTICES]),
+        "instances": _interleaved(steps[INSTANCES]),
+        "indices": None if is_in_order else _base64(corners.astype("<u4").tobytes()),
+        "count": len(corners),
+        "instance_count": state.instance_count,
+        "elements": {
+            name: _base64(buffers[name].data)
+            for name in {row["buffer"]["name"] for row in mesh_rows(instance.reflection)}
+        },
+    }
 
 
-def _pattern(instance: Instance) -> dict[str, Any] | None:
-    """How the host divides patches, if it does; with the values that the instance has now."""
+def _interleaved(inputs: list[tuple[Row, NDArray[Any]]]) -> str:
+    """All inputs of one vertex or instance after the other. WebGPU guarantees 16 of them, but only
+    8 buffers."""
+    words = [
+        np.ascontiguousarray(values).astype(stored_as(row["representation"])).view("<u4")
+        for row, values in inputs
+    ]
+    return _base64(np.hstack(words).tobytes()) if words else ""
+
+
+def _levels(instance: Instance) -> list[float] | None:
+    """How finely the host divides patches, if it does; with the values that the instance has."""
     draw = instance.reflection["draw"]
     row = draw and draw["tessellation"]
     if not row or row["levels"] is None:
         return None
     edges, inside = instance.patch_levels()
-    attributes, cells = pattern_of(instance)
-    return {
-        "levels": [*edges, *inside],
-        "vertices": {
-            each["name"]: _stream(each["representation"], attributes[each["name"]])
-            for each in instance.reflection["vertex_inputs"]
-            if each["name"] in attributes
-        },
-        "indices": _indices(cells)["indices"],
-    }
+    return [*edges, *inside]
 
 
 def _roles(reflection: Row) -> dict[str, str]:
@@ -248,19 +253,9 @@ def _buffers(instance: Instance) -> dict[str, str]:
 def _without_source_maps(reflection: Row) -> dict[str, Any]:
     """A reflection without what is longest of it, and what no host draws with."""
     backends = {
-        profile: {key: value for key, value in row.items() if key != "source_maps"}
-        for profile, row in reflection["backends"].items()
+        profile: {**row, "source_maps": {}} for profile, row in reflection["backends"].items()
     }
     return {**reflection, "backends": backends}
-
-
-def _stream(representation: str, values: NDArray[Any]) -> dict[str, Any]:
-    data = np.ascontiguousarray(values).astype(stored_as(representation)).tobytes()
-    return {"type": kind_of(representation), "lanes": values.shape[1], "data": _base64(data)}
-
-
-def _indices(rows: Indices) -> dict[str, Any]:
-    return {"corners": rows.shape[1], "indices": _base64(rows.astype("<u4").tobytes())}
 
 
 def _base64(data: bytes) -> str:

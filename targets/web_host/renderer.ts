@@ -1,20 +1,15 @@
 // What an API of the browser has to do for frames: `frame.ts` says when.
 
-import type { DrawSettings } from "./areas.js";
-import type { Geometry } from "./geometry.js";
-import type { Dimension, PackagedShader, Picture, Pixels, Target } from "./types.js";
+import type { PackagedShader, Picture, PlanTarget, PlanTexture } from "./generated/documents.js";
+import type { Mesh } from "./geometry.js";
 import type { Values } from "./values.js";
 
 /** A texture that a frame draws to. */
-export interface TextureSize {
+export interface TextureSize
+  extends Pick<PlanTexture, "dimension" | "layers" | "levels" | "samples" | "uses"> {
   format: GPUTextureFormat;
-  dimension: Dimension;
   width: number;
   height: number;
-  layers: number;
-  levels: number;
-  /** Whether kernels write it as an image. */
-  isImage: boolean;
 }
 
 /** A shader of a frame, by its number, with everything that it reads. */
@@ -27,17 +22,36 @@ export interface Bound<Texture, Buffer> {
 }
 
 export interface DrawCall<Texture, Buffer> extends Bound<Texture, Buffer> {
-  geometry: Geometry;
+  mesh: Mesh;
 }
 
 /** What a target, or the depths, are drawn to. */
 export interface Attachment<Texture> {
-  target: Pick<Target, "level" | "load" | "store" | "stencil">;
+  target: Pick<PlanTarget, "level" | "load" | "store" | "stencil">;
   texture: Texture;
   layer: number;
+  /** Where the means of its samples are written behind the draws. */
+  resolve: { texture: Texture; layer: number; level: number } | null;
   /** What it is cleared to: a colour, or a depth. */
   clear: number[];
 }
+
+/** A part of a picture: left, top, width and height. */
+export type Area = [number, number, number, number];
+
+/** What a step sets for all that it draws. */
+export interface DrawSettings {
+  /** Into which part of the targets the clip volume is drawn. */
+  viewport: Area;
+  /** To which part of the targets is drawn: nothing outside of the viewport. */
+  scissor: Area;
+  /** What the factor `constant` means where targets are blended. */
+  blendConstant: [number, number, number, number];
+}
+
+/** Layer by layer and row by row from the top, four linear numbers a pixel. Lanes that the format
+ * lacks are 0, 0, 1; depths are in the first lane. */
+export interface Pixels { width: number; height: number; layers: number; texels: Float32Array }
 
 export interface Renderer<Texture, Buffer> {
   /** The profile whose texts it draws. */
@@ -56,10 +70,8 @@ export interface Renderer<Texture, Buffer> {
 
   begin(): void;
   draw(
-    targets: Attachment<Texture>[],
-    depth: Attachment<Texture> | null,
-    calls: DrawCall<Texture, Buffer>[],
-    settings: DrawSettings,
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null,
+    calls: DrawCall<Texture, Buffer>[], settings: DrawSettings,
   ): void;
   run(kernel: Bound<Texture, Buffer>, images: Texture[], groups: number[]): void;
   copy(from: Texture, to: Texture): void;

@@ -1,8 +1,8 @@
 // Computes values from the steps of a plan or a reflection: see "Derived values" in
 // docs/reflection.md.
 
-import { evaluate, type Kind, type Lanes } from "./functions.js";
-import type { Operation } from "./types.js";
+import { LANEWISE, WHOLE, type Kind, type Lanes } from "./generated/builtins.js";
+import type { Step } from "./generated/documents.js";
 
 /** Lanes of a number or a vector, columns, elements, or members by name. */
 export type Datum = number[] | Datum[] | { [member: string]: Datum };
@@ -16,11 +16,9 @@ export interface Inputs {
 
 /** The value of the last step. `element` is the number of the element of an array, if it is one's
  * value. */
-export function compute(steps: Operation[], inputs: Inputs, element?: number): Datum {
-  return new Computation(steps, inputs).body(
-    steps.length - 1,
-    element === undefined ? [] : [[element]],
-  );
+export function compute(steps: Step[], inputs: Inputs, element?: number): Datum {
+  const bound = element === undefined ? [] : [[element]];
+  return new Computation(steps, inputs).body(steps.length - 1, bound);
 }
 
 class Computation {
@@ -28,7 +26,7 @@ class Computation {
   private readonly constant = new Map<number, Datum>();
 
   constructor(
-    private readonly steps: Operation[],
+    private readonly steps: Step[],
     private readonly inputs: Inputs,
   ) {
     this.depths = depthsOf(steps);
@@ -58,7 +56,7 @@ class Computation {
     return [...found].sort((a, b) => a - b);
   }
 
-  private step(row: Operation, operands: Datum[], bound: Datum[]): Datum {
+  private step(row: Step, operands: Datum[], bound: Datum[]): Datum {
     const values = operands as number[][];
     switch (row.op) {
       case "parameter":
@@ -80,7 +78,7 @@ class Computation {
         return typeof part === "number" ? [part] : part;
       }
       case "member":
-        return (operands[0] as unknown as { [member: string]: Datum })[row.member!];
+        return (operands[0] as { [member: string]: Datum })[row.member!];
       case "swizzle":
         return row.lanes!.map((lane) => values[0][lane]);
       case "vector":
@@ -97,10 +95,9 @@ class Computation {
       case "fold":
         return this.fold(row, values, bound);
     }
-    throw new Error(`this host does not know the step ${row.op}`);
   }
 
-  private fold(row: Operation, [[count], start]: number[][], bound: Datum[]): Datum {
+  private fold(row: Step, [[count], start]: number[][], bound: Datum[]): Datum {
     let result: Lanes = start;
     for (let turn = 0; turn < Math.min(count, row.bound!); turn++) {
       const value = this.body(row.args[2], [[turn], ...bound]) as number[];
@@ -110,14 +107,29 @@ class Computation {
   }
 }
 
+/** The value of a builtin; `kind` is the type of the operands' lanes. */
+export function evaluate(name: string, operands: Lanes[], kind: Kind): Lanes {
+  const shapes = operands.map((each) =>
+    Array.isArray(each[0]) ? `${each.length}x${each[0].length}` : each.length,
+  );
+  const whole = WHOLE[[name, kind, ...shapes].join(" ")];
+  if (whole) return whole(...operands);
+  const lanewise = LANEWISE[`${name} ${kind}`];
+  if (!lanewise) throw new Error(`this host does not know the function ${name} of ${kind}`);
+  const lanes = operands as number[][];
+  return Array.from({ length: Math.max(...lanes.map((each) => each.length)) }, (_, at) =>
+    lanewise(...lanes.map((each) => each[each.length === 1 ? 0 : at])),
+  );
+}
+
 /** The arguments that are not a body under the step's binder. */
-function outside(row: Operation): number[] {
+function outside(row: Step): number[] {
   if (row.op === "fold") return row.args.slice(0, 2);
   return row.op === "apply" ? row.args.slice(1) : row.args;
 }
 
 /** For each step, how many of the binders around it bind a variable that it uses. */
-function depthsOf(steps: Operation[]): number[] {
+function depthsOf(steps: Step[]): number[] {
   const depths: number[] = [];
   for (const row of steps) {
     let depth = Math.max(0, ...outside(row).map((each) => depths[each]));
@@ -137,6 +149,6 @@ function constantOf(value: unknown): Datum {
 /** The type of the lanes of a number, vector or matrix. */
 export function kindOf(type: string): Kind {
   if (type === "int" || type === "uint" || type === "bool") return type;
-  const letter = /^([iub])vec[234]$/.exec(type)?.[1];
-  return letter === "i" ? "int" : letter === "u" ? "uint" : letter === "b" ? "bool" : "float";
+  const kinds: Record<string, Kind> = { ivec: "int", uvec: "uint", bvec: "bool" };
+  return kinds[type.slice(0, 4)] ?? "float";
 }

@@ -22,6 +22,8 @@ export interface Control {
   range?: [number, number] | null;
   /** Of a texture: whether it is something else than the default, which `value` names. */
   is_given?: boolean;
+  /** The picture that the page has given it. */
+  picture: { file: string; is_float: boolean; is_srgb: boolean } | null;
   /** Whether it is a number that changes from frame to frame, such as a time. */
   is_timed?: boolean;
 }
@@ -32,6 +34,8 @@ export interface Choice {
   rig: string | null;
   pass: string | null;
   mesh: string | null;
+  /** Which output is shown of it; the server need not know. */
+  output?: string | null;
 }
 
 /** What every document has. */
@@ -42,6 +46,8 @@ export interface Head {
   rigs: string[];
   passes: string[];
   meshes: string[];
+  /** How large the file of a picture may be. */
+  most_bytes: number;
 }
 
 /** What is wrong, as the compiler shows it on a terminal. */
@@ -60,8 +66,11 @@ export interface Drawable extends Head {
 
 export type Document = Broken | Drawable;
 
-export async function fetchDocument(choice: Choice, profile: string): Promise<Document> {
-  const asked = new URLSearchParams({ profile });
+/** The document of a choice; `further` are names and values of the query besides. */
+export async function fetchDocument(
+  choice: Choice, profile: string, further: [string, string][],
+): Promise<Document> {
+  const asked = new URLSearchParams([["profile", profile], ...further]);
   for (const [name, value] of Object.entries(choice)) if (value) asked.set(name, value);
   const answer = await fetch(`/document?${asked}`);
   if (!answer.ok) throw new Error(`The server answered: ${answer.status} ${await answer.text()}`);

@@ -5,11 +5,14 @@ import { chosenApi, NO_API, TITLES } from "./apis.js";
 import {
   fetchDocument, listen, type Choice, type Document, type Drawable,
 } from "./documents.js";
+import { BufferView } from "./buffers.js";
+import { takeDrops } from "./drops.js";
 import { element, make } from "./elements.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
-import { Screen } from "./screen.js";
+import { Pictures } from "./pictures.js";
+import { Screen, type Status } from "./screen.js";
 import { showTextsOf } from "./texts.js";
 
 const canvas = element("picture", HTMLCanvasElement);
@@ -24,7 +27,7 @@ const outputs = element("output", HTMLSelectElement);
 const play = element("play", HTMLButtonElement);
 
 /** What the page shows; its address says it too, so that a bookmark leads to the same. */
-const choice: Choice = { subject: null, rig: null, pass: null, mesh: null };
+const choice: Choice = { subject: null, rig: null, pass: null, mesh: null, output: null };
 let shown: Drawable | null = null;
 /** Why the source cannot be drawn, and why the picture cannot. */
 const problems = { source: "", picture: "" };
@@ -42,15 +45,19 @@ function view(api: Api): void {
       problems.picture = text;
       tellProblems();
     },
-    drawn({ width, height, rate }) {
-      element("size", HTMLElement).textContent = `${width} × ${height}`;
-      const fps = element("rate", HTMLElement);
-      fps.textContent = rate === null ? "" : `${Math.round(rate)} fps`;
-      canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);
+    drawn(status) {
+      buffer.hide();
+      tellStatus(status);
+    },
+    written(layout, bytes) {
+      buffer.show(layout, bytes);
+      tellStatus(null);
     },
     runs: () => panel?.runs ?? false,
     elapsed: (seconds) => panel?.advance(seconds),
   });
+  const buffer = new BufferView();
+  const pictures = new Pictures(() => void load());
   let panel: Panel | null = null;
 
   async function showDocument(found: Document): Promise<void> {
@@ -59,12 +66,12 @@ function view(api: Api): void {
     if (found.error === undefined) {
       panel ??= new Panel(
         element("controls", HTMLElement), found.file,
-        (name, value) => screen.set(name, value), () => screen.request(),
+        (name, value) => screen.set(name, value), () => screen.request(), pictures,
       );
       const before = shown;
       shown = found;
       Object.assign(choice, found.chosen);
-      const values = panel.show(found.chosen.subject ?? "", found.controls);
+      const values = panel.show(found.chosen.subject ?? "", found.controls, found.most_bytes);
       fillOutputs(found);
       showTextsOf(found.package);
       try {
@@ -93,7 +100,10 @@ function view(api: Api): void {
     try {
       while (again) {
         again = false;
-        const found = await fetchDocument(choice, PROFILES[api]);
+        const found = await fetchDocument(choice, PROFILES[api], pictures.query);
+        if (found.error === undefined) {
+          again ||= pictures.enter(`${found.file}/${found.chosen.subject}`);
+        }
         if (!again) await showDocument(found);
       }
     } catch (error) {
@@ -111,25 +121,29 @@ function view(api: Api): void {
     (isConnected) => { element("gone", HTMLElement).hidden = isConnected; },
   );
   follow(canvas, () => screen.orbit, () => screen.request());
+  takeDrops(() => panel, notify);
 
   for (const [name, select] of Object.entries(selects)) {
     select.addEventListener("change", () => {
       choice[name as keyof Choice] = select.value;
-      // Another subject begins with the rig and the pass of its own.
-      if (name === "subject") choice.pass = null;
-      const asked = Object.entries(choice).filter(([, value]) => value) as [string, string][];
-      history.replaceState(null, "", `?${new URLSearchParams(asked)}`);
+      // Another subject begins with the rig, the pass and the output of its own.
+      if (name === "subject") choice.pass = choice.output = null;
+      remember();
       void load();
     });
   }
-  outputs.addEventListener("change", () => screen.show(outputs.value));
+  outputs.addEventListener("change", () => {
+    choice.output = outputs.value;
+    remember();
+    screen.show(outputs.value);
+  });
   element("scale", HTMLSelectElement).addEventListener("change", (event) => {
     screen.scale = Number((event.target as HTMLSelectElement).value);
     screen.request();
   });
 
   const acts: Record<string, () => void> = {
-    home: () => screen.resetCamera(),
+    home: () => (screen.showsBuffer ? buffer.home() : screen.resetCamera()),
     play: () => {
       screen.playing = !screen.playing;
       play.setAttribute("aria-pressed", String(!screen.playing));
@@ -139,7 +153,7 @@ function view(api: Api): void {
     restart: () => {
       if (shown) void showDocument(shown);
     },
-    save: () => void saved(screen),
+    save: () => void saved(screen.showsBuffer ? buffer : screen),
     defaults: () => panel?.resetAll(),
     copy: () => void navigator.clipboard.writeText(panel?.options ?? ""),
   };
@@ -147,12 +161,38 @@ function view(api: Api): void {
     element(id, HTMLButtonElement).addEventListener("click", act);
   }
   const keys: Record<string, string> = { h: "home", " ": "play", ".": "step", r: "restart", s: "save" };
-  canvas.addEventListener("keydown", (event) => {
+  element("stage", HTMLElement).addEventListener("keydown", (event) => {
+    const isPicture = event.target instanceof HTMLCanvasElement;
     const name = keys[event.key.toLowerCase()];
-    if (!name || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!isPicture || !name || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     acts[name]!();
   });
+}
+
+/** Say something for a few seconds. */
+function notify(text: string): void {
+  const place = element("notice", HTMLElement);
+  place.textContent = text;
+  place.hidden = false;
+  clearTimeout(Number(place.dataset.timer));
+  place.dataset.timer = String(setTimeout(() => { place.hidden = true; }, 4000));
+}
+
+/** Have the page's address say what is shown. */
+function remember(): void {
+  const asked = Object.entries(choice).filter(([, value]) => value) as [string, string][];
+  history.replaceState(null, "", `?${new URLSearchParams(asked)}`);
+}
+
+/** Say how large the picture is, and how fast it was drawn; null for what is no picture. */
+function tellStatus(status: Status | null): void {
+  const times = status && status.magnified !== 1 ? ` at ${Number(status.magnified.toPrecision(2))}×` : "";
+  element("size", HTMLElement).textContent =
+    status ? `${status.width} × ${status.height}${times}` : "";
+  const rate = status?.rate ?? null;
+  element("rate", HTMLElement).textContent = rate === null ? "" : `${Math.round(rate)} fps`;
+  canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);
 }
 
 /** Offer what the file has to choose from. */
@@ -168,9 +208,9 @@ function fillSelects(found: Document): void {
 }
 
 function fillOutputs(found: Drawable): void {
-  const rows = found.package.plan.outputs.filter(({ texture }) => texture !== null);
-  const names = rows.map(({ name }) => name);
-  fill(outputs, names, names.includes(outputs.value) ? outputs.value : (names[0] ?? null));
+  const names = found.package.plan.outputs.map(({ name }) => name);
+  const asked = choice.output ?? outputs.value;
+  fill(outputs, names, names.includes(asked) ? asked : (names[0] ?? null));
 }
 
 /** The options of a list, which is hidden where there is nothing to choose. */
@@ -192,7 +232,7 @@ function describe(found: Drawable): void {
 }
 
 /** Offer the picture as a file to keep. */
-async function saved(screen: Screen): Promise<void> {
+async function saved(screen: { picture(): Promise<Blob> }): Promise<void> {
   const link = make("a", { download: `${choice.subject ?? "picture"}.png` });
   link.href = URL.createObjectURL(await screen.picture());
   link.click();

@@ -3,6 +3,7 @@
 
 import { openFrame, type Api, type Frame, type FramePackage, type Value } from "../web_host/host.js";
 import { Orbit, type OrbitRow } from "./orbit.js";
+import { layoutOf, type Layout } from "./records.js";
 
 /** How much of the last measurements counts for the number of frames per second. */
 const SMOOTHING = 0.9;
@@ -11,11 +12,22 @@ const LONGEST = 0.5;
 /** A picture has no more pixels on a side than this. */
 const LARGEST = 4096;
 
+/** What was drawn. */
+export interface Status {
+  width: number;
+  height: number;
+  /** How many pixels of the screen one of the picture has on a side. */
+  magnified: number;
+  rate: number | null;
+}
+
 export interface Watcher {
   /** Something could not be drawn; an empty text if it can be again. */
   problem(text: string): void;
   /** A picture was drawn. */
-  drawn(status: { width: number; height: number; rate: number | null }): void;
+  drawn(status: Status): void;
+  /** A buffer was written. */
+  written(layout: Layout, bytes: Uint8Array): void;
   /** Whether anything runs with the time. */
   runs(): boolean;
   /** So many seconds have gone by. */
@@ -31,6 +43,10 @@ export class Screen {
   private package: FramePackage | null = null;
   private start: OrbitRow | null = null;
   private output = "";
+  /** How the elements of the output lie, if it is a buffer. */
+  private layout: Layout | null = null;
+  private reading = false;
+  private readsAgain = false;
   private waiting = 0;
   private before = 0;
   private rate: number | null = null;
@@ -65,7 +81,7 @@ export class Screen {
     this.package = opened;
     if (JSON.stringify(start) !== JSON.stringify(this.start)) this.orbit = new Orbit(start);
     this.start = start;
-    this.output = output;
+    this.choose(output);
     this.draw();
     if (this.goesOn) this.request();
     // What the API refuses it tells later.
@@ -80,8 +96,19 @@ export class Screen {
   }
 
   show(output: string): void {
-    this.output = output;
+    this.choose(output);
     this.request();
+  }
+
+  /** Whether a buffer is shown, and no picture. */
+  get showsBuffer(): boolean {
+    return this.layout !== null;
+  }
+
+  private choose(output: string): void {
+    this.output = output;
+    this.layout = this.package && layoutOf(this.package, output);
+    this.canvas.classList.toggle("covered", this.showsBuffer);
   }
 
   resetCamera(): void {
@@ -138,21 +165,58 @@ export class Screen {
   private present(): void {
     const { frame, canvas } = this;
     if (!frame) return;
+    if (this.layout) {
+      void this.readElements();
+      return;
+    }
+    // The canvas has the pixels of the output, and the browser brings it to the size of its place.
+    const [width, height] = frame.sizeOf(this.output);
+    if (canvas.width !== width || canvas.height !== height) {
+      [canvas.width, canvas.height] = [width, height];
+    }
+    const magnified = devicePixelRatio *
+      Math.min(canvas.clientWidth / width, canvas.clientHeight / height);
+    const [wide, high] = this.size();
+    const isOwn = width !== wide || height !== high;
+    canvas.classList.toggle("crisp", isOwn && magnified > 1);
     frame.show(this.output);
-    this.watcher.drawn({ width: canvas.width, height: canvas.height, rate: this.rate });
+    this.watcher.drawn({ width, height, magnified: isOwn ? magnified : 1, rate: this.rate });
+  }
+
+  /** Tell what is in the buffer; one reading at a time, and once more for what was drawn in the
+   * meantime. */
+  private async readElements(): Promise<void> {
+    this.readsAgain = true;
+    if (this.reading) return;
+    this.reading = true;
+    while (this.readsAgain && this.frame && this.layout) {
+      this.readsAgain = false;
+      const { frame, layout } = this;
+      try {
+        const bytes = await frame.readElements(this.output);
+        if (frame === this.frame && layout === this.layout) this.watcher.written(layout, bytes);
+      } catch (error) {
+        if (frame === this.frame) this.watcher.problem((error as Error).message);
+      }
+    }
+    this.reading = false;
+  }
+
+  /** The pixels of a picture that covers the canvas. */
+  private size(): [number, number] {
+    const factor = this.scale * devicePixelRatio;
+    const { clientWidth, clientHeight } = this.canvas;
+    const [width, height] = [clientWidth, clientHeight].map((side) =>
+      Math.min(Math.round(side * factor), LARGEST),
+    );
+    return [width, height];
   }
 
   /** Give the frame its size and camera. Returns whether there is anything to see. */
   private fit(): boolean {
-    const { canvas, frame, orbit } = this;
-    const factor = this.scale * devicePixelRatio;
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) =>
-      Math.min(Math.round(side * factor), LARGEST),
-    ) as [number, number];
+    const { frame, orbit } = this;
+    const [width, height] = this.size();
     if (!frame || !orbit || width < 1 || height < 1) return false;
-    if (canvas.width !== width || canvas.height !== height) {
-      [canvas.width, canvas.height] = [width, height];
-    }
     frame.resize(width, height);
     const widening = Math.max(1, height / width);
     frame.setCamera({ view_projection: orbit.viewProjection(widening), eye: orbit.eye });

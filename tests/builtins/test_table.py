@@ -35,7 +35,7 @@ def declared_functions() -> dict[str, int]:
 def test_every_row_has_a_meaning_and_every_meaning_a_row() -> None:
     meant: set[str] = set().union(
         functions._FLOATS, functions._INTEGERS, functions._OF_ANOTHER_KIND,
-        functions._CONVERSIONS, functions._WHOLE, functions._OF_GROUPS,
+        functions._CONVERSIONS, functions.WHOLE, functions._OF_GROUPS,
     )  # fmt: skip
     assert BUILTINS.keys() == meant | {"dot"}
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import burnish
@@ -126,9 +127,38 @@ frame F {
     output value = seen.value
 }
 """
+CANCELLED = """
+kernel Steps { result steps : int[64] = int(float(index) / 7 * 7) }
+pass Seen : Shown { buffer steps : int[]  shown = float(steps[here]) }
+frame F {
+    made = Steps()
+    seen = Seen(screen) with { steps = made.steps }
+    output value = seen.value
+}
+"""
+"""Texts do not compute the division, so that it cannot change their picture."""
+UNDEFINED = """
+kernel Made {
+    away = normalize(nonzero(vec2(float(index mod 16), 0)))
+    result roots : float[64] = away.x + unguarded(sqrt(float(index - 3)))
+    result parts : int[64] = unguarded(600 / (index mod 20))
+}
+pass Seen : Shown {
+    buffer roots : float[]
+    buffer parts : int[]
+    shown = roots[here] + float(parts[here])
+}
+frame F {
+    made = Made()
+    seen = Seen(screen) with { roots = made.roots, parts = made.parts }
+    output value = seen.value
+}
+"""
+"""Of the elements 0, 1, 2, 16, 20, 32, 40, 48 and 60 nothing is defined."""
 FRAMES = {
     "rounded": ROUNDED, "members": MEMBERS, "tipping": TIPPING, "chosen": CHOSEN,
-    "scattered": SCATTERED, "growing": GROWING, "placed": PLACED,
+    "scattered": SCATTERED, "growing": GROWING, "placed": PLACED, "cancelled": CANCELLED,
+    "undefined": UNDEFINED,
 }  # fmt: skip
 
 
@@ -139,6 +169,8 @@ WRONG = {
     "chosen": ("int(nearly(index))", "int(nearly(index)) + 1"),
     "scattered": ("add uint(index)", "add uint(index + 1)"),
     "growing": ("1.5 *", "1.5002 *"),
+    "cancelled": ("* 7)", "* 7) + 1"),
+    "undefined": ("= away.x", "= 1.01 * away.x"),
     "placed": ("sin(float(index))", "sin(float(index)) + 0.01"),
 }
 """What the kernel of each frame says, and what one says that is slightly wrong."""
@@ -194,3 +226,10 @@ def test_a_device_may_round_to_either_side(
     draw_instead(monkeypatch, text.replace("nearly(index)", f"nearly(index) {step}"), route)
     row = judged(studio, text, route)
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
+
+
+def test_pixels_that_read_undefined_elements_are_undecided(studio: Studio) -> None:
+    row = judged(studio, UNDEFINED, "lavapipe:glsl")
+    (result,) = row.results
+    undecided = np.flatnonzero(result.expected.undecided)
+    assert undecided.tolist() == [0, 1, 2, 16, 20, 32, 40, 48, 60]

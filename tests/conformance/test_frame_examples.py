@@ -6,7 +6,7 @@ is drawn by one route of each API, and by two of the others in turn.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,11 +14,12 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.rows import Row
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
 
 from ..frames.kit import EXAMPLES
-from .kit import Studio
+from .kit import Studio, keeping_the_last
 
 ALWAYS = ("lavapipe:glsl", "llvmpipe:gl450", "chromium:webgpu", "chromium:webgl2")
 OTHERS = [
@@ -40,19 +41,36 @@ def routes_of(path: Path) -> Iterator[str]:
 
 
 CASES = [
-    pytest.param(path, route, id=f"{path.stem}-{route}")
+    # One process draws all of an example, if processes are given groups.
+    pytest.param(
+        path, route, id=f"{path.stem}-{route}", marks=pytest.mark.xdist_group(f"frames/{path.stem}")
+    )
     for path in EXAMPLES
     for route in routes_of(path)
 ]
 
 
+@pytest.fixture(scope="module")
+def rows(studio: Studio) -> Callable[[Path], dict[str, Row]]:
+    """What is found of an example, by route."""
+
+    @keeping_the_last
+    def found(path: Path) -> dict[str, Row]:
+        routes = [ROUTES[name] for name in routes_of(path)]
+        profiles = tuple(dict.fromkeys(route.profile for route in routes))
+        (frame,) = burnish.compile(path, profiles).frames
+        rows = conform(
+            [(path.stem, frame)], routes, studio.runner, studio.toolchain, size=SIZE,
+            threads=1,  # Frames need much memory, and threads do not draw faster.
+        )  # fmt: skip
+        return {row.route.name: row for row in rows}
+
+    return found
+
+
 @pytest.mark.parametrize(("path", "route"), CASES)
-def test_it_agrees(studio: Studio, path: Path, route: str) -> None:
-    (frame,) = burnish.compile(path, (ROUTES[route].profile,)).frames
-    # Routes share little of what the reference draws, and several at once need much memory.
-    (row,) = conform(
-        [(path.stem, frame)], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE
-    )
+def test_it_agrees(rows: Callable[[Path], dict[str, Row]], path: Path, route: str) -> None:
+    row = rows(path)[route]
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
     assert all(np.isfinite(target).all() for result in row.results for target in result.got)
     # A frame that shows the same everywhere would agree whatever went wrong.

@@ -15,6 +15,7 @@ from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.types import BOOL
 from burnish.frozen import changed
 from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.kernels import KernelPlan
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import stage
 from burnish.targets.runner import kernels as running
@@ -153,3 +154,24 @@ def test_without_a_planted_error_all_agrees(studio: Studio) -> None:
     kernel = burnish.compile(INSIDE, ("glsl:vulkan",))["Inside"]
     (row,) = conform([("k", kernel)], [ROUTES["lavapipe:glsl"]], studio.runner, studio.toolchain)
     assert row.status == "agrees"
+
+
+CANCELLED = """
+kernel Cancelled { result steps : int[200] = int(float(index) / 7 * 7) }
+"""
+"""Its text does not compute the division, whose rounding tips some elements."""
+
+
+def test_what_tips_in_double_precision_is_no_change_of_the_meaning(studio: Studio) -> None:
+    kernel = burnish.compile(CANCELLED, ("glsl:vulkan",))["Cancelled"]
+    (row,) = conform([("k", kernel)], [ROUTES["lavapipe:glsl"]], studio.runner, studio.toolchain)
+    assert row.status == "agrees", "\n".join(details(row)) or row.problem
+
+
+def test_some_case_of_a_kernel_has_elements() -> None:
+    """A name may draw no element in all cases that allow for none."""
+    for name in "abcdefgh":
+        text = f"kernel K {{ buffer {name} : float[]  result r : float[{name}.count] = 1 }}"
+        kernel = burnish.compile(text, ("glsl:vulkan",))["K"]
+        sizes = [run.count for run in KernelPlan("K", kernel, 0)._runs]
+        assert max(sizes) > 1

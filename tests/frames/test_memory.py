@@ -23,7 +23,8 @@ from .kit import EXAMPLES, compiled, memory_share
 def planned(*spans: tuple[int, int], kept: int = -1, once: int | None = None) -> dict[str, Any]:
     """A plan with a texture for each result, which is needed from one step to another; one is kept
     for the next frame, and one is drawn once."""
-    drawn = {"kind": "draw", "only_first": True, "targets": [{"result": "a", "texture": once}]}
+    target = {"result": "a", "texture": once, "resolve": None}
+    drawn = {"kind": "draw", "only_first": True, "targets": [target]}
     return {
         "steps": [] if once is None else [drawn],
         "textures": [{"kept": number == kept} for number in range(len(spans))],
@@ -47,11 +48,14 @@ def test_what_is_kept_takes_no_turns() -> None:
     assert taking_turns(planned((0, 1), (2, 3), once=0), {0: 4, 1: 4}) == [[1], [0]]
 
 
-def test_bytes_are_those_of_all_levels_and_layers() -> None:
-    cube = {"format": "rgba16f", "levels": 3, "layers": 6}
-    assert bytes_of(cube, (8, 8)) == 8 * 6 * (64 + 16 + 4)
-    assert bytes_of({"format": "depth32f", "levels": 1, "layers": 1}, (5, 3)) == 60
-    assert bytes_of({"format": "r8", "levels": 2, "layers": 1}, (5, 1)) == 7
+def test_bytes_are_those_of_all_levels_layers_and_samples() -> None:
+    def texture(format_: str, levels: int = 1, layers: int = 1, samples: int = 1) -> dict[str, Any]:
+        return {"format": format_, "levels": levels, "layers": layers, "samples": samples}
+
+    assert bytes_of(texture("rgba16f", levels=3, layers=6), (8, 8)) == 8 * 6 * (64 + 16 + 4)
+    assert bytes_of(texture("depth32f"), (5, 3)) == 60
+    assert bytes_of(texture("r8", levels=2), (5, 1)) == 7
+    assert bytes_of(texture("rgba8", samples=4), (5, 3)) == 4 * 4 * 15
 
 
 def test_the_example_with_the_most_steps_needs_at_most_60_percent() -> None:

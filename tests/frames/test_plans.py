@@ -17,7 +17,7 @@ from burnish.targets.runner.frames.scenery import in_a_row
 from ..golden import assert_golden
 from .changes import Change
 from .changes import Path as Place
-from .kit import EXAMPLES, compiled, inputs_of, of_text
+from .kit import EXAMPLES, FOLDER, compiled, inputs_of, of_text
 
 GOLDEN = Path(__file__).parent / "golden"
 
@@ -228,3 +228,34 @@ def test_all_faces_of_a_cube_are_drawn_over_in_place(output: str, copies: int) -
     check_plan(plan)
     assert [step["kind"] for step in plan["steps"]].count("copy") == copies
     assert len(plan["textures"]) == 2 + copies
+
+
+def test_what_is_exchanged_has_the_uses_of_both_textures() -> None:
+    plan = compiled(FOLDER / "reaction.burnish").plan
+    (row,) = plan["kept"]
+    one, other = (plan["textures"][row[end]]["uses"] for end in ("texture", "previous"))
+    assert sorted(one) == sorted(other) == ["image", "sampled"]
+
+
+CAMERA = """
+material Clay { color = #a08060 }
+frame Seen {
+    param shown : transform<world, clip>
+    param other : float = 1
+    models scene
+    drawn = Forward(scene) with { clear.color = vec4(other) }
+    map_  = Forward(scene, 16) with { view_projection = shown }
+    output picture = drawn.color
+    output map = map_.color
+}
+"""
+
+
+def test_the_parameters_of_the_camera_are_marked() -> None:
+    frame = of_text(CAMERA)
+    roles = {row["name"]: row["role"] for row in frame.plan["parameters"]}
+    assert [roles[name] for name in ("shown", "other", "size")] == ["world_to_clip", None, "size"]
+    (shader,) = frame.shaders
+    roles = {row["name"]: row["role"] for row in shader.reflection["parameters"]}
+    assert roles["view_projection"] == "world_to_clip"
+    assert roles["object_to_world"] == "object_to_world"

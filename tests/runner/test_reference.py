@@ -6,13 +6,14 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import burnish
 from burnish.compiler.reference.bounds.errors import Errors
-from burnish.compiler.reference.picture import RasterRules
+from burnish.compiler.reference.picture import Expected, RasterRules
 from burnish.stdlib.builtins.accuracy import Error, Within
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
@@ -90,6 +91,44 @@ def test_what_was_drawn_is_the_same_when_it_is_found_again(
         *zip(drawn.high, found.high, strict=True),
     ):
         assert np.array_equal(before, after, equal_nan=before.dtype != np.bool_)
+
+
+LEVEL = """
+pass Level {
+    clip_position : point<clip> = vec4(
+        if vertex_index == 1 then 3 else -1,
+        if vertex_index == 2 then -3 else 0.125,
+        0, 1
+    )
+    target value : rgba8 = vec4(1)
+}
+material M { }
+"""
+"""The upper edge of what is drawn goes through the middles of the pixels of the fourth row."""
+
+
+@pytest.mark.parametrize("is_level", [False, True])
+def test_a_picture_is_kept_for_all_rules_by_which_it_is_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_level: bool
+) -> None:
+    """Without an edge through the middles of pixels, nobody asks who owns these."""
+    monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
+    (program, state), store = asked(), Store("pictures")
+    if is_level:
+        program = Program.of(burnish.compile(LEVEL, ["wgsl"], pass_="Level")["M"].shader)
+    below, drawn = replace(RULES, owns_bottom=True), 0
+
+    def draw(*of: Any) -> Expected:
+        nonlocal drawn
+        drawn += 1
+        return reference.expected(*of)
+
+    pictures = [
+        remembered(program, state, rules, store, None, draw) for rules in 2 * (RULES, below)
+    ]
+    assert drawn == 1 + is_level
+    rows = [int(picture.covered.any(axis=1).argmax()) for picture in pictures]
+    assert rows == ([3, 4, 3, 4] if is_level else [rows[0]] * 4)
 
 
 def test_a_vertex_input_that_nothing_needs_has_any_numbers() -> None:

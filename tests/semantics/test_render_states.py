@@ -12,6 +12,7 @@ from burnish.compiler.ir.render_state import (
     StencilSide,
     StencilState,
 )
+from burnish.stdlib.builtins.state_words import word_here
 
 from .kit import shader
 
@@ -178,3 +179,29 @@ def test_what_is_wrong_with_settings() -> None:
     with pytest.raises(CompileError) as caught:
         shader(WRONG, pass_="Masked")
     assert render_all(caught.value.diagnostics) == REPORTS
+
+
+@pytest.mark.parametrize(
+    ("elsewhere", "here"),
+    [
+        ("GL_LEQUAL", "less_equal"),
+        ("LESS_EQUAL", "less_equal"),
+        ("less-equal", "less_equal"),
+        ("VK_COMPARE_OP_GREATER_OR_EQUAL", "greater_equal"),
+        ("D3D12_COMPARISON_FUNC_NOT_EQUAL", "not_equal"),
+        ("D3D11_BLEND_INV_SRC_ALPHA", "one_minus_src_alpha"),
+        ("GL_ONE_MINUS_DST_COLOR", "one_minus_dst"),
+        ("VK_BLEND_FACTOR_SRC_ALPHA_SATURATE", "src_alpha_saturated"),
+        ("VK_BLEND_OP_REVERSE_SUBTRACT", "reverse_subtract"),
+        # OpenGL clamps where it says no more, and Direct3D wraps.
+        ("GL_INCR", "increment_clamp"),
+        ("D3D12_STENCIL_OP_INCR", "increment_wrap"),
+        ("D3D12_STENCIL_OP_INCR_SAT", "increment_clamp"),
+        ("VK_STENCIL_OP_DECREMENT_AND_WRAP", "decrement_wrap"),
+        ("VK_CULL_MODE_FRONT_BIT", "front"),
+        ("GL_MIRRORED_REPEAT", "mirror"),
+        ("anything", "anything"),
+    ],
+)
+def test_words_of_other_apis_are_known(elsewhere: str, here: str) -> None:
+    assert word_here(elsewhere) == here

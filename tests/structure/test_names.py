@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shutil
+import tomllib
 from codecs import encode
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import pytest
 
 import burnish
 from burnish.compiler import frontend
+from burnish.compiler.reflection import roles
 from burnish.targets import registry
 
 from .kit import LIBRARY, ROOT, files, library_names
@@ -78,6 +80,7 @@ def test_the_demo_compiles_with_everything_renamed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (expected,) = burnish.compile(EXAMPLE, PROFILES).materials
+    assert expected.reflection["parameters"], "made here, by the library's own names"
     library = tmp_path / "library"
     shutil.copytree(LIBRARY, library)
     for path in library.glob("*.burnish"):
@@ -85,6 +88,8 @@ def test_the_demo_compiles_with_everything_renamed(
     example = tmp_path / EXAMPLE.name
     example.write_text(renamed(EXAMPLE.read_text("utf-8")), "utf-8")
     monkeypatch.setattr(frontend, "FOLDER", library)
+    meanings = renamed((LIBRARY / "scene.toml").read_text("utf-8"))
+    monkeypatch.setattr(roles, "scene_names", lambda: tomllib.loads(meanings))
 
     (found,) = burnish.compile(example, PROFILES).materials
     for before, after in zip(expected.files, found.files, strict=True):

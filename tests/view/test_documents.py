@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from burnish.commands.view.documents import Documents, choice_of
+from burnish.commands.view.pictures import Pictures
 from burnish.commands.view.request import Request
 
 from ..scenes.kit import triangle
@@ -32,7 +33,7 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         search_path=(),
         hoist=True,
     )
-    found: dict[str, Any] = json.loads(Documents(request).get(choice_of(query or {})))
+    found: dict[str, Any] = json.loads(Documents(request, Pictures()).get(choice_of(query or {})))
     return found
 
 
@@ -86,7 +87,7 @@ def test_a_scene(tmp_path: Path) -> None:
     scene = triangle().save(tmp_path)
     found = document(file, scene=scene)
     assert (found["chosen"]["mesh"], found["meshes"]) == (None, [])
-    (model,) = found["package"]["scene"]["models"]
+    (model,) = found["package"]["models"]
     assert model["material"] == "First"
     assert document(file, scene=tmp_path / "none.gltf")["error"].endswith(
         "none.gltf: No such file or directory"
@@ -113,5 +114,15 @@ def test_kernels_over_images_have_a_picture(capsys: pytest.CaptureFixture[str]) 
     picture = found["package"]["pictures"][shader["textures"]["source"]]
     assert (picture["width"], picture["height"]) == (512, 512)
     assert "is a test chart" in capsys.readouterr().err
-    nothing = document(EXAMPLES / "cloth.burnish", {"subject": "Cloth"})
-    assert nothing["error"].endswith("Cloth draws no picture")
+
+
+def test_kernels_read_what_others_of_the_file_write() -> None:
+    """`Cloth` gets its knots of `Hung`, which is run here; the page runs `Cloth`."""
+    found = document(EXAMPLES / "cloth.burnish", {"subject": "Cloth"})
+    (shader,) = found["package"]["shaders"]
+    knots = np.frombuffer(base64.b64decode(shader["buffers"]["now"]), "<f4").reshape(-1, 4)
+    assert len(knots) == 32 * 16
+    assert knots[0, :3] == pytest.approx((-0.775, 0.8, -0.4), abs=1e-6)
+    assert [row["name"] for row in found["package"]["plan"]["outputs"]] == ["after"]
+    lacking = document(EXAMPLES / "cloth.burnish", {"subject": "Cloth", "profile": "glsl:es300"})
+    assert "glsl:es300 has no compute stage" in lacking["error"]

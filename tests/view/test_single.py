@@ -66,7 +66,22 @@ def test_a_kernel_over_images_is_run() -> None:
     assert plan["models"] == []
 
 
-def test_what_draws_nothing_has_no_frame() -> None:
-    kernel = burnish.compile(EXAMPLES / "cloth.burnish", ("wgsl",))["Cloth"]
-    with pytest.raises(PlanError, match="Cloth draws no picture"):
-        single_frame(kernel)
+def test_a_kernel_over_buffers_is_run() -> None:
+    """Each of its results is an output that is a buffer."""
+    kernel = burnish.compile(EXAMPLES / "cloth.burnish", ("wgsl",))["Hung"]
+    plan = single_frame(kernel).plan
+    assert [row["buffers"] for row in plan["steps"]] == [[
+        {"name": "now", "result": "shown.now"}, {"name": "before", "result": "shown.before"},
+    ]]  # fmt: skip
+    assert [(row["name"], row["texture"]) for row in plan["outputs"]] == [
+        ("now", None), ("before", None),
+    ]  # fmt: skip
+    assert plan["textures"] == []
+
+
+def test_what_leaves_nothing_has_no_frame() -> None:
+    """A stream output leaves its vertices in no result."""
+    file = EXAMPLES / "particles.burnish"
+    step = burnish.compile(file, ("glsl:vulkan",), pass_="Step", native_stages=True).materials[0]
+    with pytest.raises(PlanError, match="Sparks draws no picture"):
+        single_frame(step)

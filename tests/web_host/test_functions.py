@@ -66,7 +66,7 @@ def test_all_functions_mean_what_they_mean_elsewhere() -> None:
     body = f"(() => {{ {numbers} return {body}; }})()"
     wrong = []
     for (overload, operands), found in zip(
-        cases, in_node("functions.js", "evaluate", body, given), strict=True
+        cases, in_node("steps.js", "evaluate", body, given), strict=True
     ):
         kind: Any = overload.operands[0].kind
         wanted = evaluate(overload.row.name, tuples(operands), kind=kind)

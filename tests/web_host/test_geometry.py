@@ -5,6 +5,7 @@ Materials that expand primitives or divide patches, and instances, are drawn as 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -21,15 +22,25 @@ from .kit import in_node
 EXAMPLES = Path(__file__).parents[2] / "examples"
 INSTANCES = 3
 
-_GEOMETRY = """({shader, mesh, number}) => {
-  const { attributes, indices, count, instances, elements } = call(shader, mesh, number);
+_MESH = """({reflection, geometry}) => {
+  const mesh = geometry instanceof Object ? call(geometry) : bareMesh(reflection, geometry);
+  const { indices, count, instance_count, elements } = mesh;
+  const streams = interleaved(reflection).map(({ step, stride, members }) => {
+    const words = new Uint32Array((step === "vertex" ? mesh.vertices : mesh.instances).buffer);
+    return members.map(({ input, lanes, offset }) => {
+      const isOf = (_, at) => {
+        const word = at % (stride / 4) - offset / 4;
+        return word >= 0 && word < lanes;
+      };
+      return [input.name, [...words].filter(isOf)];
+    });
+  });
   return {
-    attributes: Object.fromEntries(
-      attributes.map(({ input, words }) => [input.name, [...words]])),
-    indices: indices && [...indices],
-    elements: Object.fromEntries([...elements].map(([name, bytes]) => [name, [...bytes]])),
+    attributes: Object.fromEntries(streams.flat()),
+    indices: indices && [...new Uint32Array(indices.buffer)],
+    elements: Object.fromEntries(elements.map(([name, bytes]) => [name, [...bytes]])),
     count,
-    instances,
+    instances: instance_count,
   };
 }"""
 
@@ -42,6 +53,15 @@ def hosted(name: str) -> tuple[FrameHost, dict[str, Any]]:
     return host, frame_package(host)
 
 
+def seen(reflection: Mapping[str, Any], geometry: Any) -> dict[str, Any]:
+    """What the host has of a packaged geometry, or of so many vertices that have nothing but their
+    numbers."""
+    further = [("geometry.js", "bareMesh"), ("webgl2/vertices.js", "interleaved")]
+    given = {"reflection": reflection, "geometry": geometry}
+    (found,) = in_node("geometry.js", "meshOf", _MESH, [given], *further)
+    return dict(found)
+
+
 @pytest.mark.parametrize(
     "name",
     ["clay", "instances", "sprites", "fins", "displacement", "splines", "thorns", "threads"],
@@ -51,10 +71,9 @@ def test_the_same_is_drawn_of_a_mesh(name: str) -> None:
     (step,) = host.plan["steps"]
     (drawn,) = host.draws(step, is_first=True)
     wanted, reflection = drawn.state.draw(), drawn.state.instance.reflection
-    (model,) = package["scene"]["models"]
-    mesh = package["scene"]["meshes"][model["mesh"]]
-    given = {"shader": package["shaders"][0], "mesh": mesh, "number": model["primitives"]["0"]}
-    (found,) = in_node("geometry.js", "geometryOf", _GEOMETRY, [given])
+    (model,) = package["models"]
+    geometry = package["geometries"][model["geometries"]["0"]]
+    found = seen(reflection, geometry)
 
     rows = [row for row in reflection["vertex_inputs"] if row["buffer"] is None]
     assert found["attributes"].keys() == {row["name"] for row in rows}
@@ -70,6 +89,26 @@ def test_the_same_is_drawn_of_a_mesh(name: str) -> None:
     for buffer, data in zip(buffers, wanted.buffers, strict=True):
         if buffer in of_mesh:
             assert bytes(found["elements"][buffer]) == data
+
+
+def test_primitives_without_a_mesh_have_the_numbers_of_their_corners() -> None:
+    inputs: list[dict[str, Any]] = [
+        *({"corner": corner, "name": f"c{corner}"} for corner in range(3)),
+        {"corner": None, "name": "primitive_index"},
+        {"corner": None, "name": "instance_index"},
+    ]
+    rows = [
+        {"name": row["name"], "representation": "int", "step": "instance", "buffer": None,
+         "mesh": {"is_number": True, "is_of_pattern": False, **row}}
+        for row in inputs
+    ]  # fmt: skip
+    draw = {"expanded_by": "instances", "corners": 3, "vertices": 6}
+    found = seen({"vertex_inputs": rows, "draw": draw}, 8)
+    assert found["attributes"] == {
+        "c0": [0, 3], "c1": [1, 4], "c2": [2, 5],
+        "primitive_index": [0, 1], "instance_index": [0, 0],
+    }  # fmt: skip
+    assert (found["count"], found["instances"], found["indices"]) == (6, 2, None)
 
 
 def test_patches_of_other_levels_need_another_package() -> None:

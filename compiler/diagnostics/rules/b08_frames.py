@@ -154,3 +154,23 @@ AREA_OUTSIDE = error(
     "and height, counted from the upper left corner. Those that are known only when the frame is "
     "drawn are checked then.",
 )
+SAMPLES_DIFFER = error(
+    "B0825",
+    "the samples of `{name}` do not fit: {reason}",
+    "A step with several samples draws to results of its own, or over the samples that another "
+    "step has left, which no third one draws over then. A step with one sample can draw over "
+    "colours that have been joined to one, and over no depths of several.",
+)
+DEPTHS_OF_SAMPLES = error(
+    "B0826",
+    "`{name}` has depths of {samples} samples, which nobody can read",
+    "Depths have no mean that says something, and not every API can read those of the samples. "
+    "Draw them once more with a pass of one sample, or write them to a target.",
+)
+BLEND_CONSTANT_UNUSED = error(
+    "B0827",
+    "no target of `{step}` is blended by a constant",
+    "`blend_constant` is what the factors `constant` and `one_minus_constant` mean. A pass says "
+    "them: `target color : rgba16f = e blend { source = constant, destination = "
+    "one_minus_constant }`.",
+)

@@ -10,24 +10,24 @@ from .canvas import NOWHERE, Canvas
 from .copies import Places
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
-from .resolve import expected_on
-from .scene import Expected, Geometry, RasterRules, Texels, instanced
-from .stage_evaluation import compares_neighbours
+from .resolve import expected_on, samples_on
+from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
 
 __all__ = [
     "NOWHERE",
     "Canvas",
+    "Counted",
     "Expected",
     "Geometry",
     "Hulls",
     "Places",
     "RasterRules",
     "Texels",
-    "compares_neighbours",
     "draw",
     "draw_onto",
     "expected_on",
     "formats",
     "instanced",
+    "samples_on",
     "written_by",
 ]

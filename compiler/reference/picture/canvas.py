@@ -20,7 +20,7 @@ from .compositing import composed
 from .copies import Places
 from .coverage import Fragments
 from .formats import clamped, rounded
-from .scene import Bools, Floats, Ints
+from .scene import Bools, Counted, Floats, Ints
 from .stencil import Outcomes, Stencil, StencilTest
 
 LANES = "rgba"
@@ -98,6 +98,8 @@ class Canvas:
         """The nearest depth that a device may have where it is unsure whether a fragment was
         drawn."""
         self.stencil = Stencil(samples)
+        self.counted: Counted = frozenset()
+        """The rare rules on which it hangs what has been drawn so far."""
         self.layers = np.zeros(samples, dtype=np.int64)
         """How many fragments were drawn."""
         self.undecided = np.zeros(samples, dtype=np.bool_)

@@ -31,7 +31,7 @@ class Fragments:
     sample: Ints
     """The numbers of the samples."""
 
-    def only(self, which: Bools | Ints) -> Fragments:
+    def only(self, which: Bools | Ints | slice) -> Fragments:
         """Some of them."""
         return Fragments(self.face[which], self.sample[which])
 
@@ -98,6 +98,14 @@ def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
         order = np.argsort(fragments.face, kind="stable")
         fragments, certain = fragments.only(order), certain[order]
     return Coverage(fragments, certain, doubtful)
+
+
+def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
+    """Whether samples may lie exactly on a level edge, so that it counts which of two faces owns
+    them."""
+    x, y = faces.x, faces.y
+    is_level = (y == np.roll(y, -1, axis=1)) & (x != np.roll(x, -1, axis=1))
+    return any(bool((is_level & (y % 1.0 == at.y)).any()) for at in locations(rules))
 
 
 def _covered(

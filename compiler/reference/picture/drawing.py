@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,13 +15,25 @@ from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
 from .canvas import BLACK, Canvas, Shades, nearest, with_missing
-from .coverage import Coverage, Fragments, coverage_of, joined
+from .coverage import Coverage, Fragments, coverage_of, has_level_edges, joined
 from .faces import Faces
 from .hulls import Hulls
+from .lines import LineFaces
 from .placing import placing_of
 from .quads import Barycentric, Quads, depths_of, out_of_range, quads_of
 from .resolve import expected_on
-from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
+from .scene import (
+    LEVEL_EDGES,
+    LINES,
+    ROWS,
+    Bools,
+    Expected,
+    Floats,
+    Geometry,
+    Ints,
+    RasterRules,
+    Texels,
+)
 from .stage_evaluation import StageEvaluator, Vertices
 from .stencil import StencilTest
 
@@ -128,11 +140,21 @@ class _Drawing:
         )
         """Whether of several fragments at a sample only the nearest one counts."""
         self._canvas = canvas
+        canvas.counted |= rules.counted(self._rare())
+
+    def _rare(self) -> Iterator[str]:
+        """The names of the rare rules on which this draw hangs."""
+        if isinstance(self._faces, LineFaces):
+            yield from LINES
+        if has_level_edges(self._faces, self._rules):
+            yield from LEVEL_EDGES
+        if self._stages.side > 1 or self._rules.samples > 1:
+            yield from ROWS
 
     @property
     def broken(self) -> frozenset[int]:
         """The ids of the promises that were broken."""
-        return frozenset(self._stages.broken)
+        return frozenset(self._stages.found.broken)
 
     def draw(self, progress: Callable[[float], None] | None, hulls: Hulls | None) -> None:
         """Draw all fragments on the canvas."""

@@ -16,12 +16,15 @@ from ..bounds import Bounded
 from ..namespace import Lanes
 from .coverage import Fragments
 from .faces import Faces
-from .samples import CENTRE, Location, location_of, pixels_of
+from .samples import CENTRE, Location, location_of_depth, pixels_of
 from .scene import Bools, Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
 """The error of a mean where a device may take small numbers of the computation for zero. Means of
 nothing but zeros are exact."""
+_AT_ONCE = 1 << 16
+"""How many depths are computed at once, so that a large picture needs no more memory than
+others."""
 _HALF = 0.5
 """How far the samples of a pixel are from its centre at most, to the side and downwards."""
 _OVERFLOWS = 2.0**124
@@ -301,9 +304,7 @@ def depths_of(faces: Faces, fragments: Fragments, rules: RasterRules) -> tuple[F
     Whatever a shader reads, the test clamps them to 0 and 1.
     """
     read = _single(faces, fragments, rules)
-    low, depth, high = (
-        np.clip(end[:, 0, 0], 0.0, 1.0) for end in (read.low, read.value, read.high)
-    )
+    low, depth, high = (np.clip(end, 0.0, 1.0) for end in (read.low, read.value, read.high))
     return depth, np.maximum(high - depth, depth - low)
 
 
@@ -311,14 +312,20 @@ def out_of_range(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bool
     """The fragments whose depth may be below 0 or above 1 on a device."""
     read = _single(faces, fragments, rules)
     beyond: Bools = (read.low < 0.0) | (read.high > 1.0)
-    return beyond[:, 0, 0]
+    return beyond
 
 
 def _single(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bounded:
-    """The depths of single samples, (fragments, 1, 1)."""
-    pixel, at = pixels_of(fragments.sample, rules), location_of(fragments.sample, rules)
-    x, y = pixel % rules.width, pixel // rules.width
-    return Barycentric(faces, Quads(fragments.face, x, y, 1, at), rules).depth
+    """The depths of single samples, (fragments,)."""
+    found = []
+    for begin in range(0, max(len(fragments.sample), 1), _AT_ONCE):
+        part = fragments.only(slice(begin, begin + _AT_ONCE))
+        pixel, at = pixels_of(part.sample, rules), location_of_depth(part.sample, rules)
+        quads = Quads(part.face, pixel % rules.width, pixel // rules.width, 1, at)
+        depth = Barycentric(faces, quads, rules).depth
+        found.append((depth.value, depth.low, depth.high))
+    value, low, high = (np.concatenate(ends)[:, 0, 0] for ends in zip(*found, strict=True))
+    return Bounded(value, low, high)
 
 
 def _most(corners: Floats) -> Floats:

@@ -25,12 +25,12 @@ def expected_on(
     """The picture on a canvas. ``hulls`` says what undecided samples may be, if that is known."""
     shape = rules.height, rules.width, rules.samples
     undecided = canvas.undecided | canvas.shaky
-    targets = []
-    for number, target in enumerate(canvas.targets):
-        ends = target if hulls is None else _with_hull(target, hulls.targets[number], undecided)
-        ends = np.stack([ends[0], _known(ends[1], -np.inf), _known(ends[2], np.inf)])
-        several = ends.reshape(3, *shape, 4)
-        targets.append(_mean(several, canvas.formats[number], rounds=canvas.rounds))
+    targets = [
+        _mean(
+            samples_on(canvas, number, hulls).reshape(3, *shape, 4), format_, rounds=canvas.rounds
+        )
+        for number, format_ in enumerate(canvas.formats)
+    ]
     layers = canvas.layers.reshape(shape).max(axis=-1)
     uncertain: Bools = np.asarray(undecided.reshape(shape).any(axis=-1))
     return Expected(
@@ -41,13 +41,19 @@ def expected_on(
         high=tuple(target[2] for target in targets),
         layers=layers,
         broken=broken,
+        counted=canvas.counted,
     )
 
 
-def _with_hull(ends: Ends, hull: Floats, undecided: Bools) -> Ends:
-    """Samples that may be all that their hull contains, if they are undecided."""
-    low, high = (np.where(undecided[:, None], *pair) for pair in zip(hull, ends[1:], strict=True))
-    return np.stack([ends[0], low, high])
+def samples_on(canvas: Canvas, target: int, hulls: Hulls | None = None) -> Ends:
+    """The samples of one of the targets, (3, samples, 4). Those that are undecided may be all that
+    their hulls contain."""
+    value, low, high = canvas.targets[target]
+    low, high = _known(low, -np.inf), _known(high, np.inf)
+    if hulls is not None:
+        hull, undecided = hulls.targets[target], (canvas.undecided | canvas.shaky)[:, None]
+        low, high = np.where(undecided, hull[0], low), np.where(undecided, hull[1], high)
+    return np.stack([value, low, high])
 
 
 def _known(ends: Floats, otherwise: float) -> Floats:

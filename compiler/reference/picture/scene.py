@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Hashable, Iterable, Mapping
+from dataclasses import dataclass, fields
 from typing import Any, Literal
 
 import numpy as np
@@ -23,6 +23,16 @@ is known, by any of these rules."""
 Derivatives = Literal["own", "first", "any"]
 """The differences that a device takes: those of each pixel's own row and column, those of the
 first row and column for the whole quad, or, if nothing is known, any of its quad."""
+Counted = frozenset[tuple[str, Hashable]]
+"""Names of raster rules and what they were, for those of ``RARE`` on which a picture hangs."""
+
+LEVEL_EDGES = frozenset({"owns_bottom"})
+LINES = frozenset({"lines", "snaps_line_ends"})
+ROWS = frozenset({"bottom_up"})
+RARE = LEVEL_EDGES | LINES | ROWS
+"""The rules that few pictures hang on: those with samples exactly on a level edge, those of lines,
+and those whose pixels use values of their neighbours or have several samples. All others are the
+same by any of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,6 +155,23 @@ class RasterRules:
     """To which part of the picture is drawn, likewise."""
     samples: int = 1
     """How many samples each pixel has."""
+    mirrors_sample_depths: bool = False
+    """Whether the device computes the depth of each sample where another one would be if left and
+    right were exchanged: a known mistake."""
+
+    @property
+    def common(self) -> Counted:
+        """All but the rare ones."""
+        return self.counted(row.name for row in fields(self) if row.name not in RARE)
+
+    def counted(self, names: Iterable[str]) -> Counted:
+        """Some of the rules."""
+        return frozenset((name, getattr(self, name)) for name in names)
+
+    def agree_with(self, counted: Counted) -> bool:
+        """Whether a picture that hangs on these rare rules is also the one by these rules, if
+        they have the others in common."""
+        return counted <= self.counted(RARE)
 
     @property
     def port(self) -> Area:
@@ -192,3 +219,5 @@ class Expected:
     broken: frozenset[int] = frozenset()
     """The ids of calls of ``nonzero`` whose operand was zero, as far as float32 can tell, at some
     vertex or pixel: the pixels that use it are not defined."""
+    counted: Counted = frozenset()
+    """The rare rules on which it hangs."""

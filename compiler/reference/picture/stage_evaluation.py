@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -23,24 +23,19 @@ from ..bounds import Bounded, Bounds, Errors, exact, given, hull, remembered
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
-from ..vectors import inner
 from .quads import Barycentric
 from .sampler import TextureReader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 from .texels import Image
-from .unguarded import outside
+from .watch import Found, Watch
 
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
 """Builtins that use neighbours' values, too, if cubes are not projected."""
-_PROMISES = frozenset(name for name, row in BUILTINS.items() if row.is_promise)
 _ROWS, _COLUMNS = -2, -1
 """The axes of a quad."""
 DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
-
-BROKEN = 1e-5
-"""A vector that is promised not to be zero breaks the promise if it is shorter."""
 
 
 class _Reader(Protocol):
@@ -102,11 +97,8 @@ class StageEvaluator:
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
-        self._promised = _promised((*self._targets, self._position))
-        self.broken: set[int] = set()
-        """The ids of promises that were broken at some vertex or pixel so far."""
-        self.left_a_domain = False
-        """Whether any operation without a guard did so far: there may be values that are NaN."""
+        self.found = Found.of((*self._targets, self._position))
+        """Where nothing is defined, as far as it is known."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
@@ -164,12 +156,6 @@ class StageEvaluator:
         watch.end((*(lane for target in targets for lane in target), discarded))
         return Shaded(targets, discarded, watch.undecided)
 
-    # --- for the watch ----------------------------------------------------------------------------
-
-    def promises(self, node: Node) -> bool:
-        """Whether a node is a promise whose value is used in any case."""
-        return node.id in self._promised
-
     # --- leaves -----------------------------------------------------------------------------------
 
     def _reader(self, reader: _Reader) -> _Reader:
@@ -182,64 +168,22 @@ class StageEvaluator:
         return tuple(lane if isinstance(lane, Bounded) else given(lane) for lane in lanes)
 
 
-class _Watch:
-    """Observes the evaluation of one stage: the constants of texts, derivatives, promises, and
-    operations without a guard."""
+class _Watch(Watch):
+    """Observes derivatives, too, and other operations that compare neighbours."""
 
     def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
-        self._stages = stages
-        self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
+        self._rules = stages.rules
+        is_nan = self._rules.unguarded_is_nan
+        super().__init__(stages.found, shape, unguarded_is_nan=is_nan, rounds=stages.has_bounds)
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
-        """The value with which the evaluation continues."""
-        if self._stages.promises(node):
-            self._check(node, value)
-        if self._stages.rules.unguarded_is_nan:
-            value = self._contained(node, operands, value)
-        if node.op == "constant":
-            return as_rounded(value) if self._stages.has_bounds else value
+        value = super().__call__(node, operands, value)
         builtin = builtin_of(node)
         if builtin in _COMPARES_NEIGHBOURS and self.undecided.any():
             self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
         if builtin in DERIVATIVE_AXES:
-            return tuple(difference_taken(lane, builtin, self._stages.rules) for lane in value)
+            return tuple(difference_taken(lane, builtin, self._rules) for lane in value)
         return value
-
-    def end(self, lanes: Lanes) -> None:
-        """Record where results of the stage hang on an operation outside of its domain."""
-        if self._stages.left_a_domain:
-            self._record_nan(lanes)
-
-    def _contained(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
-        """The value, NaN where the operation leaves its domain.
-
-        NaN goes through everything that is computed from it, and is dropped where a choice takes
-        the other side. Conditions and whole numbers cannot hold it: they are recorded at once.
-        """
-        is_float = scalar_kind(node.type) == "float"
-        if node.op == "native":
-            left = outside(node, operands, self.undecided.shape)
-            if left.any():
-                self._stages.left_a_domain = True
-                if is_float:
-                    return tuple(np.where(left, np.nan, lane) for lane in value)
-                self.undecided |= left
-        if self._stages.left_a_domain and node.op in BUILTIN_OPS and not is_float:
-            self._record_nan(tuple(lane for lanes in operands for lane in lanes))
-        return value
-
-    def _record_nan(self, lanes: Lanes) -> None:
-        for lane in lanes:
-            if np.asarray(lane).dtype.kind == "f":
-                self.undecided |= np.isnan(lane)
-
-    def _check(self, node: Node, vector: Lanes) -> None:
-        """Record where a promise is broken: nothing is defined there."""
-        lanes = tuple(lane.value if isinstance(lane, Bounded) else lane for lane in vector)
-        short = np.sqrt(inner(lanes, lanes)) <= BROKEN
-        if np.any(short):
-            self._stages.broken.add(node.id)
-            self.undecided |= short
 
 
 class _Plain:
@@ -294,22 +238,6 @@ def _radius(lane: Bounded) -> Floats:
     return np.nan_to_num(np.asarray(off, np.float64), nan=np.inf, posinf=np.inf)
 
 
-def _promised(roots: Sequence[Node]) -> frozenset[int]:
-    """The ids of the promises whose values are used in any case.
-
-    Both sides of a choice are evaluated for all pixels here, and one may be there because a promise
-    of the other does not hold.
-    """
-    seen = set(roots)
-    pending = list(seen)
-    while pending:
-        node = pending.pop()
-        used = node.operands[:1] if node.op == "select" else node.operands
-        pending += (new := [operand for operand in used if operand not in seen])
-        seen.update(new)
-    return frozenset(node.id for node in seen if builtin_of(node) in _PROMISES)
-
-
 def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
     if resource.name not in textures:
         raise ValueError(f"The texture `{resource.name}` has no picture.")
@@ -331,12 +259,7 @@ def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
     return tuple(np.ascontiguousarray(array.T, dtype=kind))
 
 
-def compares_neighbours(shader: Shader, rules: RasterRules) -> bool:
-    """Whether pixels depend on others of their quad; if not, no rules about quads count."""
-    results = (result.value for result in shader.results if result.kind in (TARGET, DISCARD))
-    return _compares(reachable(tuple(results)), rules)
-
-
 def _compares(nodes: Iterable[Node], rules: RasterRules) -> bool:
+    """Whether pixels depend on others of their quad."""
     neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
     return any(node.op in BUILTIN_OPS and CALL.data(node) in neighbours for node in nodes)

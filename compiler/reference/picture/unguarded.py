@@ -65,7 +65,7 @@ class _Operand:
 
 def _mark(domain: Domain, operands: Sequence[_Operand], found: Bools) -> None:
     """Mark the places outside of the domain, halving ranges of places until all are alike."""
-    pending = [(0, len(found))]
+    pending = [(0, len(found))] if len(found) else []
     while pending:
         begin, end = pending.pop()
         if domain(tuple(operand.fact(begin, end) for operand in operands)):

@@ -205,8 +205,7 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
     span = e.callee.span
     record = None if scope.instance is None else scope.instance.record
     if record is not None and is_frame(record) and applied(e, scope.module) is not None:
-        said = "what a step leaves is read by other steps, as `step.target`; a number reads none"
-        ctx.report.add(rules.NOT_A_VALUE, e.span, hint=said)
+        ctx.report.add(rules.NOT_A_VALUE, e.span, hint=advice.OF_A_STEP)
         return
     if is_declared(scope, name):
         symbols = scope.module.find(name)

@@ -16,6 +16,7 @@ from ..declarations import contracts
 from ..declarations.assignments import assigned
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
+from ..hints import advice
 from ..inheritance.records import Definition, Record, is_abstract
 from ..state.context import Context, Twin
 from ..state.evaluation import Demand, plain, settle
@@ -77,6 +78,11 @@ def slot(
     key = (name, level)
     if key in instance.values:
         return instance.values[key]
+    if instance in ctx.is_step and ctx.is_step[instance](key):
+        place = _definition(instance, name, level).member.name.span
+        labels = [Label(place, "this is a step")]
+        ctx.report.add(rules.NOT_A_VALUE, span, hint=advice.OF_A_STEP, labels=labels)
+        return FAILURE
     if is_cycle(ctx, (instance, *key), name, span):
         return FAILURE
     replacement = instance.replaced.get(name) if level == OUTERMOST else None

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Mapping
 
 from ....frozen import EMPTY, frozen
 from ...diagnostics import rules
-from ...diagnostics.nearest import respelling
+from ...diagnostics.nearest import respelling, respelt
 from ...ir.leaves import Resource
 from ...ir.shader import ResourceInfo
 from ...ir.types import Array, Texture
@@ -45,6 +45,9 @@ DEPTHS = Kind(("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror"
 DEPTH_CUBES = Kind(("far", "near"), COMPARED, {"mip": "none", "wrap": "clamp"})
 INTEGERS = Kind(("zero",))
 """Nothing filters them, so they have no sampler."""
+
+DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
+"""All words for what a texture is until a host binds one."""
 
 
 def kind_of(texture: Texture) -> Kind:
@@ -115,8 +118,15 @@ def _sampler_state(ctx: Context, member: ast.Map, kind: Kind, type_: str) -> dic
     return state
 
 
-def unknown_word(ctx: Context, kind: str, name: ast.Name, known: Iterable[str]) -> None:
+def unknown_word(ctx: Context, kind: str, name: ast.Name, known: Collection[str]) -> None:
     """Report a word that is none of those which can stand in its place."""
+    from ....stdlib.builtins.state_words import word_here
+
     listed = ", ".join(f"`{word}`" for word in known)
-    hint = respelling(name.text, name.span, known) or f"one of {listed}"
+    meant = word_here(name.text)
+    hint = (
+        respelt(name.text, name.span, meant)
+        if meant in known
+        else respelling(name.text, name.span, known) or f"one of {listed}"
+    )
     ctx.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)

@@ -30,6 +30,7 @@ from ..state.scope import OUTERMOST, Instance
 from .around import Around, Owner
 from .drawn import ModelsOf
 from .invariance import with_invariant_positions
+from .samples import check_readable
 from .shaders import Shaders
 from .steps import Steps
 from .values import no_result
@@ -73,6 +74,8 @@ class _Checking:
         )  # fmt: skip
         self._shaders = shaders
         self._own = Owner(self._instance, Dependencies(self._record, around.report))
+        for each in (self._own, *lights.values()):
+            ctx.is_step[each.instance] = each.dependencies.is_step
         self._steps = Steps(ctx, self._own, lights, shaders, self._models)
 
     def frame(self) -> Frame | None:
@@ -167,6 +170,7 @@ class _Checking:
             around = Around(self._own, self._own.scope(owner, level), member.name.text)
             made = self._steps.made(member.value, around)
             if isinstance(made, Image | Elements):
+                check_readable(self._ctx.report, made, member.value.span)
                 yield Output(member.name.text, made, member.doc, member.name.span)
             else:
                 no_result(self._ctx, made, member.value.span)

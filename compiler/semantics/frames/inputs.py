@@ -24,6 +24,7 @@ from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from ..types.typenames import Declared
+from .samples import check_readable
 from .shaders import Input, host_name, inputs_of
 from .values import Made, Numbers, no_result, on_host
 
@@ -33,15 +34,12 @@ Replacements = Sequence[tuple[ast.Name, ast.Expression]]
 Later = tuple[Previous, Type, Span]
 """What the last frame left, as what it is read, and where that is written."""
 
-_DEPTHS = "depth"
-"""What the names of formats begin with that store depths."""
-
 
 def type_of(left: Image | Elements) -> Type:
     """The type of map or of buffer by which something is read that a step leaves."""
     if isinstance(left, Elements):
         return left.info.buffer.type
-    return Texture(left.dimension, "depth" if left.format.startswith(_DEPTHS) else "float")
+    return Texture(left.dimension, "depth" if left.is_depth else "float")
 
 
 class Inputs:
@@ -103,11 +101,11 @@ class Inputs:
         """The names that no shader has as an input so far."""
         return [name for name, _ in self._given if name.text not in self._met]
 
-    def report_unknown(self, step: str) -> bool:
+    def report_unknown(self) -> bool:
         """Whether some name is no input of any of the shaders, which is reported."""
         unmet = self._unmet()
         for name in unmet:
-            unknown(self._ctx, f"input of `{step}`", name.text, name.span, sorted(self._seen))
+            unknown(self._ctx, "input", name.text, name.span, sorted(self._seen))
         return bool(unmet)
 
     def _source(self, name: str, written: ast.Expression, wanted: Input) -> Source | Failure:
@@ -170,6 +168,8 @@ class Inputs:
         written: ast.Expression,
         what: str,
     ) -> Source | Failure:
+        if not check_readable(self._ctx.report, read, written.span):
+            return Failure()
         found = (
             self._instance.resources[read.name].type
             if isinstance(read, FromHost)
@@ -201,7 +201,8 @@ def check_previous(ctx: Context, later: Sequence[Later]) -> None:
                 rules.NOTHING_BEFORE, span, name=source.of.name,
                 hint=f"`previous({source.of.name}, first)`, where `first` is another buffer",
             )  # fmt: skip
-        fits(ctx, type_of(source.of), wanted, span)
+        if check_readable(ctx.report, source.of, span):
+            fits(ctx, type_of(source.of), wanted, span)
 
 
 def _declared(wanted: Input) -> str:

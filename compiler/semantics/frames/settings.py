@@ -125,8 +125,8 @@ class Settings:
         for name, (written, _) in self.written.items():
             if name.startswith(CLEAR) and name not in self._cleared:
                 self.failed = True
-                what, found = f"target of `{step}`", name.removeprefix(CLEAR)
-                unknown(self.ctx, what, found, written.span, [*known, DEPTH])
+                found = name.removeprefix(CLEAR)
+                unknown(self.ctx, "target", found, written.span, [*known, DEPTH])
         return not self.failed
 
     def _check_areas(self, step: str, sides: Sides | None) -> None:
@@ -142,7 +142,14 @@ class Settings:
                         )
 
     def _check_blending(self, shader: Shader, step: str, span: Span) -> None:
-        """Report targets that cannot be blended, or are blended by what nobody has said."""
+        """Report targets that cannot be blended, or are blended by what nobody has said; and what
+        is said for no target."""
+        states = [result.state for result in shader.results_of(TARGET) if result.state is not None]
+        takes = any(not OF_CONSTANT.isdisjoint(state.blend.factors) for state in states)
+        if BLEND_CONSTANT in self.written and not takes:
+            self.failed = True
+            written, _ = self.written[BLEND_CONSTANT]
+            self.ctx.report.add(rules.BLEND_CONSTANT_UNUSED, written.span, step=step)
         for result in shader.results_of(TARGET):
             state, name = result.state, result.name
             if state is None or state.blend == REPLACES:

@@ -38,6 +38,7 @@ from ...syntax import ast
 from ..checking.slots import slot
 from ..checking.step_needs import PREVIOUS, SCREEN, Key, Need, applied, is_previous
 from ..checking.unknown_names import unknown
+from ..declarations.maps import DEFAULTS
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
@@ -49,6 +50,7 @@ from .drawn import Draws, ModelsOf
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
 from .repetitions import FACES, Repetitions
+from .samples import SampleChecks
 from .settings import AREAS, Settings
 from .shaders import Shaders
 from .values import Made, Numbers, StepValue, no_result, no_step
@@ -57,6 +59,11 @@ DEEPEST = 48
 """How deep expressions about steps nest."""
 
 DEPTH_FORMAT = "depth32f"
+
+OF_A_DEFAULT = (
+    "`{0}` is what a texture is that nobody binds: `map plain : texture2d = {0}` in the frame "
+    "declares one, which steps are given by its name"
+)
 
 
 class Steps:
@@ -84,6 +91,7 @@ class Steps:
         self._names: set[str] = set()
         self._previous: list[tuple[Previous, ast.Call, Around]] = []
         self._later: list[Later] = []
+        self._samples = SampleChecks(ctx.report)
 
     def check(self, owner: Owner, needs: list[Need]) -> None:
         """Check steps that nobody has asked for yet, each behind those that it needs."""
@@ -146,8 +154,24 @@ class Steps:
         if key[0] in definitions:
             number = slot(self._ctx, owner.instance, key[0], span, key[1])
             return FAILURE if isinstance(number, Failure) else no_step(self._ctx, span)
-        unknown(self._ctx, "step", key[0], span, [*definitions, *self._models])
+        if key[0] in self._models:
+            hint = f"models are drawn by a pass: `Pass({key[0]})` is a step"
+            self._ctx.report.add(rules.NO_STEP, span, hint=hint)
+            return FAILURE
+        self._unknown_step(key[0], span, owner)
         return FAILURE
+
+    def _unknown_step(self, name: str, span: Span, owner: Owner) -> None:
+        """Report a name that is neither a step nor something that the frame's host binds."""
+        is_step = owner.dependencies.is_step
+        known = [n for n in owner.instance.record.definitions if is_step((n, OUTERMOST))]
+        if owner is self._frame:
+            known += self._frame.instance.resources
+            if name in DEFAULTS:
+                hint = OF_A_DEFAULT.format(name)
+                self._ctx.report.add(rules.UNKNOWN_NAME, span, kind="step", name=name, hint=hint)
+                return
+        unknown(self._ctx, "step", name, span, known)
 
     def _left(self, whole: Made, e: ast.Field) -> Made:
         """``step.target``: what a step leaves."""
@@ -158,8 +182,7 @@ class Steps:
             return FAILURE
         found = whole.left.get(e.name.text)
         if found is None:
-            what = f"result of `{whole.name}`"
-            unknown(self._ctx, what, e.name.text, e.name.span, whole.left)
+            unknown(self._ctx, "result", e.name.text, e.name.span, whole.left)
             return FAILURE
         return found
 
@@ -205,8 +228,6 @@ class Steps:
             return FAILURE
         return self.made(e.then if known else e.otherwise, around)
 
-    # --- repetitions ---
-
     # --- steps ---
 
     def _applied(
@@ -243,7 +264,7 @@ class Steps:
         name = self._unique(around.name)
         inputs = self._inputs(given, changed(around, name=name))
         use = self._drawn.use("", shader, symbol, inputs, e)
-        if inputs.report_unknown(symbol.name) or use is None:
+        if inputs.report_unknown() or use is None:
             return FAILURE
         size = self._extent(shader, use, name)
         images = {
@@ -313,7 +334,7 @@ class Steps:
         inputs = self._inputs(given, within)
         draws = None if what is None else self._drawn.draws(symbol, what, inputs, e, around.light)
         over = self._destinations.of(e, changed(within, name=f"{name}.over"))
-        if not draws or over is None or inputs.report_unknown(symbol.name):
+        if not draws or over is None or inputs.report_unknown():
             return FAILURE
         shader = draws[0].uses[0].shader
         step = self._step(name, shader, draws, over, settings, changed(around, place=place), e)
@@ -356,6 +377,8 @@ class Steps:
         if layered:
             place = changed(place, dimension="cube" if layered == FACES else "2d_array",
                             layers=layered)  # fmt: skip
+        state = shader.shader.render_state
+        samples = state.samples
         given = over if isinstance(over, Mapping) else {}
         size = next(iter(given.values())).size if isinstance(over, Mapping) else over
 
@@ -367,7 +390,7 @@ class Steps:
             if image is None:
                 image = Image(
                     f"{around.name}.{target}", format_, size, place.dimension, place.layers,
-                    place.levels, doc, e.span,
+                    place.levels, doc, e.span, samples,
                 )  # fmt: skip
                 place.images[target] = image
             if behind is not None and behind.format != format_:
@@ -384,9 +407,10 @@ class Steps:
             for result in shader.shader.results_of(TARGET)
             if result.state is not None
         )
-        state = shader.shader.render_state
         uses_depth = state.depth.is_used or state.stencil.is_used
         depth = attached(DEPTH, DEPTH_FORMAT, "", state.depth.clear) if uses_depth else None
+        drawn_to = targets if depth is None else (*targets, depth)
+        self._samples.check(drawn_to, samples, e.span)
         return RenderStep(
             name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span,
             *(settings.number(setting) for setting in AREAS),

@@ -33,6 +33,7 @@ _FEW = 8
 """As many names can be listed."""
 
 ELEMENTS = "elements of a buffer are read by their number: `name[i]`"
+OF_A_STEP = "what a step leaves is read by other steps, as `step.target`; a number reads none"
 READ = "a texture is read: `name(coordinate)`"
 _LANES = "xyzw"
 _COLORS = "rgba"

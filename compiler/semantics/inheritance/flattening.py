@@ -68,14 +68,14 @@ class Records:
             owner = chain[level]
             declaration = owner.declaration
             assert isinstance(declaration, ast.Record | ast.Mixin)
-            seen: dict[object, ast.Name] = {}
+            seen: dict[object, tuple[ast.Name, ast.Member]] = {}
             if isinstance(declaration, ast.Record):
                 self._check_blend(declaration)
             for member in declaration.members:
                 if not self._in_place(declaration, member):
                     continue
                 name, named = ast.only_one(member), ast.is_named(member)
-                if name is not None and not self._first(name, named, seen):
+                if name is not None and not self._first(name, named, member, seen):
                     continue
                 if ast.is_read(member):
                     self._define(record, Definition(member, owner, level))
@@ -108,14 +108,21 @@ class Records:
         if declaration.blend is not None and declaration.kind not in target.records:
             self._report_misplaced(target, "blend", declaration, declaration.blend.span)
 
-    def _first(self, name: ast.Name, named: bool, seen: dict[object, ast.Name]) -> bool:
+    def _first(
+        self,
+        name: ast.Name,
+        named: bool,
+        member: ast.Member,
+        seen: dict[object, tuple[ast.Name, ast.Member]],
+    ) -> bool:
         """Whether a record has declared nothing of this name yet, or no member of this kind."""
-        first = seen.setdefault((named, name.text), name)
+        first, before = seen.setdefault((named, name.text), (name, member))
         if first is not name:
             self._report.add(
                 rules.DUPLICATE_NAME, name.span, name=name.text,
-                labels=[Label(first.span, "first defined here")],
+                labels=[Label(first.span, "first defined here")], hint=_apart(before, member),
             )  # fmt: skip
+            self._report.unread((name.text,))
         return first is name
 
     def _define(self, record: Record, definition: Definition) -> None:
@@ -322,3 +329,13 @@ def sole(module: Module, kind: str, *, abstract: bool) -> Symbol | None:
     """The only such record of a module, if there is exactly one."""
     found = records_of(module, kind, abstract=abstract)
     return found[0] if len(found) == 1 else None
+
+
+def _apart(first: ast.Member, second: ast.Member) -> str:
+    """What to say of two members of one name that are of different kinds."""
+    words = {ast.kind_of(first).word, ast.kind_of(second).word}
+    if words == {"", "output"}:
+        return (
+            "an output has a name of its own, beside those of equations: call one of them otherwise"
+        )
+    return ""

@@ -143,6 +143,9 @@ class Context:
         self.overloads: dict[Symbol, Overloads] = {}
         """By the first of them."""
         self.lights = Lights()
+        self.is_step: dict[Instance, Callable[[tuple[str, int]], bool]] = {}
+        """For frames, and the lights that bring something to them, whether a slot as it is defined
+        at a level is a step, and so has no value."""
         self.call_sizes: dict[Symbol, int] = {}
         """How many bodies one call of a function comes to (``call_sizes``)."""
         self.entered: set[Symbol] = set()

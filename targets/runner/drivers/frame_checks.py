@@ -37,6 +37,7 @@ def check_frame(job: FrameJob) -> None:
 def _check_numbers(job: FrameJob, step: FrameStep) -> None:
     """Everything that a step names is there."""
     drawn_to = [each.texture for each in _attachments(step)]
+    drawn_to += [each.resolve.texture for each in step.targets if each.resolve is not None]
     named = [*(each.texture for each in step.barriers), *drawn_to, *step.images, *step.copied]
     _all_in("texture", [*named, *step.read], job.textures)
     _all_in("buffer", [each.buffer for each in step.buffer_barriers], job.buffers)
@@ -66,6 +67,8 @@ def _check_attachments(job: FrameJob, step: FrameStep) -> None:
                 f"texture {attachment.texture} of {made.format} cannot be drawn to as "
                 f"{'depths' if attachment is step.depth else 'a target'}"
             )
+    for attachment in step.targets:
+        _check_resolve(job, attachment)
     sizes = {_size(job.textures[each.texture], each.level) for each in _attachments(step)}
     if len(sizes) > 1:
         found = " and ".join(f"{width} x {height}" for width, height in sorted(sizes))
@@ -75,6 +78,24 @@ def _check_attachments(job: FrameJob, step: FrameStep) -> None:
         source, target = step.copied
         raise DriverError(
             f"texture {source} cannot be copied to {target}, which is of another kind"
+        )
+
+
+def _check_resolve(job: FrameJob, target: Attachment) -> None:
+    """What gets the mean of the samples has the format and the size of what is drawn to."""
+    if target.resolve is None:
+        return
+    drawn, resolve = job.textures[target.texture], target.resolve
+    made = job.textures[resolve.texture]
+    if resolve.level >= made.levels or resolve.layer >= made.layers:
+        raise DriverError(
+            f"texture {resolve.texture} has no layer {resolve.layer}, level {resolve.level}"
+        )
+    size = _size(made, resolve.level)
+    if (made.format, size, made.samples) != (drawn.format, _size(drawn, target.level), 1):
+        raise DriverError(
+            f"the samples of texture {target.texture} cannot be resolved to {resolve.texture}, "
+            "which is of another kind"
         )
 
 
@@ -95,6 +116,12 @@ def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
         depths = None if step.depth is None else job.textures[step.depth.texture]
         if depths is None or not depths.has_stencil:
             raise DriverError("its pipeline tests stencil values, and there are none")
+    for attachment in _attachments(step):
+        number, made = attachment.texture, job.textures[attachment.texture]
+        if made.samples != pipeline.samples:
+            raise DriverError(
+                f"texture {number} has {made.samples} samples, and the pipeline {pipeline.samples}"
+            )
     targets = [job.textures[each.texture].format for each in step.targets]
     _same_formats("target", targets, [each.format for each in pipeline.targets])
     images = [job.textures[number].format for number in step.images]

@@ -41,6 +41,9 @@ class FrameTexture:
     is_black: bool = False
     """Whether it is read before a step draws to it: it is transparent black then, or as far away as
     can be."""
+    samples: int = 1
+    """How many each texel has. A texture with several has one layer and one level, and nobody reads
+    it."""
     memory: int | None = None
     """Of textures with the same number, no step needs two, so they may lie in the same memory: when
     a barrier takes one of them from ``undefined``, the others lose their contents."""
@@ -75,6 +78,15 @@ class BufferBarrier:
 
 
 @dataclass(frozen=True, slots=True)
+class Resolve:
+    """Where the mean of each texel's samples is written behind a step."""
+
+    texture: int
+    layer: int = 0
+    level: int = 0
+
+
+@dataclass(frozen=True, slots=True)
 class Attachment:
     """What a target, or the depths, are drawn to."""
 
@@ -91,6 +103,8 @@ class Attachment:
     and else cleared to 0."""
     clear: tuple[float, float, float, float] = BLACK
     """A colour; of depths, the first number."""
+    resolve: Resolve | None = None
+    """``None`` where nobody reads the means, or there are no samples."""
 
 
 @dataclass(frozen=True, slots=True)

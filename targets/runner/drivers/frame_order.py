@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from .device import DriverError
-from .frame_job import Attachment, BufferUse, FrameJob, FrameStep, TextureUse
+from .frame_job import Attachment, BufferUse, FrameJob, FrameStep, Resolve, TextureUse
 
 Part = tuple[int, int]
 """A layer and a level of a texture."""
@@ -42,6 +42,8 @@ def _check_step(textures: list[_Texture], step: FrameStep) -> None:
         textures[number].write("image")
     for target in step.targets:
         textures[target.texture].draw(target, "target")
+        if target.resolve is not None:
+            textures[target.resolve.texture].resolve(target.resolve)
     if step.depth is not None:
         textures[step.depth.texture].draw(step.depth, "depth")
     if step.copied:
@@ -142,6 +144,13 @@ class _Texture:
             self._held.update(parts)
         else:
             self._held.difference_update(parts)
+
+    def resolve(self, resolve: Resolve) -> None:
+        """A step writes the means of samples to some of it."""
+        self._check_use("target")
+        parts = [(resolve.layer, resolve.level)]
+        self._change(parts)
+        self._held.update(parts)
 
     def _parts(self, levels: int | None = None) -> Iterator[Part]:
         """Those of the first levels, or all."""

@@ -104,6 +104,8 @@ class Pipeline:
     """How many vertices each patch has, where that is what the vertices are."""
     cull: Cull = "none"
     fill: Fill = "faces"
+    samples: int = 1
+    """How many samples each pixel has of all that is drawn to; targets are resolved then."""
     depth_compare: Compare = "less"
     """What the depth test lets through, where there are depths."""
     depth_write: bool = True

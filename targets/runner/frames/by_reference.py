@@ -7,27 +7,24 @@ have drawn there, so that what reads it is as uncertain as it should be.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from copy import deepcopy
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ....compiler.ir.image_sizes import halved
 from ....compiler.ir.shader import Shader
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
-    NOWHERE,
     Canvas,
-    Expected,
+    Counted,
+    Geometry,
     Hulls,
     Places,
     RasterRules,
     Texels,
     draw_onto,
-    expected_on,
-    formats,
     written_by,
 )
 from ....compiler.reference.storage_buffers import Contents
@@ -35,68 +32,20 @@ from ..instances.instance import Instance
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
+from .drawn import Drawn, attachments, load, store
 from .host import FrameDraw, FrameHost, Row
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
 
-DEPTHS, STENCILS = "depth", "stencil8"
-"""What the formats of depths begin with, and end with if there are stencil values."""
-_ENDS = 3
-"""A value, and between which numbers that of a device is."""
 
+class Inputs(NamedTuple):
+    """Of what the reference draws."""
 
-@dataclass(eq=False, slots=True)
-class Drawn:
-    """A texture while a frame is drawn."""
-
-    format: str
-    dimension: str
-    levels: list[Floats]
-    """Of each level (3, layers, height, width, lanes): values, and their lower and upper ends."""
-    undecided: list[NDArray[np.bool_]]
-    """Of each level (layers, height, width): the pixels that hang on rounding."""
-    stencil: list[NDArray[np.int64]]
-    """Of each level (layers, height, width): the values beside depths; empty if there are none."""
-    stencil_unsure: list[NDArray[np.bool_]]
-    """Likewise: where a device may have another one."""
-    places: list[NDArray[np.int64]]
-    """Of each level of depths (layers, height, width): the number of the place of the face that
-    each is the depth of; empty if there are none."""
-
-    @classmethod
-    def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
-        """Transparent black, or as far away as can be."""
-        lanes, value = (1, 1.0) if row["format"].startswith(DEPTHS) else (4, 0.0)
-        levels = [
-            np.full((_ENDS, row["layers"], *reversed(_halved(size, level)), lanes), value)
-            for level in range(row["levels"])
-        ]
-        undecided = [np.zeros(level.shape[1:4], np.bool_) for level in levels]
-        beside = undecided if row["format"].endswith(STENCILS) else []
-        stencil = [np.zeros(level.shape, np.int64) for level in beside]
-        unsure = [level.copy() for level in beside]
-        deep = undecided if row["format"].startswith(DEPTHS) else []
-        places = [np.full(level.shape, NOWHERE) for level in deep]
-        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure, places)
-
-    @property
-    def lanes(self) -> int:
-        """How many lanes its format has."""
-        return 1 if self.format.startswith(DEPTHS) else formats.lanes_of(self.format)
-
-    def texels(self) -> Texels:
-        """The texture as a shader reads it."""
-        flat = self.dimension == "2d"
-        value, low, high = (
-            tuple(level[end, 0] if flat else level[end] for level in self.levels)
-            for end in range(_ENDS)
-        )
-        return Texels(value, self.format.endswith("srgb"), low, high)
-
-    def copy(self) -> Drawn:
-        """The same contents in a texture of its own."""
-        return deepcopy(self)
+    shader: Shader
+    values: Mapping[str, Any]
+    texels: Mapping[str, Texels]
+    geometry: Geometry
 
 
 @dataclass(slots=True)
@@ -116,6 +65,8 @@ class ReferenceFrames:
     places: Places = field(default_factory=Places)
     buffers: dict[str, Contents] = field(default_factory=dict)
     """By the name of the result."""
+    counted: Counted = frozenset()
+    """The rare rules on which it hangs what has been drawn so far."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -174,11 +125,13 @@ class ReferenceFrames:
 
     def _draw(self, step: Row, is_first: bool) -> None:
         draws = list(self.host.draws(step, is_first=is_first))
-        targets = [*step["targets"], *([step["depth"]] if step["depth"] else [])]
+        targets = list(attachments(step))
         for target in targets:
-            is_new = target["load"] == "clear" and target["layer"] in (0, None)
-            if target["texture"] not in self.textures or (is_new and target["level"] == 0):
-                self._make(target["texture"])
+            for place in filter(None, (target, target["resolve"])):
+                is_first_part = place["layer"] in (0, None) and place["level"] == 0
+                is_new = target["load"] == "clear" and is_first_part
+                if is_new or place["texture"] not in self.textures:
+                    self._make(place["texture"])
         layers = (
             1
             if targets[0]["layer"] is not None
@@ -189,24 +142,28 @@ class ReferenceFrames:
 
     def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
         shader = drawable(self._shader(step["draws"][0]["uses"][0]["shader"]))
-        width, height = self.host.drawn_size(step)
-        state, depth = self.host.state_of(step), step["depth"]
-        rules = replace(
-            self.rules, width=width, height=height, viewport=state.viewport,
-            scissor=state.scissor, samples=shader.render_state.samples,
-        )  # fmt: skip
+        rules, depth = self._rules_of(step, shader), step["depth"]
         canvas = Canvas(
             rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
             depth=1.0 if depth is None else self.host.clear_of(depth)[0],
-            blend_constant=state.blend_constant, places=self.places,
+            blend_constant=self.host.state_of(step).blend_constant, places=self.places,
         )  # fmt: skip
-        self._load(canvas, step, layer)
         hulls = Hulls(canvas)
-        self._load_hulls(hulls, step, layer)
+        load(canvas, hulls, step, layer, self.textures)
         for draw in draws:
             self._onto(canvas, hulls, draw, rules, layer)
-        self._store(canvas, hulls, step, layer, rules)
+        store(canvas, hulls, step, layer, rules, self.textures)
+        self.counted |= canvas.counted
+
+    def _rules_of(self, step: Row, shader: Shader) -> RasterRules:
+        """The rules for the pictures of one step."""
+        width, height = self.host.drawn_size(step)
+        state = self.host.state_of(step)
+        return replace(
+            self.rules, width=width, height=height, viewport=state.viewport,
+            scissor=state.scissor, samples=shader.render_state.samples,
+        )  # fmt: skip
 
     def _shader(self, number: int) -> Shader:
         if self.shader_of is not None:
@@ -217,13 +174,20 @@ class ReferenceFrames:
         self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
     ) -> None:
         """Draw on a canvas; where a shader draws each layer by itself, this one."""
+        drawn = self._drawn_of(draw, layer)
+        draw_onto(
+            canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
+            hulls=None if self.errors is None else hulls,
+        )  # fmt: skip
+
+    def _drawn_of(self, draw: FrameDraw, layer: int) -> Inputs:
+        """Of what a draw is drawn; where a shader draws each layer by itself, this one."""
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         shader = drawable(self._shader(draw.shader))
         written = self._give_buffers(state.instance, draw)
-        draw_onto(
-            canvas, shader, values_for(shader, state.instance, written), self._texels(draw),
-            geometry_for(shader, state.geometry()), rules, self.errors,
-            hulls=None if self.errors is None else hulls,
+        return Inputs(
+            shader, values_for(shader, state.instance, written), self._texels(draw),
+            geometry_for(shader, state.geometry()),
         )  # fmt: skip
 
     def _texels(self, draw: FrameDraw) -> Mapping[str, Texels]:
@@ -244,91 +208,6 @@ class ReferenceFrames:
             instance.set_bytes(name, contents.data)
         return written
 
-    # --- contents --------------------------------------------------------------------------------
-
-    def _load(self, canvas: Canvas, step: Row, layer: int) -> None:
-        """Put what is there before on a canvas."""
-        for number, target in enumerate(step["targets"]):
-            if target["load"] == "load":
-                canvas.targets[number][:] = self._pixels(target, layer)
-        depth = step["depth"]
-        if depth is not None and depth["load"] == "load":
-            value, low, high = self._pixels(depth, layer)[..., 0]
-            canvas.depth[:] = value
-            canvas.depth_off[:] = np.maximum(high - value, value - low)
-            texture, at, level = _place(depth, layer)
-            canvas.place[:] = self.textures[texture].places[level][at].ravel()
-            self._load_stencil(canvas, depth, layer)
-        for target in self._loaded(step):
-            texture, at, level = _place(target, layer)
-            canvas.shaky |= self.textures[texture].undecided[level][at].ravel()
-
-    def _load_stencil(self, canvas: Canvas, depth: Row, layer: int) -> None:
-        texture, at, level = _place(depth, layer)
-        kept = self.textures[texture]
-        if kept.stencil:
-            canvas.stencil.values[:] = kept.stencil[level][at].ravel()
-            canvas.stencil.unsure[:] = kept.stencil_unsure[level][at].ravel()
-
-    def _loaded(self, step: Row) -> Iterator[Row]:
-        for target in [*step["targets"], *([step["depth"]] if step["depth"] else [])]:
-            if target["load"] == "load":
-                yield target
-
-    def _pixels(self, target: Row, layer: int) -> Floats:
-        """What is there of a layer and level: (3, pixels, lanes)."""
-        texture, at, level = _place(target, layer)
-        found = self.textures[texture].levels[level][:, at]
-        return found.reshape(_ENDS, -1, found.shape[-1])
-
-    def _load_hulls(self, hulls: Hulls, step: Row, layer: int) -> None:
-        """What undecided pixels may be of what is there before."""
-        for number, target in enumerate(step["targets"]):
-            if target["load"] == "load":
-                hulls.targets[number][:] = self._pixels(target, layer)[1:]
-        if step["depth"] is not None and step["depth"]["load"] == "load":
-            hulls.depth[:] = self._pixels(step["depth"], layer)[1:, :, 0]
-
-    def _store(
-        self, canvas: Canvas, hulls: Hulls, step: Row, layer: int, rules: RasterRules
-    ) -> None:
-        """Keep what was drawn."""
-        picture = expected_on(canvas, rules)
-        for number, target in enumerate(step["targets"]):
-            ends = np.stack([picture.targets[number], picture.low[number], picture.high[number]])
-            self._keep_pixels(target, layer, ends, hulls.targets[number], picture)
-        if step["depth"] is not None:
-            value = canvas.depth.reshape(rules.height, rules.width, 1)
-            off = canvas.depth_off.reshape(value.shape)
-            ends = np.stack([value, value - off, value + off])
-            self._keep_pixels(step["depth"], layer, ends, hulls.depth[..., None], picture)
-            texture, at, level = _place(step["depth"], layer)
-            self.textures[texture].places[level][at] = canvas.place.reshape(value.shape[:2])
-            self._keep_stencil(step["depth"], layer, canvas)
-
-    def _keep_pixels(
-        self, target: Row, layer: int, ends: Floats, hull: Floats, picture: Expected
-    ) -> None:
-        """Keep values between their ends; what is undecided may be all that its hull contains."""
-        texture, at, level = _place(target, layer)
-        drawn = self.textures[texture]
-        for end, extreme in zip(ends[1:], hull, strict=True):
-            end[picture.undecided] = extreme.reshape(end.shape)[picture.undecided]
-        if drawn.format.startswith(DEPTHS):
-            ends = np.clip(ends, 0.0, 1.0)
-        else:
-            ends = np.stack([formats.clamped(drawn.format, end) for end in ends])
-        drawn.levels[level][:, at] = ends
-        drawn.undecided[level][at] = picture.undecided
-
-    def _keep_stencil(self, depth: Row, layer: int, canvas: Canvas) -> None:
-        texture, at, level = _place(depth, layer)
-        drawn = self.textures[texture]
-        if drawn.stencil:
-            shape = drawn.stencil[level][at].shape
-            drawn.stencil[level][at] = canvas.stencil.values.reshape(shape)
-            drawn.stencil_unsure[level][at] = canvas.stencil.unsure.reshape(shape)
-
     # --- kernels ---------------------------------------------------------------------------------
 
     def _run(self, step: Row, draw: FrameDraw) -> None:
@@ -348,6 +227,7 @@ class ReferenceFrames:
                 "level": 0,
                 "load": "clear",
                 "clear": None,
+                "resolve": None,
                 "result": row["result"],
             }
             for row in step["images"]
@@ -363,13 +243,3 @@ class ReferenceFrames:
             },
             [drawn], 0,
         )  # fmt: skip
-
-
-def _place(target: Row, layer: int) -> tuple[int, int, int]:
-    at = layer if target["layer"] is None else target["layer"]
-    return target["texture"], at, target["level"]
-
-
-def _halved(size: tuple[int, int], times: int) -> tuple[int, int]:
-    width, height = size
-    return halved(width, times), halved(height, times)

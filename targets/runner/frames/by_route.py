@@ -26,6 +26,7 @@ from ..drivers.frame_job import (
     FrameStep,
     FrameTexels,
     FrameTexture,
+    Resolve,
     TextureUse,
     groups_of,
 )
@@ -161,6 +162,7 @@ class _Job:
                 row["levels"],
                 row["dimension"],
                 is_black,
+                row["samples"],
                 self._memory.get(number),
             )
         )
@@ -265,8 +267,13 @@ class _Job:
         return Attachment(
             self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
             target["store"], "stencil" in target and target["stencil"]["store"],
-            self._host.clear_of(target),
+            self._host.clear_of(target), self._resolve(target["resolve"]),
         )  # fmt: skip
+
+    def _resolve(self, row: Row | None) -> Resolve | None:
+        if row is None:
+            return None
+        return Resolve(self._texture(row["texture"]), row["layer"], row["level"])
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
         state = draw.state.layers[layer] if draw.state.layers else draw.state

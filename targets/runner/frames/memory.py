@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from ....compiler.ir.image_sizes import halved
 from ..binding import FORMATS
 from ..drivers.readback import TEXEL_LANES
-from .checks.rows import Row, is_rare, written
+from .checks.rows import Row, drawn_to, is_rare, written
 from .sizes import Size
 
 DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
@@ -23,7 +23,8 @@ def bytes_of(texture: Row, size: Size) -> int:
     """How much memory a texture needs at least."""
     width, height = size
     texels = sum(halved(width, level) * halved(height, level) for level in range(texture["levels"]))
-    return texels * int(texture["layers"]) * _texel_bytes(texture["format"])
+    samples = texels * int(texture["layers"]) * int(texture["samples"])
+    return samples * _texel_bytes(texture["format"])
 
 
 def _texel_bytes(format_: str) -> int:
@@ -63,10 +64,17 @@ def total(groups: Sequence[Sequence[int]], needed: Mapping[int, int]) -> int:
 def _spans(plan: Row) -> dict[int, tuple[int, int]]:
     """The first and the last step that need something of each texture."""
     found: dict[int, tuple[int, int]] = {}
+
+    def add(texture: int, first: int, last: int) -> None:
+        known = found.get(texture, (first, last))
+        found[texture] = min(known[0], first), max(known[1], last)
+
     for row in plan["results"]:
         if row["texture"] is not None:
-            first, last = found.get(row["texture"], (row["first"], row["last"]))
-            found[row["texture"]] = min(first, row["first"]), max(last, row["last"])
+            add(row["texture"], row["first"], row["last"])
+    for number, step in enumerate(plan["steps"]):
+        for texture in drawn_to(step):
+            add(texture, number, number)
     return found
 
 

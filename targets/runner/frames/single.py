@@ -1,24 +1,24 @@
 """Shows a single material as a frame: a plan of one step that draws it, or runs it.
 
-Hosts have one road only, which is that of plans. ``burnish view`` takes it for materials and
-kernels over images; who writes an engine can do the same with any reflection.
+Hosts have one road only, which is that of plans. ``burnish view`` takes it for materials, kernels
+and passes that capture; who writes an engine can do the same with any reflection.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from ....compiler.ir.shader import Shader
+from ..capturing import give_elements
 from ..codes import ShaderFile
-from ..kernels import has_images
 from ..meshes import MESHES, farthest_first
 from ..scene import Scene, declared_as, with_inputs
-from ..scene_state import CLEAR, Color
+from ..scene_state import CLEAR, Color, set_up
 from ..subject import Subject
 from .checks.rows import PlanError
-from .host import VERSION, Row
+from .host import VERSION, FrameHost, Row
 from .scenery import WHOLE, Model, Scenery
 
 STEP = "shown"
@@ -80,18 +80,18 @@ class _Renamed:
 
 def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
     """The frame that shows a material on all models of the scene, or what a kernel writes; it has
-    an output for each render target. ``background`` is what its first one is cleared to, unless its
-    pass says so.
+    an output for each render target, image or buffer. ``background`` is what its first target is
+    cleared to, unless its pass says so.
 
-    Raises ``PlanError`` for what has no picture: a pass that captures vertices, and a kernel over
-    buffers.
+    Raises ``PlanError`` for what leaves nothing that a host could get: a pass that captures
+    vertices by a stream output.
     """
     reflection = subject.reflection
-    if not reflection["targets"]:
+    if not (reflection["targets"] or reflection["results"]):
         raise PlanError(f"{subject.name} draws no picture")
-    is_kernel = has_images(reflection)
-    parts = (subject.name,) if is_kernel else (reflection["pass"], subject.name)
-    name = ".".join((subject.name, *parts))
+    is_kernel = reflection["extent"] is not None
+    parts = [subject.name, reflection["pass"], subject.name]
+    name = ".".join(part for part in parts if part)
     shader = _Renamed(subject, name, {**reflection, "material": name})
     parameters = [_size_row(), *_parameters_of_lights(reflection)]
     plan = {
@@ -111,14 +111,19 @@ def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
         "textures": [],
         "results": [],
         "steps": [],
-        "end": {"barriers": [], "buffer_barriers": []},
+        "end": {},
         "kept": [],
         "outputs": [],
     }
     _add_images(plan, reflection, is_kernel=is_kernel)
+    _add_buffers(plan, reflection)
     plan["steps"] = [_run(plan) if is_kernel else _draw(plan, subject, background)]
     use = "image" if is_kernel else "target"
-    plan["end"]["barriers"] = [_barrier(row["texture"], use, "sampled") for row in plan["outputs"]]
+    pictures, buffers = _outputs(plan)
+    plan["end"] = {
+        "barriers": [_barrier(row["texture"], use, "sampled") for row in pictures],
+        "buffer_barriers": [_buffer_barrier(row, "written", "read") for row in buffers],
+    }
     return SingleFrame(subject.name, plan, (shader,))
 
 
@@ -129,7 +134,7 @@ def _size_row() -> Row:
     return {
         **_IVEC2,
         "name": SIZE, "range": [1.0, 16384.0], "default": [512, 512],
-        "doc": "Of what is shown, in pixels", "library": declared_as("size"),
+        "doc": "Of what is shown, in pixels", "library": declared_as("size"), "role": "size",
         "group": "frame", "block": None, "offset": None, "size": 8,
         "layout": {"stored": "ivec2", "kind": "int", "lanes": 2}, "members": [], "count": None,
     }  # fmt: skip
@@ -195,20 +200,31 @@ def _add_images(plan: dict[str, Any], reflection: Row, *, is_kernel: bool) -> No
                 "extent_of": STEP if is_kernel else None,
                 "level": 0,
             },
-            "layers": layers["count"] if layers else 1, "levels": 1,
+            "layers": layers["count"] if layers else 1, "levels": 1, "samples": 1,
             "uses": [use, "sampled"], "kept": False, "results": [result],
         })  # fmt: skip
-        plan["results"].append(_result_row(result, number, target["doc"]))
-        plan["outputs"].append({
-            "name": target["name"], "result": result, "texture": number, "doc": target["doc"],
-            "source": _PLACE,
-        })  # fmt: skip
+        _add_output(plan, target, number)
 
 
-def _result_row(name: str, texture: int, doc: str) -> Row:
-    return {
-        "name": name, "kind": "texture", "texture": texture, "first": 0, "last": 0, "doc": doc,
+def _add_buffers(plan: dict[str, Any], reflection: Row) -> None:
+    """Add a result and an output for each buffer that a kernel writes."""
+    for row in reflection["results"]:
+        _add_output(plan, row, None)
+
+
+def _add_output(plan: dict[str, Any], row: Row, texture: int | None) -> None:
+    result = f"{STEP}.{row['name']}"
+    plan["results"].append(_result_row(result, texture, row["doc"]))
+    plan["outputs"].append({
+        "name": row["name"], "result": result, "texture": texture, "doc": row["doc"],
         "source": _PLACE,
+    })  # fmt: skip
+
+
+def _result_row(name: str, texture: int | None, doc: str) -> Row:
+    return {
+        "name": name, "kind": "buffer" if texture is None else "texture", "texture": texture,
+        "first": 0, "last": 0, "doc": doc, "source": _PLACE,
     }  # fmt: skip
 
 
@@ -222,6 +238,8 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
             target["clear"] = _value(plan, row["clear"])
     depth = None
     state = reflection["render_state"]
+    if state["samples"] > 1:
+        _draw_samples(plan, targets, state["samples"])
     stencil = state["stencil"] is not None
     if state[_DEPTH]["write"] or state[_DEPTH]["compare"] != "always":
         depth = _target(_DEPTH, len(plan["textures"]), layers, store=False)
@@ -232,14 +250,16 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
         plan["textures"].append({
             **plan["textures"][0],
             "format": _DEPTH_FORMATS[stencil],
+            "samples": state["samples"],
             "uses": [_DEPTH],
             "results": [depth["result"]],
         })  # fmt: skip
-        plan["results"].append(_result_row(depth["result"], depth["texture"], ""))
+        found = depth["texture"] if state["samples"] == 1 else None
+        plan["results"].append(_result_row(depth["result"], found, ""))
     return {
         "kind": "draw", "name": STEP, "pass": reflection["pass"], "only_first": False,
         "barriers": [
-            *(_barrier(row["texture"], _NEW, "target") for row in targets),
+            *(_barrier(number, _NEW, "target") for row in targets for number in _drawn_to(row)),
             *([_barrier(depth["texture"], _NEW, _DEPTH)] if depth else []),
         ],
         "buffer_barriers": [],
@@ -254,11 +274,29 @@ def _draw(plan: dict[str, Any], subject: Subject, background: Color) -> Row:
     }  # fmt: skip
 
 
+def _draw_samples(plan: dict[str, Any], targets: Sequence[dict[str, Any]], samples: int) -> None:
+    """Have targets drawn with several samples, which are resolved to what they were drawn to."""
+    for target in targets:
+        resolved = target["texture"]
+        target["resolve"] = {"texture": resolved, "layer": 0, "level": 0}
+        target["texture"], target["store"] = len(plan["textures"]), False
+        plan["textures"].append(
+            {**plan["textures"][resolved], "samples": samples, "uses": ["target"]}
+        )
+
+
+def _drawn_to(target: Row) -> Iterator[int]:
+    """The textures to which something is written."""
+    yield target["texture"]
+    if target["resolve"] is not None:
+        yield target["resolve"]["texture"]
+
+
 def _target(name: str, texture: int, layers: Row | None, *, store: bool) -> dict[str, Any]:
     return {
         "name": name, "result": f"{STEP}.{name}", "texture": texture,
         "layer": None if layers else 0, "level": 0, "load": "clear", "clear": None, "store": store,
-        "over": None,
+        "resolve": None, "over": None,
     }  # fmt: skip
 
 
@@ -275,19 +313,42 @@ def _value(plan: dict[str, Any], lanes: Sequence[float]) -> int:
 
 
 def _run(plan: dict[str, Any]) -> Row:
+    images, buffers = _outputs(plan)
     return {
         "kind": "run", "name": STEP, "only_first": False, "shader": 0, "inputs": [],
-        "barriers": [_barrier(row["texture"], _NEW, "image") for row in plan["outputs"]],
-        "buffer_barriers": [],
-        "images": [
-            {key: row[key] for key in ("name", "result", "texture")} for row in plan["outputs"]
-        ],
-        "buffers": [], "source": _PLACE,
+        "barriers": [_barrier(row["texture"], _NEW, "image") for row in images],
+        "buffer_barriers": [_buffer_barrier(row, _NEW, "written") for row in buffers],
+        "images": [{key: row[key] for key in ("name", "result", "texture")} for row in images],
+        "buffers": [{key: row[key] for key in ("name", "result")} for row in buffers],
+        "source": _PLACE,
     }  # fmt: skip
+
+
+def _outputs(plan: dict[str, Any]) -> tuple[list[Row], list[Row]]:
+    """Those that are pictures, and those that are buffers."""
+    rows: list[Row] = plan["outputs"]
+    pictures = [row for row in rows if row["texture"] is not None]
+    return pictures, [row for row in rows if row["texture"] is None]
 
 
 def _barrier(texture: int, before: str, after: str) -> Row:
     return {"texture": texture, "from": before, "to": after, "only_first": False}
+
+
+def _buffer_barrier(row: Row, before: str, after: str) -> Row:
+    return {"result": row["result"], "from": before, "to": after, "only_first": False}
+
+
+def captures(frame: SingleFrame) -> bool:
+    """Whether it captures the vertices of a mesh, which ``give_captured`` gives it."""
+    return frame.shaders[0].reflection["capture"] is not None
+
+
+def give_captured(host: FrameHost, mesh: str, instances: int) -> None:
+    """Give a kernel that captures the vertices of a mesh, in the scene of a material."""
+    (instance,) = host.instances
+    whole = with_inputs(instance.reflection, MESHES[mesh](), instances)
+    give_elements(set_up(instance, whole, Scene(), host.size))
 
 
 def single_scenery(frame: SingleFrame, mesh: str, instances: int) -> Scenery:

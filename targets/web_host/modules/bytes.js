@@ -1,5 +1,4 @@
 // Bytes that packages hold in base64, and texels that come back from a device.
-import { halfOfBits } from "./functions.js";
 /** The bytes of a text in base64. */
 export function bytesOf(base64) {
     const text = atob(base64);
@@ -8,7 +7,6 @@ export function bytesOf(base64) {
         bytes[at] = text.charCodeAt(at);
     return bytes;
 }
-export const wordsOf = (base64) => new Uint32Array(bytesOf(base64).buffer);
 /** The format of a texture for each format of the language. All APIs can draw to these; lanes of
  * ten bits are drawn with eight, which are clamped and blended in the same way. */
 const FORMATS = {
@@ -25,6 +23,8 @@ export function formatOf(name) {
 }
 export const isDepth = (format) => format.startsWith("depth");
 export const hasStencil = (format) => format.endsWith("stencil8");
+/** A side of a mip level. */
+export const halved = (side, level) => Math.max(side >> level, 1);
 /** How many lanes a texel has, and how many bytes each of them. */
 export function lanesOf(format) {
     const count = /^rgba/.test(format) ? 4 : /^rg/.test(format) ? 2 : 1;
@@ -33,24 +33,26 @@ export function lanesOf(format) {
 /** Tightly packed texels as a shader reads them: four numbers each. */
 export function toFloats(format, bytes) {
     const [count, size] = lanesOf(format);
-    const lanes = size === 4
-        ? new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4)
-        : size === 2
-            ? new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.length / 2)
-            : bytes;
-    const decode = size === 4 ? (x) => x : size === 2 ? floatOfHalf : (x) => x / 255;
-    const found = new Float32Array((lanes.length / count) * 4);
+    const view = new DataView(bytes.buffer, bytes.byteOffset);
+    const decoders = {
+        1: (at) => bytes[at] / 255,
+        2: (at) => floatOfHalf(view.getUint16(2 * at, true)),
+        4: (at) => view.getFloat32(4 * at, true),
+    };
+    const found = new Float32Array((bytes.length / size / count) * 4);
     for (let at = 0; at < found.length; at++) {
         const lane = at % 4;
-        const value = lane < count ? decode(lanes[(at >> 2) * count + lane]) : lane === 3 ? 1 : 0;
+        const value = lane < count ? decoders[size]((at >> 2) * count + lane) : Number(lane === 3);
         found[at] = format.endsWith("srgb") && lane < 3 ? linear(value) : value;
     }
     return found;
 }
-/** Sixteen bits as a number, those included that are none or infinite. */
 function floatOfHalf(bits) {
-    if (((bits >> 10) & 31) !== 31)
-        return halfOfBits(bits);
-    return bits & 0x3ff ? NaN : bits & 0x8000 ? -Infinity : Infinity;
+    const exponent = (bits >> 10) & 31;
+    const fraction = bits & 0x3ff;
+    const sign = bits & 0x8000 ? -1 : 1;
+    if (exponent === 31)
+        return fraction ? NaN : sign * Infinity;
+    return sign * (exponent ? (fraction + 1024) * 2 ** (exponent - 25) : fraction * 2 ** -24);
 }
 const linear = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);

@@ -1,8 +1,8 @@
 // Executes the plan of a frame, step by step, with the renderer of an API: see docs/plans.md.
-import { settingsOf } from "./areas.js";
-import { bytesOf } from "./bytes.js";
-import { bareGeometry, checkLevels, geometryOf } from "./geometry.js";
+import { bytesOf, halved } from "./bytes.js";
+import { bareMesh, checkLevels, meshOf } from "./geometry.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
+import { settingsOf } from "./settings.js";
 import { Values } from "./values.js";
 const VERSION = 1;
 /** How many frames are told apart, and how many vertices: as many as float32 can. */
@@ -19,6 +19,8 @@ export function checkVersions({ package: version, plan, shaders }) {
     check("plans", plan.plan);
     shaders.forEach(({ reflection }) => check("reflections", reflection.format));
 }
+/** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a
+ * sentence. */
 export class PlanFrame {
     from;
     renderer;
@@ -31,7 +33,7 @@ export class PlanFrame {
     size;
     drawn = 0;
     isFirst = true;
-    geometries = new Map();
+    meshes = new Map();
     elements = new WeakMap();
     constructor(from, renderer) {
         this.from = from;
@@ -60,52 +62,61 @@ export class PlanFrame {
             this.resources.buffers.set(hostBuffer(values.name, row.name), buffer);
         }
     }
-    // --- what a page sets ---
+    // --- what a page does ---
+    /** Set something of the frame, `sun.direction` or `lamps[2].place`; or else of all shaders that
+     * have it, such as a material's colour. */
     set(name, value) {
-        const owners = this.values.has(name)
-            ? [this.values]
-            : this.materials.filter((each) => each.has(name));
+        const owners = [this.values, ...this.materials].filter((each) => each.has(name));
         if (!owners.length)
             throw new Error(`${this.plan.frame} has no parameter \`${name}\``);
-        for (const each of owners)
+        for (const each of owners[0] === this.values ? [this.values] : owners)
             each.set(name, value);
         this.given.add(name);
     }
+    /** Look from elsewhere. What is left out stays as it is. */
     setCamera(camera) {
         this.camera = { ...this.camera, ...camera };
     }
+    /** The width and height of what the frame draws, as far as it says no other size. */
     resize(width, height) {
         if (!(width >= 1 && height >= 1)) {
             throw new Error(`a frame cannot have ${width} x ${height} pixels`);
         }
         this.size = [Math.floor(width), Math.floor(height)];
     }
-    // --- frames ---
+    /** Draw the frame once; what it keeps goes on from the last time. */
     draw() {
-        this.tell("size", this.size);
-        this.tell("number", this.drawn % NUMBERS);
-        this.apply(this.values, this.from.roles, this.camera, this.size[0] / this.size[1]);
+        const told = { ...this.camera, size: this.size, number: this.drawn % NUMBERS };
+        this.apply(this.values, this.from.roles, told, this.size[0] / this.size[1]);
         this.renderer.begin();
         this.isFirst = !this.resources.begin(this.isFirst);
         for (const step of this.plan.steps) {
-            if (this.isFirst || !step.only_first)
-                this.execute(step);
+            if (step.only_first && !this.isFirst)
+                continue;
+            if (step.kind === "draw")
+                this.drawStep(step);
+            else if (step.kind === "run")
+                this.run(step);
+            else {
+                const [from, to] = [step.from, step.to].map((end) => this.resources.texture(end.texture));
+                this.renderer.copy(from, to);
+            }
         }
         this.renderer.end();
         this.resources.end();
         this.isFirst = false;
         this.drawn += 1;
     }
+    /** Put an output on the canvas, by default the first one that is a picture. */
     show(output) {
         this.renderer.show(this.outputOf(output));
     }
+    /** The width and height of an output's first level. */
     sizeOf(output) {
         const [width, height] = this.renderer.sizeOf(this.outputOf(output));
         return [width, height];
     }
-    read(output) {
-        return this.renderer.read(this.outputOf(output));
-    }
+    /** The elements of an output that is a buffer, as its row of `results` says how they lie. */
     async readElements(output) {
         const row = this.plan.outputs.find((each) => each.name === output && each.texture === null);
         const buffer = row && this.resources.written(row.result);
@@ -114,33 +125,22 @@ export class PlanFrame {
             throw new Error(`\`${output}\` of ${frame} is no buffer, or was not written yet`);
         return (await this.renderer.readBuffer(buffer)).subarray(0, this.resources.bytesIn(buffer));
     }
+    /** The numbers of an output's first level. */
+    read(output) {
+        return this.renderer.read(this.outputOf(output));
+    }
+    /** Wait until all is drawn; an error tells what the API has refused of it. */
     finished() {
         return this.renderer.finished();
     }
+    /** Give everything back that the frame has made. */
     dispose() {
         this.renderer.dispose();
     }
-    /** Set what hosts tell every frame, unless this one says it itself, or somebody has set it. */
-    tell(role, value) {
-        for (const [name, own] of Object.entries(this.from.roles)) {
-            if (own === role && !this.given.has(name))
-                this.values.set(name, value);
-        }
-    }
-    /** Give values what they are of a scene. */
-    apply(values, roles, scene, aspect) {
-        for (const [name, role] of Object.entries(roles)) {
-            if (!(role in scene) || this.given.has(name))
-                continue;
-            const value = scene[role];
-            values.set(name, role === "view_projection" ? ofAspect(value, aspect) : value);
-        }
-    }
     outputOf(name) {
         const { outputs, frame } = this.plan;
-        const row = name === undefined
-            ? outputs.find(({ texture }) => texture !== null)
-            : outputs.find((each) => each.name === name);
+        const isWanted = (row) => name === undefined ? row.texture !== null : row.name === name;
+        const row = outputs.find(isWanted);
         const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
         if (!row)
             throw new Error(`${frame} has no output ${wanted}`);
@@ -149,21 +149,20 @@ export class PlanFrame {
             throw new Error(`\`${row.name}\` of ${frame} is no picture, or was not drawn yet`);
         return found;
     }
-    // --- steps ---
-    execute(step) {
-        const texture = (end) => this.resources.texture(end.texture);
-        if (step.kind === "copy")
-            this.renderer.copy(texture(step.from), texture(step.to));
-        else if (step.kind === "run")
-            this.run(step);
-        else
-            this.drawStep(step);
+    /** Give values what they are of a scene, unless somebody has set them. */
+    apply(values, roles, scene, aspect) {
+        for (const [name, role] of Object.entries(roles)) {
+            if (!(role in scene) || this.given.has(name))
+                continue;
+            const value = scene[role];
+            values.set(name, role === "view_projection" ? ofAspect(value, aspect) : value);
+        }
     }
+    // --- steps that draw ---
     drawStep(step) {
         const first = step.targets[0] ?? step.depth;
-        const sides = this.resources.sizeOf(first.texture);
-        const [width, height] = sides.map((side) => Math.max(side >> first.level, 1));
-        const settings = this.settings(step, width, height);
+        const sides = this.resources.sizeOf(first.texture).map((side) => halved(side, first.level));
+        const settings = this.settings(step, sides);
         const [, , wide, high] = settings.viewport;
         const calls = step.draws.flatMap((drawn) => this.calls(drawn, wide / high));
         const layers = first.layer === null ? this.plan.textures[first.texture].layers : 1;
@@ -174,13 +173,16 @@ export class PlanFrame {
                 target,
                 texture: this.resources.texture(target.texture),
                 layer: target.layer ?? layer,
+                resolve: target.resolve && {
+                    ...target.resolve, texture: this.resources.texture(target.resolve.texture),
+                },
                 clear: this.cleared(target),
             });
             const depth = step.depth && attachment(step.depth);
             this.renderer.draw(step.targets.map(attachment), depth, calls, settings);
         }
     }
-    settings(step, width, height) {
+    settings(step, [width, height]) {
         const { viewport, scissor, blend_constant } = step;
         const [seen, drawn, constant] = [viewport, scissor, blend_constant].map((value) => value === null ? null : this.resources.number(value));
         return settingsOf(width, height, seen, drawn, constant);
@@ -202,35 +204,29 @@ export class PlanFrame {
         }
     }
     calls(drawn, aspect) {
-        return this.lights(drawn.light).flatMap((light) => drawn.models === null
-            ? [this.ofVertices(drawn, light, aspect)]
-            : this.from.scene.models
-                .filter(({ tags }) => tags.includes(drawn.models))
-                .map((model) => this.ofModel(drawn, model, light, aspect)));
+        const models = this.from.models.filter(({ tags }) => tags.includes(drawn.models));
+        return this.lights(drawn.light).flatMap((light) => (drawn.models === null ? [null] : models).map((model) => {
+            const use = useFor(drawn, model);
+            return this.call(use, model, light, aspect, this.mesh(drawn, use.shader, model));
+        }));
     }
-    ofVertices({ uses: [use], vertices }, light, aspect) {
+    mesh({ vertices }, shader, model) {
+        if (model) {
+            const number = model.geometries[shader];
+            return this.known(`${number}`, () => meshOf(this.from.geometries[number]));
+        }
         const [count] = this.resources.number(vertices);
         if (!(count >= 0 && count <= NUMBERS))
             throw new Error(`a step would draw ${count} vertices`);
-        const make = () => bareGeometry(this.from.shaders[use.shader], count);
-        return this.call(use, null, light, aspect, this.geometry(`${use.shader} ${count}`, make));
+        return this.vertices(shader, count);
     }
-    ofModel({ uses, models }, model, light, aspect) {
-        const use = uses.find(({ material }) => material === model.material);
-        if (!use) {
-            const known = uses.map(({ material }) => material).join(", ");
-            const wrong = `a model of \`${models}\` has the material ${model.material}`;
-            throw new Error(`${wrong}, and the frame draws ${known}`);
-        }
-        const number = model.primitives[use.shader];
-        const mesh = this.from.scene.meshes[model.mesh];
-        const make = () => geometryOf(this.from.shaders[use.shader], mesh, number);
-        const key = `${use.shader} ${model.mesh} ${number}`;
-        return this.call(use, model, light, aspect, this.geometry(key, make));
+    vertices(shader, count) {
+        const { reflection } = this.from.shaders[shader];
+        return this.known(`${count} vertices of ${shader}`, () => bareMesh(reflection, count));
     }
-    geometry(key, make) {
-        const found = this.geometries.get(key) ?? make();
-        this.geometries.set(key, found);
+    known(key, make) {
+        const found = this.meshes.get(key) ?? make();
+        this.meshes.set(key, found);
         return found;
     }
     /** Each light of an entry of the rig. */
@@ -249,39 +245,37 @@ export class PlanFrame {
         const { rig, lights } = this.plan;
         return lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
     }
-    call(use, model, light, aspect, geometry) {
+    call(use, model, light, aspect, mesh) {
         const shader = this.from.shaders[use.shader];
         const bound = this.bind(use, model);
         this.apply(bound.values, shader.roles, { ...model?.values, ...this.camera }, aspect);
         this.shine(bound.values, shader, light);
         this.give(bound, use);
         checkLevels(shader, bound.values);
-        for (const [name, buffer] of this.elementsOf(geometry))
+        for (const [name, buffer] of this.elementsOf(mesh))
             this.giveBuffer(bound, name, buffer);
-        return { ...bound, geometry };
+        return { ...bound, mesh };
     }
     /** The storage buffers that stand for vertex inputs. */
-    elementsOf(geometry) {
-        const found = this.elements.get(geometry)
-            ?? [...geometry.elements].map(([name, bytes]) => [name, this.renderer.makeBuffer(bytes)]);
-        this.elements.set(geometry, found);
+    elementsOf(mesh) {
+        const found = this.elements.get(mesh)
+            ?? mesh.elements.map(([name, bytes]) => [name, this.renderer.makeBuffer(bytes)]);
+        this.elements.set(mesh, found);
         return found;
     }
+    // --- what shaders read ---
     /** A shader with the values of its material, and with what the host has for it. */
-    bind({ shader: number }, model) {
+    bind(use, model) {
+        const number = use.shader;
         const shader = this.from.shaders[number];
         const values = this.materials[number].copied();
         const { pictures, buffers: known } = this.resources;
-        const textures = new Map();
-        for (const [name, picture] of Object.entries(shader.textures)) {
+        const textures = Object.entries(shader.textures).map(([name, picture]) => {
             const own = this.given.has(name) ? undefined : model?.textures[shader.texture_roles[name]];
-            textures.set(name, pictures[own ?? picture]);
-        }
-        const buffers = new Map();
-        for (const { name } of values.declared.buffers) {
-            buffers.set(name, known.get(hostBuffer(values.name, name)));
-        }
-        return { shader: number, values, textures, buffers };
+            return [name, pictures[own ?? picture]];
+        });
+        const buffers = values.declared.buffers.map(({ name }) => [name, known.get(hostBuffer(values.name, name))]);
+        return { shader: number, values, textures: new Map(textures), buffers: new Map(buffers) };
     }
     /** Give a shader the lights of the frame; of a single one, that of its entry. */
     shine(values, { reflection }, light) {
@@ -291,9 +285,9 @@ export class PlanFrame {
             if (!own)
                 continue;
             if (row.capacity !== null) {
-                values.take(row.name, this.values, own.name);
+                values.set(row.name, this.values.get(own.name));
                 if (row.count !== null)
-                    values.take(row.count, this.values, own.count);
+                    values.set(row.count, this.values.get(own.count));
                 continue;
             }
             const number = light?.entry === entry ? light.number : null;
@@ -324,40 +318,52 @@ export class PlanFrame {
                 const buffer = this.resources.buffers.get(key);
                 if (!buffer)
                     throw new Error(`${this.plan.frame} reads ${key}, which nobody has written`);
-                this.giveBuffer(bound, input.name, buffer);
+                const count = this.giveBuffer(bound, input.name, buffer);
                 const row = this.plan.host_buffers.find((each) => each.name === host);
                 if (row)
-                    bound.values.set(countOf(bound, input.name), this.values.get(row.count));
+                    bound.values.set(count, this.values.get(row.count));
             }
         }
     }
+    /** Returns the name of the parameter that says how many elements it has. */
     giveBuffer(bound, name, buffer) {
         const row = bound.values.declared.buffers.find((each) => each.name === name);
         bound.values.count(row, this.resources.bytesIn(buffer));
         bound.buffers.set(name, buffer);
+        return row.count;
     }
+    // --- kernels ---
     run(step) {
         const bound = this.bind(step, null);
         this.give(bound, step);
         const extent = this.resources.running(step.name, bound);
-        const { work_group: sides, backends } = this.from.shaders[step.shader].reflection;
-        const groups = sides.map((side, axis) => Math.ceil(Math.max(extent[axis] ?? 1, 0) / side));
+        const { reflection } = this.from.shaders[step.shader];
         const images = step.images.map(({ texture }) => this.resources.texture(texture));
-        if (images.length && !Object.keys(backends[this.renderer.profile].images).length) {
+        if (images.length && !Object.keys(reflection.backends[this.renderer.profile].images).length) {
             // Where a kernel cannot write images it is drawn over all of them.
             const target = { level: 0, load: "clear", store: true };
-            const targets = images.map((texture) => ({ target, texture, layer: 0, clear: [0, 0, 0, 0] }));
-            const geometry = bareGeometry(this.from.shaders[step.shader], 3);
+            const targets = images.map((texture) => ({
+                target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
+            }));
             const [width, height] = this.resources.sizeOf(step.images[0].texture);
             const settings = settingsOf(width, height, null, null, null);
-            this.renderer.draw(targets, null, [{ ...bound, geometry }], settings);
+            const call = { ...bound, mesh: this.vertices(step.shader, 3) };
+            this.renderer.draw(targets, null, [call], settings);
             return;
         }
         this.resources.giveWritten(step, bound);
+        const groups = reflection.work_group.map((side, axis) => Math.ceil(Math.max(extent[axis] ?? 1, 0) / side));
         this.renderer.run(bound, images, groups);
     }
 }
-/** The parameter that says how many elements a buffer has. */
-const countOf = ({ values }, buffer) => values.declared.buffers.find(({ name }) => name === buffer).count;
+/** The shader of what is drawn for a model, or for vertices. */
+function useFor({ uses, models }, model) {
+    const use = model ? uses.find(({ material }) => material === model.material) : uses[0];
+    if (use)
+        return use;
+    const known = uses.map(({ material }) => material).join(", ");
+    const wrong = `a model of \`${models}\` has the material ${model.material}`;
+    throw new Error(`${wrong}, and the frame draws ${known}`);
+}
 /** The columns of a projection for a picture that is `aspect` times as wide as high. */
 const ofAspect = (columns, aspect) => columns.map(([x, ...others]) => [x / aspect, ...others]);

@@ -1,10 +1,11 @@
 // Computes values from the steps of a plan or a reflection: see "Derived values" in
 // docs/reflection.md.
-import { evaluate } from "./functions.js";
+import { LANEWISE, WHOLE } from "./generated/builtins.js";
 /** The value of the last step. `element` is the number of the element of an array, if it is one's
  * value. */
 export function compute(steps, inputs, element) {
-    return new Computation(steps, inputs).body(steps.length - 1, element === undefined ? [] : [[element]]);
+    const bound = element === undefined ? [] : [[element]];
+    return new Computation(steps, inputs).body(steps.length - 1, bound);
 }
 class Computation {
     steps;
@@ -78,7 +79,6 @@ class Computation {
             case "fold":
                 return this.fold(row, values, bound);
         }
-        throw new Error(`this host does not know the step ${row.op}`);
     }
     fold(row, [[count], start], bound) {
         let result = start;
@@ -88,6 +88,18 @@ class Computation {
         }
         return result;
     }
+}
+/** The value of a builtin; `kind` is the type of the operands' lanes. */
+export function evaluate(name, operands, kind) {
+    const shapes = operands.map((each) => Array.isArray(each[0]) ? `${each.length}x${each[0].length}` : each.length);
+    const whole = WHOLE[[name, kind, ...shapes].join(" ")];
+    if (whole)
+        return whole(...operands);
+    const lanewise = LANEWISE[`${name} ${kind}`];
+    if (!lanewise)
+        throw new Error(`this host does not know the function ${name} of ${kind}`);
+    const lanes = operands;
+    return Array.from({ length: Math.max(...lanes.map((each) => each.length)) }, (_, at) => lanewise(...lanes.map((each) => each[each.length === 1 ? 0 : at])));
 }
 /** The arguments that are not a body under the step's binder. */
 function outside(row) {
@@ -119,6 +131,6 @@ function constantOf(value) {
 export function kindOf(type) {
     if (type === "int" || type === "uint" || type === "bool")
         return type;
-    const letter = /^([iub])vec[234]$/.exec(type)?.[1];
-    return letter === "i" ? "int" : letter === "u" ? "uint" : letter === "b" ? "bool" : "float";
+    const kinds = { ivec: "int", uvec: "uint", bvec: "bool" };
+    return kinds[type.slice(0, 4)] ?? "float";
 }

@@ -7,7 +7,10 @@ export class Values {
     name;
     declared;
     rows = new Map();
-    known = new Map();
+    /** Of all parts of parameters that have no parts themselves. */
+    lanes = new Map();
+    /** The parameters that have a value. */
+    known = new Set();
     constructor(
     /** What has these values, for messages. */
     name, declared) {
@@ -15,90 +18,94 @@ export class Values {
         this.declared = declared;
         for (const row of declared.parameters) {
             this.rows.set(row.name, row);
-            const first = row.count ? accepted(row, row.default, null, row.name) : initial(row);
-            this.known.set(row.name, first);
+            for (const [name, lanes] of defaults(row, row.name))
+                this.lanes.set(name, lanes);
+            if (row.count || row.default !== null)
+                this.known.add(row.name);
         }
     }
     /** Values of their own, which can be changed by themselves. */
     copied() {
         const made = Object.create(Values.prototype, Object.getOwnPropertyDescriptors(this));
-        made.known = new Map(this.known);
+        made.lanes = new Map(this.lanes);
+        made.known = new Set(this.known);
         return made;
     }
     /** Whether there is something of this name: a parameter, a part of one, or a light. */
     has(name) {
-        return this.parameterOf(name) !== undefined || this.lightOf(name) !== undefined;
+        return Boolean(this.find(name) ?? this.lightOf(name));
     }
-    /** Set a parameter, a part of one, or a light. */
+    /** Set a parameter, a part of one, or a light. Parts that are left out, or null, stay as they
+     * were, and are their defaults or zero at first. */
     set(name, value) {
-        const row = this.parameterOf(name);
-        if (row) {
-            const path = name.slice(row.name.length).match(/\w+/g) ?? [];
-            this.known.set(row.name, changed(row, this.known.get(row.name), path, value, name));
-            const isList = row.count && !path.length && Array.isArray(value);
-            if (isList)
-                this.known.set(row.count, [value.length]);
+        const found = this.find(name);
+        if (found) {
+            const { parameter, part } = found;
+            // All of it, or nothing.
+            for (const [each, lanes] of [...accepted(part, value)])
+                this.lanes.set(each, lanes);
+            this.known.add(parameter.name);
+            const isList = part.row === parameter && Array.isArray(value);
+            if (isList && parameter.count)
+                this.set(parameter.count, value.length);
             return;
         }
         if (!this.lightOf(name))
             throw new Error(`${this.name} has no parameter \`${name}\``);
-        for (const [member, part] of Object.entries(value ?? {})) {
+        for (const [member, part] of Object.entries(value ?? {}))
             this.set(`${name}.${member}`, part);
-        }
-    }
-    /** Take over the whole value of a parameter from others, where it has this type. */
-    take(name, other, source) {
-        this.known.set(name, other.known.get(source));
     }
     /** Say how many elements a storage buffer has. */
     count(buffer, bytes) {
-        this.known.set(buffer.count, [Math.floor(bytes / buffer.stride)]);
+        this.set(buffer.count, Math.floor(bytes / buffer.stride));
     }
     /** A value as it is stored. An error if somebody has yet to set it. */
     get(name) {
-        const row = this.parameterOf(name);
-        let found = row && this.known.get(row.name);
-        for (const step of row ? name.slice(row.name.length).match(/\w+/g) ?? [] : []) {
-            found = found?.[step];
-        }
-        if (found === undefined || found === null) {
+        const found = this.find(name);
+        if (!found || !this.known.has(found.parameter.name)) {
             throw new Error(`${this.name} needs a value for \`${name}\``);
         }
-        return found;
+        return this.whole(found.part);
     }
-    /** The value that steps compute. `sizes` are those of the textures that they read. */
-    evaluated(steps, sizes, element) {
-        return compute(steps, { parameter: (name) => this.get(name), size: sizes }, element);
+    whole({ row, name }) {
+        const parts = partsOf(row, name);
+        if (!parts.length)
+            return this.lanes.get(name);
+        if (row.layout.count !== undefined)
+            return parts.map((each) => this.whole(each));
+        return Object.fromEntries(parts.map((each) => [each.key, this.whole(each)]));
     }
-    /** The number that steps compute of these values alone. */
-    number(steps) {
-        return this.evaluated(steps, noTexture)[0];
+    /** The value that steps compute. `size` tells the sizes of the textures that they read. */
+    evaluated(steps, size = noTexture, element) {
+        return compute(steps, { parameter: (name) => this.get(name), size }, element);
     }
     /** The bytes of every block, those of derived values included. */
     blocks() {
         const { blocks, parameters, derived } = this.declared;
-        const found = new Map();
-        for (const { name, size } of blocks)
-            found.set(name, new DataView(new ArrayBuffer(size)));
-        for (const row of parameters) {
+        const found = new Map(blocks.map(({ name, size }) => [name, new ArrayBuffer(size)]));
+        const put = (row, value) => {
             if (row.block !== null)
-                write(found.get(row.block), row.offset, row, this.get(row.name));
-        }
-        for (const row of derived) {
-            write(found.get(row.block), row.offset, row, this.derivedOf(row));
-        }
-        return new Map([...found].map(([name, { buffer }]) => [name, new Uint8Array(buffer)]));
+                write(new DataView(found.get(row.block)), row.offset, row, value());
+        };
+        for (const row of parameters)
+            put(row, () => this.get(row.name));
+        for (const row of derived)
+            put(row, () => this.derivedOf(row));
+        return new Map([...found].map(([name, buffer]) => [name, new Uint8Array(buffer)]));
     }
     derivedOf({ steps, layout: { count } }) {
         if (count === undefined)
-            return this.evaluated(steps, noTexture);
+            return this.evaluated(steps);
         return Array.from({ length: count }, (_, at) => this.evaluated(steps, noTexture, at));
     }
-    parameterOf(name) {
+    /** What a name means: a parameter, or a part of one. */
+    find(name) {
         for (let end = name.length; end > 0; end = name.slice(0, end).search(/[.[][^.[]*$/)) {
-            const row = this.rows.get(name.slice(0, end));
-            if (row)
-                return row;
+            const parameter = this.rows.get(name.slice(0, end));
+            if (!parameter)
+                continue;
+            const path = name.slice(end).match(/\w+/g) ?? [];
+            return { parameter, part: path.reduce(partOf, { row: parameter, name: parameter.name }) };
         }
         return undefined;
     }
@@ -109,75 +116,76 @@ export class Values {
 const noTexture = (name) => {
     throw new Error(`the size of the texture \`${name}\` is not known here`);
 };
-// --- shapes --------------------------------------------------------------------------------------
-/** The row of one element of an array. */
-function elementOf(row) {
-    const { count: _, ...layout } = row.layout;
+/** The elements or members of a value, if it has any, each with its offset in it. */
+function partsOf(row, name) {
+    const { count, stride, ...layout } = row.layout;
+    if (count === undefined) {
+        return (row.members ?? []).map((each) => {
+            return { key: each.name, row: each, name: `${name}.${each.name}`, offset: each.offset };
+        });
+    }
     const one = (type = "") => type.replace(/\[[^[]*\]$/, "");
-    return { ...row, type: one(row.type), representation: one(row.representation), layout };
+    const element = {
+        name: row.name, type: one(row.type), representation: one(row.representation), layout,
+        members: row.members, range: row.range,
+    };
+    return Array.from({ length: count }, (_, key) => {
+        return { key, row: element, name: `${name}[${key}]`, offset: key * stride };
+    });
 }
-/** What a host means by a value. Parts that it leaves out, or that are null, stay as they were, and
- * are their defaults or zero at first. */
-function accepted(row, value, old, name) {
-    const { count, columns, lanes } = row.layout;
-    if (count !== undefined) {
-        const isCounted = Boolean(row.count);
-        const items = value === null ? [] : listed(value, name, count, isCounted);
-        const element = elementOf(row);
-        return Array.from({ length: count }, (_, at) => accepted(element, items[at] ?? null, old?.[at] ?? null, `${name}[${at}]`));
-    }
-    if (row.members?.length) {
-        const before = old;
-        return Object.fromEntries(row.members.map((each, at) => {
-            const part = value?.[Array.isArray(value) ? at : each.name] ?? null;
-            const first = before ? before[each.name] : initial(each);
-            return [each.name, accepted(each, part, first, `${name}.${each.name}`)];
-        }));
-    }
-    const zero = Array(lanes).fill(0);
-    if (value === null)
-        return old ?? (columns ? Array(columns).fill(zero) : zero);
-    if (!columns)
-        return vector(row, value, name);
-    return listed(value, name, columns, false).map((column) => vector(row, column, name));
-}
-/** The declared default of a member, if it has one. */
-function initial(row) {
-    const value = row.default ?? null;
-    return value === null ? null : accepted(row, value, null, row.name);
-}
-/** `old` with the part at a path replaced. */
-function changed(row, old, path, value, name) {
-    if (!path.length)
-        return accepted(row, value, old, name);
-    const [step, ...further] = path;
-    const inArray = row.layout.count !== undefined;
-    const part = inArray
-        ? Number(step) < row.layout.count && elementOf(row)
-        : row.members?.find((each) => each.name === step);
-    if (!part)
+function partOf({ row, name }, step) {
+    const found = partsOf(row, name).find(({ key }) => `${key}` === step);
+    if (!found)
         throw new Error(`\`${row.name}\` has no part \`${step}\``);
-    const made = accepted(row, null, old, name);
-    const inner = changed(part, made[step], further, value, name);
-    return Object.assign(inArray ? [...made] : { ...made }, { [step]: inner });
+    return found;
 }
-function listed(value, name, count, orFewer) {
+/** The lanes of all parts of a value: zero, or what is declared for a part or for all of them. */
+function* defaults(row, name) {
+    const parts = partsOf(row, name);
+    for (const each of parts)
+        yield* defaults(each.row, each.name);
+    const { columns, lanes } = row.layout;
+    const zero = Array(lanes).fill(0);
+    if (!parts.length)
+        yield [name, columns ? Array(columns).fill(zero) : zero];
+    if ((row.default ?? null) !== null)
+        yield* accepted({ row, name }, row.default);
+}
+/** The lanes that a host means by a value, for each part that it gives. */
+function* accepted({ row, name }, value) {
+    if (value === null)
+        return;
+    const { count, columns } = row.layout;
+    const parts = partsOf(row, name);
+    if (count !== undefined)
+        check(value, name, count, Boolean(row.count));
+    if (columns && !parts.length) {
+        yield [name, check(value, name, columns).map((column) => vector(row, column, name))];
+    }
+    else if (!parts.length) {
+        yield [name, vector(row, value, name)];
+    }
+    for (const [at, each] of parts.entries()) {
+        const given = Array.isArray(value) ? value[at] : value[each.key];
+        yield* accepted(each, given ?? null);
+    }
+}
+function check(value, name, count, orFewer = false) {
     const length = Array.isArray(value) ? value.length : Infinity;
     if (length === count || (orFewer && length < count))
         return value;
     throw new Error(`\`${name}\` takes ${count} elements`);
 }
-function vector(row, value, name) {
-    const plain = (lane) => (typeof lane === "boolean" ? Number(lane) : lane);
-    const given = (Array.isArray(value) ? value : [value]).map(plain);
-    const { lanes: count, columns } = row.layout;
+function vector({ layout, type = "", representation, range }, value, name) {
+    const given = (Array.isArray(value) ? value : [value]).map((lane) => typeof lane === "boolean" ? Number(lane) : lane);
+    const { lanes: count, columns } = layout;
     const refuse = (why) => new Error(`\`${name}\` ${why}`);
     if (given.length !== count || given.some((lane) => typeof lane !== "number")) {
-        throw refuse(`(${row.type}) takes ${count === 1 ? "one number" : `${count} numbers`}`);
+        throw refuse(`(${type}) takes ${count === 1 ? "one number" : `${count} numbers`}`);
     }
-    const isFloat = kindOf(row.representation) === "float";
+    const isFloat = kindOf(representation) === "float";
     const lanes = given.map((lane) => (isFloat ? Math.fround(lane) : lane));
-    const [low, high] = row.range ?? [-Infinity, Infinity];
+    const [low, high] = range ?? [-Infinity, Infinity];
     for (const lane of lanes) {
         if (!Number.isFinite(lane))
             throw refuse("takes finite numbers");
@@ -187,40 +195,28 @@ function vector(row, value, name) {
             throw refuse(`is declared in ${low}..${high}: ${lane} is not`);
         }
     }
-    if (count > 1 && !columns && UNIT_TYPES.test(row.type ?? "")) {
+    if (count > 1 && !columns && UNIT_TYPES.test(type)) {
         const length = Math.hypot(...lanes);
         if (Math.abs(length - 1) > UNIT_TOLERANCE)
             throw refuse(`has to be of length 1, not ${length}`);
     }
     return lanes;
 }
-// --- bytes ---------------------------------------------------------------------------------------
 /** Write a value where its row says that it lies, `offset` bytes from the start. */
-export function write(view, offset, row, value) {
-    const { count, stride, columns, column_stride, kind } = row.layout;
-    if (count !== undefined) {
-        const element = elementOf(row);
-        value.forEach((part, at) => write(view, offset + at * stride, element, part));
+function write(view, offset, row, value) {
+    const parts = partsOf(row, "");
+    for (const each of parts) {
+        write(view, offset + each.offset, each.row, value[each.key]);
     }
-    else if (row.members?.length) {
-        for (const each of row.members) {
-            write(view, offset + each.offset, each, value[each.name]);
-        }
-    }
-    else if (columns) {
-        value.forEach((column, at) => {
-            writeLanes(view, offset + at * column_stride, kind, column);
-        });
-    }
-    else {
-        writeLanes(view, offset, kind, value);
-    }
-}
-function writeLanes(view, offset, kind, lanes) {
-    lanes.forEach((lane, at) => {
+    if (parts.length)
+        return;
+    const { columns, column_stride, kind } = row.layout;
+    const vectors = (columns ? value : [value]);
+    vectors.forEach((lanes, column) => lanes.forEach((lane, at) => {
+        const place = offset + column * (column_stride ?? 0) + 4 * at;
         if (kind === "float")
-            view.setFloat32(offset + 4 * at, lane, true);
+            view.setFloat32(place, lane, true);
         else
-            view.setInt32(offset + 4 * at, lane | 0, true);
-    });
+            view.setInt32(place, lane | 0, true);
+    }));
 }

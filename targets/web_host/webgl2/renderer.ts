@@ -1,22 +1,26 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
 
-import type { DrawSettings } from "../areas.js";
-import { hasStencil, isDepth, toFloats } from "../bytes.js";
-import { interleaved, type Geometry } from "../geometry.js";
-import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
-import type { FramePackage, PackagedShader, Picture, Pixels, SamplerState } from "../types.js";
+import { halved, hasStencil, isDepth, toFloats } from "../bytes.js";
+import type {
+  FramePackage, PackagedShader, Picture, Reflection, Sampler,
+} from "../generated/documents.js";
+import type { Mesh } from "../geometry.js";
+import type {
+  Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
+} from "../renderer.js";
 import { Presenter } from "./canvas.js";
 import { Context, type Gl } from "./context.js";
 import { PROFILE, linked, type Program } from "./programs.js";
 import { setState } from "./state.js";
 import {
-  attach, bindOf, depthPoint, halved, makePicture, makeSampler, makeTexture, type Texture,
+  attach, bindOf, depthPoint, freeTexture, makePicture, makeSampler, makeTexture, type Texture,
 } from "./textures.js";
+import { interleaved } from "./vertices.js";
 
 type Canvas = HTMLCanvasElement | OffscreenCanvas;
 type Call = DrawCall<Texture, Uint8Array<ArrayBuffer>>;
 
-/** What is drawn of a geometry by one program. */
+/** What is drawn of a mesh by one program. */
 interface Uploaded {
   vertices: WebGLVertexArrayObject;
   buffers: WebGLBuffer[];
@@ -32,7 +36,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
   private readonly screen: WebGLFramebuffer;
   private readonly source: WebGLFramebuffer;
   private readonly samplers = new Map<string, WebGLSampler>();
-  private readonly uploaded = new Map<Program, Map<Geometry, Uploaded>>();
+  private readonly uploaded = new Map<Program, Map<Mesh, Uploaded>>();
   private readonly blocks: WebGLBuffer[] = [];
   private readonly textures = new Set<Texture>();
 
@@ -64,7 +68,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
 
   freeTexture(texture: Texture): void {
     this.textures.delete(texture);
-    this.gl.deleteTexture(texture.gl);
+    freeTexture(this.gl, texture);
   }
 
   private own(texture: Texture): Texture {
@@ -82,7 +86,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
 
   dispose(): void {
     const { gl } = this;
-    this.textures.forEach((each) => gl.deleteTexture(each.gl));
+    this.textures.forEach((each) => freeTexture(gl, each));
     this.programs.forEach((each) => gl.deleteProgram(each.gl));
     this.samplers.forEach((each) => gl.deleteSampler(each));
     const uploaded = [...this.uploaded.values()].flatMap((each) => [...each.values()]);
@@ -126,12 +130,29 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     gl.blendColor(...blendConstant);
     for (const call of calls) this.drawCall(call, depth, height);
     gl.disable(gl.SCISSOR_TEST);
+    targets.forEach((target, at) => this.resolve(target, points[at], width, height));
     const attached = depth ? [...targets, depth] : targets;
     const dropped = points.filter((_, at) => !attached[at].target.store);
     if (dropped.length) gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
     for (const point of points) {
       gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0);
     }
+  }
+
+  /** Write the means of the samples of a target where others read them. */
+  private resolve(
+    { resolve }: Attachment<Texture>, point: number, width: number, height: number,
+  ): void {
+    if (!resolve) return;
+    const { gl } = this;
+    const { DRAW_FRAMEBUFFER: into, COLOR_ATTACHMENT0: only, COLOR_BUFFER_BIT: colors } = gl;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.screen);
+    gl.readBuffer(point);
+    gl.bindFramebuffer(into, this.source);
+    attach(gl, into, only, resolve.texture, resolve.layer, resolve.level);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, colors, gl.NEAREST);
+    gl.framebufferTexture2D(into, only, gl.TEXTURE_2D, null, 0);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.screen);
   }
 
   /** Attach everything that is drawn to; the depths last. */
@@ -169,15 +190,15 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     const { gl } = this;
     const program = this.programs[call.shader];
     const { vertices, count } = this.upload(program, call);
-    if (!count || !call.geometry.instances) return;
+    if (!count || !call.mesh.instance_count) return;
     const { reflection } = this.shaders[call.shader];
     gl.useProgram(program.gl);
     program.heights.forEach((location) => gl.uniform1f(location, height));
     setState(this.context, reflection, depth?.texture.format ?? null);
     this.bind(program, call);
     gl.bindVertexArray(vertices);
-    const mode = gl[MODES[reflection.draw?.topology ?? "triangle"]];
-    gl.drawElementsInstanced(mode, count, gl.UNSIGNED_INT, 0, call.geometry.instances);
+    const [mode] = MODES[topologyOf(reflection)];
+    gl.drawElementsInstanced(gl[mode], count, gl.UNSIGNED_INT, 0, call.mesh.instance_count);
     gl.bindVertexArray(null);
   }
 
@@ -231,7 +252,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     });
   }
 
-  private sampler({ format }: Texture, state: SamplerState | null): WebGLSampler {
+  private sampler({ format }: Texture, state: Sampler["state"] | null): WebGLSampler {
     if (state && state.filter === "linear" && /32float$/.test(format) && !isDepth(format)) {
       this.context.need("OES_texture_float_linear", `filter textures of ${format}`);
     }
@@ -241,40 +262,38 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     return found;
   }
 
-  private upload(program: Program, { geometry, shader }: Call): Uploaded {
-    const known = this.uploaded.get(program) ?? new Map<Geometry, Uploaded>();
+  private upload(program: Program, { mesh, shader }: Call): Uploaded {
+    const known = this.uploaded.get(program) ?? new Map<Mesh, Uploaded>();
     this.uploaded.set(program, known);
-    const found = known.get(geometry) ?? this.uploadAnew(program, geometry, shader);
-    known.set(geometry, found);
+    const found = known.get(mesh) ?? this.uploadAnew(program, mesh, shader);
+    known.set(mesh, found);
     return found;
   }
 
-  private uploadAnew(program: Program, geometry: Geometry, shader: number): Uploaded {
+  private uploadAnew(program: Program, mesh: Mesh, shader: number): Uploaded {
     const { gl } = this;
+    const { reflection } = this.shaders[shader];
     const vertices = gl.createVertexArray();
     gl.bindVertexArray(vertices);
-    const buffers = (["vertex", "instance"] as const).flatMap((step) => {
-      const made = interleaved(geometry.attributes, step);
-      if (!made) return [];
-      const buffer = filled(gl, gl.ARRAY_BUFFER, made.data);
-      for (const { attribute: { input, type, lanes }, offset } of made.members) {
-        const location = program.inputs.get(input.name);
+    const buffers = interleaved(reflection).map(({ step, stride, members }) => {
+      const data = step === "vertex" ? mesh.vertices : mesh.instances;
+      const buffer = filled(gl, gl.ARRAY_BUFFER, data);
+      for (const { input: { name, representation }, lanes, offset } of members) {
+        const location = program.inputs.get(name);
         if (location === undefined) continue; // not read, so left out by the linker
         gl.enableVertexAttribArray(location);
         gl.vertexAttribDivisor(location, step === "instance" ? 1 : 0);
-        const { stride } = made;
-        if (type === "float") {
-          gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, stride, offset);
-        } else {
-          const kind = type === "int" ? gl.INT : gl.UNSIGNED_INT;
-          gl.vertexAttribIPointer(location, lanes, kind, stride, offset);
-        }
+        const kind = { i: gl.INT, u: gl.UNSIGNED_INT }[representation[0]];
+        if (kind) gl.vertexAttribIPointer(location, lanes, kind, stride, offset);
+        else gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, stride, offset);
       }
-      return [buffer];
+      return buffer;
     });
-    const { draw } = this.shaders[shader].reflection;
-    const indices = geometry.indices ?? Uint32Array.from({ length: geometry.count }, (_, at) => at);
-    const turned = firstVertexLast(indices, CORNERS[draw?.topology ?? "triangle"]);
+    const indices = mesh.indices
+      ? new Uint32Array(mesh.indices.buffer)
+      : Uint32Array.from({ length: mesh.count }, (_, at) => at);
+    const [, corners] = MODES[topologyOf(reflection)];
+    const turned = firstVertexLast(indices, corners);
     const elements = filled(gl, gl.ELEMENT_ARRAY_BUFFER, turned);
     gl.bindVertexArray(null);
     return { vertices, buffers: [...buffers, elements], count: turned.length };
@@ -314,8 +333,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
   private depths(texture: Texture, layer: number): Float32Array {
     const { gl } = this;
     const { width, height } = texture;
-    const size = { width, height, layers: 1, levels: 1, dimension: "2d", isImage: false } as const;
-    const colors = makeTexture(this.context, { ...size, format: "rgba32float" });
+    const colors = makeTexture(this.context, { ...FLAT, format: "rgba32float", width, height });
     this.flat(texture, layer, (found) => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
       attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, colors, 0, 0);
@@ -331,19 +349,24 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
   private flat(texture: Texture, layer: number, work: (texture: Texture) => void): void {
     if (texture.dimension === "2d") return work(texture);
     const { format, width, height } = texture;
-    const copy = makeTexture(this.context, {
-      format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false,
-    });
+    const copy = makeTexture(this.context, { ...FLAT, format, width, height });
     this.copyLayer(texture, layer, 0, copy, 0);
     work(copy);
     this.gl.deleteTexture(copy.gl);
   }
 }
 
-const MODES = { point: "POINTS", line: "LINES", triangle: "TRIANGLES" } as const;
-const CORNERS = { point: 1, line: 2, triangle: 3 } as const;
+const FLAT: Pick<TextureSize, "dimension" | "layers" | "levels" | "samples" | "uses"> = {
+  dimension: "2d", layers: 1, levels: 1, samples: 1, uses: [],
+};
 
-function filled(gl: Gl, kind: number, data: Uint32Array<ArrayBuffer>): WebGLBuffer {
+/** What draws each topology, and how many vertices its primitives have. */
+const MODES = { point: ["POINTS", 1], line: ["LINES", 2], triangle: ["TRIANGLES", 3] } as const;
+
+const topologyOf = ({ draw }: Reflection) =>
+  (draw?.topology ?? "triangle") as keyof typeof MODES;
+
+function filled(gl: Gl, kind: number, data: AllowSharedBufferSource): WebGLBuffer {
   const buffer = gl.createBuffer();
   gl.bindBuffer(kind, buffer);
   gl.bufferData(kind, data, gl.STATIC_DRAW);

@@ -2,10 +2,13 @@
 // docs/reflection.md.
 
 import { hasStencil } from "../bytes.js";
-import type { Blend, BlendEquation, Reflection, RenderState } from "../types.js";
+import type { BlendEquation, Reflection, Target } from "../generated/documents.js";
 import type { Context, Gl } from "./context.js";
 import { PROFILE } from "./programs.js";
 import { compareOf } from "./textures.js";
+
+type RenderState = Reflection["render_state"];
+type Blend = NonNullable<Target["blend"]>;
 
 /** Set everything for draws of a shader. `depths` is the format of the depths, if there are any. */
 export function setState(

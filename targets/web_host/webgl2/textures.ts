@@ -1,22 +1,26 @@
 // Textures of WebGL 2: those that frames draw to, and pictures of the host.
 
-import { bytesOf, isDepth, hasStencil } from "../bytes.js";
+import { bytesOf, halved, isDepth, hasStencil } from "../bytes.js";
+import type { Picture, Sampler } from "../generated/documents.js";
 import type { TextureSize } from "../renderer.js";
-import type { Dimension, Picture, SamplerState } from "../types.js";
 import type { Context, Gl } from "./context.js";
 
 /** `layers` are the slices of a first level, if it has three dimensions. */
-export interface Texture extends Omit<TextureSize, "isImage"> {
-  gl: WebGLTexture;
+export interface Texture extends Omit<TextureSize, "uses" | "dimension"> {
+  dimension: Picture["dimension"];
+  /** A renderbuffer where it has several samples: WebGL has no such textures. */
+  gl: WebGLTexture | WebGLRenderbuffer;
   /** The texels of its first level in each direction, as shaders see them. */
   sides: number[];
 }
 
 type Bind = "TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP";
-const BINDS: Record<Dimension, Bind> = {
+const BINDS: Record<Picture["dimension"], Bind> = {
   "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
-const WRAPS = { repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT" } as const;
+const WRAPS: Record<string, "REPEAT" | "CLAMP_TO_EDGE" | "MIRRORED_REPEAT"> = {
+  repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT",
+};
 
 /** How WebGL stores each format, and in which lanes and numbers texels are brought there. */
 const STORAGE: Partial<Record<GPUTextureFormat, [string, string, string]>> = {
@@ -42,15 +46,14 @@ const STORAGE: Partial<Record<GPUTextureFormat, [string, string, string]>> = {
 
 const constant = (gl: Gl, name: string) => gl[name as keyof Gl] as number;
 
-export const bindOf = (gl: Gl, dimension: Dimension) => gl[BINDS[dimension]];
-
-export const halved = (side: number, level: number) => Math.max(side >> level, 1);
+export const bindOf = (gl: Gl, dimension: Picture["dimension"]) => gl[BINDS[dimension]];
 
 function allocate(context: Context, made: Omit<Texture, "gl">): Texture {
   const { gl } = context;
-  const { format, dimension, width, height, layers, levels } = made;
+  const { format, dimension, width, height, layers, levels, samples } = made;
   const storage = STORAGE[format];
   if (!storage) throw new Error(`WebGL 2 has no textures of ${format}`);
+  if (samples > 1) return { ...made, gl: renderbuffer(gl, made, constant(gl, storage[0])) };
   const texture = gl.createTexture();
   const bind = bindOf(gl, dimension);
   gl.bindTexture(bind, texture);
@@ -62,14 +65,32 @@ function allocate(context: Context, made: Omit<Texture, "gl">): Texture {
   return { ...made, gl: texture };
 }
 
+function renderbuffer(
+  gl: Gl, { format, width, height, samples }: Omit<Texture, "gl">, storage: number,
+): WebGLRenderbuffer {
+  const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, storage, gl.SAMPLES) as Int32Array;
+  if (!counts.includes(samples)) {
+    throw new Error(`this device has no ${samples} samples of ${format} in WebGL 2`);
+  }
+  const made = gl.createRenderbuffer();
+  gl.bindRenderbuffer(gl.RENDERBUFFER, made);
+  gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, storage, width, height);
+  return made;
+}
+
+export function freeTexture(gl: Gl, { gl: texture, samples }: Texture): void {
+  if (samples > 1) gl.deleteRenderbuffer(texture);
+  else gl.deleteTexture(texture);
+}
+
 /** A texture that is transparent black, as WebGL makes all of them, or as far away as can be. */
 export function makeTexture(context: Context, size: TextureSize): Texture {
-  const { format, dimension, width, height, layers, levels } = size;
+  const { uses: _, ...row } = size;
+  const { format, width, height } = row;
   if (format.endsWith("float") && !isDepth(format)) {
     context.need("EXT_color_buffer_float", `draw to textures of ${format}`);
   }
-  const sides = [width, height];
-  const made = allocate(context, { format, dimension, width, height, layers, levels, sides });
+  const made = allocate(context, { ...row, sides: [width, height] });
   if (isDepth(format)) clearDepths(context.gl, made);
   return made;
 }
@@ -96,10 +117,12 @@ export const depthPoint = (gl: Gl, format: GPUTextureFormat) =>
 
 /** Attach one layer and level of a texture to the framebuffer that is bound. */
 export function attach(
-  gl: Gl, framebuffer: number, point: number, { gl: texture, dimension }: Texture, layer: number,
-  level: number,
+  gl: Gl, framebuffer: number, point: number, { gl: texture, dimension, samples }: Texture,
+  layer: number, level: number,
 ): void {
-  if (dimension === "2d_array" || dimension === "3d") {
+  if (samples > 1) {
+    gl.framebufferRenderbuffer(framebuffer, point, gl.RENDERBUFFER, texture);
+  } else if (dimension === "2d_array" || dimension === "3d") {
     gl.framebufferTextureLayer(framebuffer, point, texture, level, layer);
   } else {
     const face = dimension === "cube" ? gl.TEXTURE_CUBE_MAP_POSITIVE_X + layer : gl.TEXTURE_2D;
@@ -111,14 +134,15 @@ export function attach(
  * v = 0. */
 export function makePicture(context: Context, picture: Picture): Texture {
   const { gl } = context;
-  const { format, dimension, width, height, depth, levels } = picture;
+  const { dimension, width, height, depth, levels } = picture;
+  const format = picture.format as GPUTextureFormat;
   if (format === "rgba32float") {
     context.need("OES_texture_float_linear", "filter pictures of floats");
   }
   const hasThree = dimension === "3d" || dimension === "2d_array";
   const sides = hasThree ? [width, height, depth] : [width, height];
   const made = allocate(context, {
-    format, dimension, width, height, layers: depth, levels: levels.length, sides,
+    format, dimension, width, height, layers: depth, levels: levels.length, samples: 1, sides,
   });
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   levels.forEach((level, number) => upload(gl, made, number, bytesOf(level)));
@@ -161,10 +185,10 @@ function numbersOf(type: string, { buffer }: Uint8Array<ArrayBuffer>) {
 }
 
 /** The sampler of a texture in a shader; without a state, its texels are only loaded. */
-export function makeSampler(gl: Gl, state: SamplerState | null): WebGLSampler {
+export function makeSampler(gl: Gl, state: Sampler["state"] | null): WebGLSampler {
   const sampler = gl.createSampler();
   const set = (name: number, value: number) => gl.samplerParameteri(sampler, name, value);
-  const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: undefined } as const;
+  const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: "" };
   const { filter, mip, wrap, compare } = state ?? plain;
   const words = [filter, mip === "linear" ? "linear" : "nearest"];
   const [near, between] = words.map((word) => word.toUpperCase());

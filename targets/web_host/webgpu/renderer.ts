@@ -1,19 +1,20 @@
 // Draws frames with WebGPU.
 
-import type { DrawSettings } from "../areas.js";
-import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
-import { interleaved, type Geometry } from "../geometry.js";
-import type { Attachment, Bound, DrawCall, Renderer, TextureSize } from "../renderer.js";
-import type { FramePackage, PackagedShader, Picture, Pixels, TextureRow } from "../types.js";
+import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
+import type { FramePackage, PackagedShader, Picture, Slot } from "../generated/documents.js";
+import type { Mesh } from "../geometry.js";
+import type {
+  Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
+} from "../renderer.js";
 import { Presenter } from "./canvas.js";
-import { Arena, BufferUsage, type Device } from "./device.js";
-import { PROFILE, Pipelines, slotsOf, type Pipeline, type Slot } from "./pipelines.js";
-import { layerOf, makePicture, makeSampler, makeTexture, type Texture } from "./textures.js";
+import { Arena, type Device } from "./device.js";
+import { PROFILE, Pipelines, type Pipeline } from "./pipelines.js";
+import { layerOf, makePicture, makeTexture, viewOf, type Texture } from "./textures.js";
 
 /** Rows of texels that are copied to a buffer begin at multiples of this. */
 const ROW_ALIGNMENT = 256;
 
-/** What the device has of a geometry. */
+/** What the device has of a mesh. */
 interface Uploaded {
   vertices: GPUBuffer[];
   indices: GPUBuffer | null;
@@ -27,9 +28,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   readonly shaders: PackagedShader[];
   private encoder!: GPUCommandEncoder;
   private readonly arena: Arena;
-  private readonly slots: Slot[][][];
   private readonly samplers = new Map<string, GPUSampler>();
-  private readonly uploaded = new Map<Geometry, Uploaded>();
+  private readonly uploaded = new Map<Mesh, Uploaded>();
   private readonly owned = new Set<GPUTexture | GPUBuffer>();
 
   private constructor(
@@ -39,9 +39,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     shaders: PackagedShader[],
   ) {
     this.shaders = shaders;
-    this.slots = shaders.map(({ reflection }) => slotsOf(reflection));
-    const { minUniformBufferOffsetAlignment } = device.gpu.limits;
-    this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
+    this.arena = new Arena(device.gpu);
   }
 
   static async open(device: Device, from: FramePackage, canvas: Canvas | null) {
@@ -62,7 +60,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   makeBuffer(bytes: Uint8Array<ArrayBuffer>): GPUBuffer {
-    const buffer = this.device.buffer(bytes, BufferUsage.STORAGE | BufferUsage.COPY_SRC);
+    const buffer = this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
     this.owned.add(buffer);
     return buffer;
   }
@@ -104,7 +102,6 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   end(): void {
-    this.arena.flush();
     this.device.gpu.queue.submit([this.encoder.finish()]);
   }
 
@@ -113,11 +110,14 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     { viewport, scissor, blendConstant }: DrawSettings,
   ): void {
     const pass = this.encoder.beginRenderPass({
-      colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
+      colorAttachments: targets.map(({ target, texture, layer, clear, resolve }) => ({
         view: layerOf(texture.gpu, layer, target.level),
         clearValue: clear,
         loadOp: target.load,
         storeOp: storeOp(target),
+        ...(resolve && {
+          resolveTarget: layerOf(resolve.texture.gpu, resolve.layer, resolve.level),
+        }),
       })),
       ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
     });
@@ -131,7 +131,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
       const { stencil } = this.shaders[call.shader].reflection.render_state;
       pass.setStencilReference(stencil?.reference ?? 0);
       this.bind(pass, pipeline, call, []);
-      this.drawGeometry(pass, call.geometry);
+      this.drawMesh(pass, call.mesh);
     }
     pass.end();
   }
@@ -152,74 +152,68 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
 
   copy({ gpu: from }: Texture, { gpu: to }: Texture): void {
     for (let mipLevel = 0; mipLevel < from.mipLevelCount; mipLevel++) {
-      const halved = (side: number) => Math.max(side >> mipLevel, 1);
-      const size = [halved(from.width), halved(from.height), from.depthOrArrayLayers];
+      const [width, height] = [from.width, from.height].map((side) => halved(side, mipLevel));
+      const size = [width, height, from.depthOrArrayLayers];
       const [source, target] = [from, to].map((texture) => ({ texture, mipLevel }));
       this.encoder.copyTextureToTexture(source, target, size);
     }
   }
 
   private bind(
-    pass: GPURenderPassEncoder | GPUComputePassEncoder, { layouts }: Pipeline,
+    pass: GPURenderPassEncoder | GPUComputePassEncoder, { groups }: Pipeline,
     bound: Bound<Texture, GPUBuffer>, images: Texture[],
   ): void {
     const blocks = bound.values.blocks();
-    const { textures } = this.shaders[bound.shader].reflection;
-    const resource = (slot: Slot): GPUBindingResource => {
-      switch (slot.kind) {
-        case "block":
-          return this.arena.put(blocks.get(slot.name)!);
-        case "buffer":
-          return { buffer: given(bound.buffers, slot.name, bound) };
-        case "image":
-          return layerOf(images[slot.number].gpu, 0, 0);
-        case "sampler":
-          return this.sampler(bound.shader, slot.name);
-        case "texture": {
-          const row = textures.find(({ name }) => name === slot.name)!;
-          return viewOf(given(bound.textures, slot.name, bound), row);
-        }
-      }
+    const resource = ({ kind, name, number, layout, sampler }: Slot): GPUBindingResource => {
+      if (kind === "block") return this.arena.put(blocks.get(name)!);
+      if (kind === "sampler") return this.sampler(sampler!);
+      if (kind === "storage_texture") return viewOf(images[number], "2d");
+      const found = kind === "buffer" ? bound.buffers.get(name) : bound.textures.get(name);
+      if (!found) throw new Error(`nobody gives ${bound.values.name} its \`${name}\``);
+      return "gpu" in found ? viewOf(found, layout.texture!.viewDimension) : { buffer: found };
     };
-    this.slots[bound.shader].forEach((slots, group) => {
-      const entries = slots.map((slot) => ({ binding: slot.binding, resource: resource(slot) }));
-      const layout = layouts[group];
+    groups.forEach(({ layout, slots }, group) => {
+      const entries = slots.map((slot) => {
+        return { binding: slot.layout.binding, resource: resource(slot) };
+      });
       pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
     });
   }
 
-  private sampler(shader: number, texture: string): GPUSampler {
-    const { samplers } = this.shaders[shader].reflection;
-    const { state } = samplers.find((each) => each.texture === texture)!;
+  private sampler(state: GPUSamplerDescriptor): GPUSampler {
     const key = JSON.stringify(state);
-    const found = this.samplers.get(key) ?? makeSampler(this.device, state);
+    const found = this.samplers.get(key) ?? this.device.gpu.createSampler(state);
     this.samplers.set(key, found);
     return found;
   }
 
-  private drawGeometry(pass: GPURenderPassEncoder, geometry: Geometry): void {
-    if (!geometry.count || !geometry.instances) return;
-    const { vertices, indices } = this.upload(geometry);
+  private drawMesh(pass: GPURenderPassEncoder, mesh: Mesh): void {
+    const { count, instance_count: instances } = mesh;
+    if (!count || !instances) return;
+    const { vertices, indices } = this.upload(mesh);
     vertices.forEach((buffer, at) => pass.setVertexBuffer(at, buffer));
     if (indices) {
       pass.setIndexBuffer(indices, "uint32");
-      pass.drawIndexed(geometry.count, geometry.instances);
+      pass.drawIndexed(count, instances);
     } else {
-      pass.draw(geometry.count, geometry.instances);
+      pass.draw(count, instances);
     }
   }
 
-  private upload(geometry: Geometry): Uploaded {
-    const known = this.uploaded.get(geometry);
+  private upload(mesh: Mesh): Uploaded {
+    const known = this.uploaded.get(mesh);
     if (known) return known;
-    const steps = ["vertex", "instance"] as const;
-    const streams = steps.flatMap((step) => interleaved(geometry.attributes, step) ?? []);
-    const made = {
-      vertices: streams.map(({ data }) => this.device.buffer(data, BufferUsage.VERTEX)),
-      indices: geometry.indices && this.device.buffer(geometry.indices, BufferUsage.INDEX),
+    const buffer = (bytes: Uint8Array<ArrayBuffer>, usage: number) => {
+      const made = this.device.buffer(bytes, usage);
+      this.owned.add(made);
+      return made;
     };
-    [...made.vertices, made.indices].forEach((buffer) => buffer && this.owned.add(buffer));
-    this.uploaded.set(geometry, made);
+    const streams = [mesh.vertices, mesh.instances].filter(({ length }) => length);
+    const made = {
+      vertices: streams.map((bytes) => buffer(bytes, GPUBufferUsage.VERTEX)),
+      indices: mesh.indices && buffer(mesh.indices, GPUBufferUsage.INDEX),
+    };
+    this.uploaded.set(mesh, made);
     return made;
   }
 
@@ -278,18 +272,3 @@ function depthAttachment(
 }
 
 const storeOp = ({ store }: { store: boolean }) => (store ? "store" : "discard");
-
-/** Something that a shader reads. */
-function given<Item>(
-  items: Map<string, Item>, name: string, { values }: Bound<unknown, unknown>,
-): Item {
-  const found = items.get(name);
-  if (found === undefined) throw new Error(`nobody gives ${values.name} its \`${name}\``);
-  return found;
-}
-
-/** The view by which a shader reads a whole texture. */
-function viewOf({ gpu }: Texture, { layout: { viewDimension } }: TextureRow): GPUTextureView {
-  const aspect = isDepth(gpu.format) ? "depth-only" : "all";
-  return gpu.createView({ dimension: viewDimension, aspect });
-}

@@ -1,6 +1,7 @@
 // What the server tells the page: the documents of `burnish view`, and word of every change.
-export async function fetchDocument(choice, profile) {
-    const asked = new URLSearchParams({ profile });
+/** The document of a choice; `further` are names and values of the query besides. */
+export async function fetchDocument(choice, profile, further) {
+    const asked = new URLSearchParams([["profile", profile], ...further]);
     for (const [name, value] of Object.entries(choice))
         if (value)
             asked.set(name, value);

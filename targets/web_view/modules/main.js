@@ -2,10 +2,13 @@
 import { PROFILES } from "../web_host/host.js";
 import { chosenApi, NO_API, TITLES } from "./apis.js";
 import { fetchDocument, listen, } from "./documents.js";
+import { BufferView } from "./buffers.js";
+import { takeDrops } from "./drops.js";
 import { element, make } from "./elements.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
+import { Pictures } from "./pictures.js";
 import { Screen } from "./screen.js";
 import { showTextsOf } from "./texts.js";
 const canvas = element("picture", HTMLCanvasElement);
@@ -19,7 +22,7 @@ const selects = {
 const outputs = element("output", HTMLSelectElement);
 const play = element("play", HTMLButtonElement);
 /** What the page shows; its address says it too, so that a bookmark leads to the same. */
-const choice = { subject: null, rig: null, pass: null, mesh: null };
+const choice = { subject: null, rig: null, pass: null, mesh: null, output: null };
 let shown = null;
 /** Why the source cannot be drawn, and why the picture cannot. */
 const problems = { source: "", picture: "" };
@@ -36,25 +39,29 @@ function view(api) {
             problems.picture = text;
             tellProblems();
         },
-        drawn({ width, height, rate }) {
-            element("size", HTMLElement).textContent = `${width} × ${height}`;
-            const fps = element("rate", HTMLElement);
-            fps.textContent = rate === null ? "" : `${Math.round(rate)} fps`;
-            canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);
+        drawn(status) {
+            buffer.hide();
+            tellStatus(status);
+        },
+        written(layout, bytes) {
+            buffer.show(layout, bytes);
+            tellStatus(null);
         },
         runs: () => panel?.runs ?? false,
         elapsed: (seconds) => panel?.advance(seconds),
     });
+    const buffer = new BufferView();
+    const pictures = new Pictures(() => void load());
     let panel = null;
     async function showDocument(found) {
         fillSelects(found);
         problems.source = found.error ?? "";
         if (found.error === undefined) {
-            panel ??= new Panel(element("controls", HTMLElement), found.file, (name, value) => screen.set(name, value), () => screen.request());
+            panel ??= new Panel(element("controls", HTMLElement), found.file, (name, value) => screen.set(name, value), () => screen.request(), pictures);
             const before = shown;
             shown = found;
             Object.assign(choice, found.chosen);
-            const values = panel.show(found.chosen.subject ?? "", found.controls);
+            const values = panel.show(found.chosen.subject ?? "", found.controls, found.most_bytes);
             fillOutputs(found);
             showTextsOf(found.package);
             try {
@@ -83,7 +90,10 @@ function view(api) {
         try {
             while (again) {
                 again = false;
-                const found = await fetchDocument(choice, PROFILES[api]);
+                const found = await fetchDocument(choice, PROFILES[api], pictures.query);
+                if (found.error === undefined) {
+                    again ||= pictures.enter(`${found.file}/${found.chosen.subject}`);
+                }
                 if (!again)
                     await showDocument(found);
             }
@@ -101,24 +111,28 @@ function view(api) {
             void load();
     }, (isConnected) => { element("gone", HTMLElement).hidden = isConnected; });
     follow(canvas, () => screen.orbit, () => screen.request());
+    takeDrops(() => panel, notify);
     for (const [name, select] of Object.entries(selects)) {
         select.addEventListener("change", () => {
             choice[name] = select.value;
-            // Another subject begins with the rig and the pass of its own.
+            // Another subject begins with the rig, the pass and the output of its own.
             if (name === "subject")
-                choice.pass = null;
-            const asked = Object.entries(choice).filter(([, value]) => value);
-            history.replaceState(null, "", `?${new URLSearchParams(asked)}`);
+                choice.pass = choice.output = null;
+            remember();
             void load();
         });
     }
-    outputs.addEventListener("change", () => screen.show(outputs.value));
+    outputs.addEventListener("change", () => {
+        choice.output = outputs.value;
+        remember();
+        screen.show(outputs.value);
+    });
     element("scale", HTMLSelectElement).addEventListener("change", (event) => {
         screen.scale = Number(event.target.value);
         screen.request();
     });
     const acts = {
-        home: () => screen.resetCamera(),
+        home: () => (screen.showsBuffer ? buffer.home() : screen.resetCamera()),
         play: () => {
             screen.playing = !screen.playing;
             play.setAttribute("aria-pressed", String(!screen.playing));
@@ -129,7 +143,7 @@ function view(api) {
             if (shown)
                 void showDocument(shown);
         },
-        save: () => void saved(screen),
+        save: () => void saved(screen.showsBuffer ? buffer : screen),
         defaults: () => panel?.resetAll(),
         copy: () => void navigator.clipboard.writeText(panel?.options ?? ""),
     };
@@ -137,13 +151,36 @@ function view(api) {
         element(id, HTMLButtonElement).addEventListener("click", act);
     }
     const keys = { h: "home", " ": "play", ".": "step", r: "restart", s: "save" };
-    canvas.addEventListener("keydown", (event) => {
+    element("stage", HTMLElement).addEventListener("keydown", (event) => {
+        const isPicture = event.target instanceof HTMLCanvasElement;
         const name = keys[event.key.toLowerCase()];
-        if (!name || event.ctrlKey || event.metaKey || event.altKey)
+        if (!isPicture || !name || event.ctrlKey || event.metaKey || event.altKey)
             return;
         event.preventDefault();
         acts[name]();
     });
+}
+/** Say something for a few seconds. */
+function notify(text) {
+    const place = element("notice", HTMLElement);
+    place.textContent = text;
+    place.hidden = false;
+    clearTimeout(Number(place.dataset.timer));
+    place.dataset.timer = String(setTimeout(() => { place.hidden = true; }, 4000));
+}
+/** Have the page's address say what is shown. */
+function remember() {
+    const asked = Object.entries(choice).filter(([, value]) => value);
+    history.replaceState(null, "", `?${new URLSearchParams(asked)}`);
+}
+/** Say how large the picture is, and how fast it was drawn; null for what is no picture. */
+function tellStatus(status) {
+    const times = status && status.magnified !== 1 ? ` at ${Number(status.magnified.toPrecision(2))}×` : "";
+    element("size", HTMLElement).textContent =
+        status ? `${status.width} × ${status.height}${times}` : "";
+    const rate = status?.rate ?? null;
+    element("rate", HTMLElement).textContent = rate === null ? "" : `${Math.round(rate)} fps`;
+    canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);
 }
 /** Offer what the file has to choose from. */
 function fillSelects(found) {
@@ -158,9 +195,9 @@ function fillSelects(found) {
         fill(selects.mesh, found.meshes, chosen.mesh);
 }
 function fillOutputs(found) {
-    const rows = found.package.plan.outputs.filter(({ texture }) => texture !== null);
-    const names = rows.map(({ name }) => name);
-    fill(outputs, names, names.includes(outputs.value) ? outputs.value : (names[0] ?? null));
+    const names = found.package.plan.outputs.map(({ name }) => name);
+    const asked = choice.output ?? outputs.value;
+    fill(outputs, names, names.includes(asked) ? asked : (names[0] ?? null));
 }
 /** The options of a list, which is hidden where there is nothing to choose. */
 function fill(select, names, chosen) {

@@ -2,6 +2,7 @@
 // again while time goes on.
 import { openFrame } from "../web_host/host.js";
 import { Orbit } from "./orbit.js";
+import { layoutOf } from "./records.js";
 /** How much of the last measurements counts for the number of frames per second. */
 const SMOOTHING = 0.9;
 /** The longest time between two frames that counts as such, in seconds. */
@@ -20,6 +21,10 @@ export class Screen {
     package = null;
     start = null;
     output = "";
+    /** How the elements of the output lie, if it is a buffer. */
+    layout = null;
+    reading = false;
+    readsAgain = false;
     waiting = 0;
     before = 0;
     rate = null;
@@ -49,7 +54,7 @@ export class Screen {
         if (JSON.stringify(start) !== JSON.stringify(this.start))
             this.orbit = new Orbit(start);
         this.start = start;
-        this.output = output;
+        this.choose(output);
         this.draw();
         if (this.goesOn)
             this.request();
@@ -64,8 +69,17 @@ export class Screen {
         this.request();
     }
     show(output) {
-        this.output = output;
+        this.choose(output);
         this.request();
+    }
+    /** Whether a buffer is shown, and no picture. */
+    get showsBuffer() {
+        return this.layout !== null;
+    }
+    choose(output) {
+        this.output = output;
+        this.layout = this.package && layoutOf(this.package, output);
+        this.canvas.classList.toggle("covered", this.showsBuffer);
     }
     resetCamera() {
         if (this.start)
@@ -123,19 +137,58 @@ export class Screen {
         const { frame, canvas } = this;
         if (!frame)
             return;
-        frame.show(this.output);
-        this.watcher.drawn({ width: canvas.width, height: canvas.height, rate: this.rate });
-    }
-    /** Give the frame its size and camera. Returns whether there is anything to see. */
-    fit() {
-        const { canvas, frame, orbit } = this;
-        const factor = this.scale * devicePixelRatio;
-        const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.min(Math.round(side * factor), LARGEST));
-        if (!frame || !orbit || width < 1 || height < 1)
-            return false;
+        if (this.layout) {
+            void this.readElements();
+            return;
+        }
+        // The canvas has the pixels of the output, and the browser brings it to the size of its place.
+        const [width, height] = frame.sizeOf(this.output);
         if (canvas.width !== width || canvas.height !== height) {
             [canvas.width, canvas.height] = [width, height];
         }
+        const magnified = devicePixelRatio *
+            Math.min(canvas.clientWidth / width, canvas.clientHeight / height);
+        const [wide, high] = this.size();
+        const isOwn = width !== wide || height !== high;
+        canvas.classList.toggle("crisp", isOwn && magnified > 1);
+        frame.show(this.output);
+        this.watcher.drawn({ width, height, magnified: isOwn ? magnified : 1, rate: this.rate });
+    }
+    /** Tell what is in the buffer; one reading at a time, and once more for what was drawn in the
+     * meantime. */
+    async readElements() {
+        this.readsAgain = true;
+        if (this.reading)
+            return;
+        this.reading = true;
+        while (this.readsAgain && this.frame && this.layout) {
+            this.readsAgain = false;
+            const { frame, layout } = this;
+            try {
+                const bytes = await frame.readElements(this.output);
+                if (frame === this.frame && layout === this.layout)
+                    this.watcher.written(layout, bytes);
+            }
+            catch (error) {
+                if (frame === this.frame)
+                    this.watcher.problem(error.message);
+            }
+        }
+        this.reading = false;
+    }
+    /** The pixels of a picture that covers the canvas. */
+    size() {
+        const factor = this.scale * devicePixelRatio;
+        const { clientWidth, clientHeight } = this.canvas;
+        const [width, height] = [clientWidth, clientHeight].map((side) => Math.min(Math.round(side * factor), LARGEST));
+        return [width, height];
+    }
+    /** Give the frame its size and camera. Returns whether there is anything to see. */
+    fit() {
+        const { frame, orbit } = this;
+        const [width, height] = this.size();
+        if (!frame || !orbit || width < 1 || height < 1)
+            return false;
         frame.resize(width, height);
         const widening = Math.max(1, height / width);
         frame.setCamera({ view_projection: orbit.viewProjection(widening), eye: orbit.eye });

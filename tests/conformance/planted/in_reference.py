@@ -72,7 +72,7 @@ def float_(name: str, wrong: Callable[..., Any]) -> Plant:
 
 
 def whole(name: str, wrong: Callable[..., Any]) -> Plant:
-    return in_table("_WHOLE", name, wrong)
+    return in_table("WHOLE", name, wrong)
 
 
 def _truncated(xp: Any, x: Any, y: Any) -> Any:

@@ -19,7 +19,10 @@ from .blending import set_blending, write_all_lanes
 from .context import (
     GL_COLOR,
     GL_COLOR_ATTACHMENT0,
+    GL_COLOR_BUFFER_BIT,
+    GL_DRAW_FRAMEBUFFER,
     GL_FRAMEBUFFER,
+    GL_NEAREST,
     GL_SCISSOR_TEST,
     Functions,
 )
@@ -104,6 +107,7 @@ class _Frame:
             with self._within(step, width, height):
                 for drawn in step.draws:
                     self._draw_one(step, drawn)
+            self._resolve(step, width, height)
 
     @contextmanager
     def _within(self, step: FrameStep, width: int, height: int) -> Iterator[None]:
@@ -118,22 +122,45 @@ class _Frame:
         finally:
             self._functions.glDisable(GL_SCISSOR_TEST)
 
+    def _resolve(self, step: FrameStep, width: int, height: int) -> None:
+        """Write the means of samples from the framebuffer that is bound to where they belong."""
+        functions = self._functions
+        for number, target in enumerate(step.targets):
+            if target.resolve is None:
+                continue
+            with self._bound_framebuffer(GL_DRAW_FRAMEBUFFER):
+                made = self._textures[target.resolve.texture]
+                made.attach(target.resolve, 0, GL_DRAW_FRAMEBUFFER)
+                functions.glReadBuffer(GL_COLOR_ATTACHMENT0 + number)
+                area = (0, 0, width, height)
+                functions.glBlitFramebuffer(*area, *area, GL_COLOR_BUFFER_BIT, GL_NEAREST)
+
     @contextmanager
-    def _framebuffer(self, step: FrameStep) -> Iterator[None]:
+    def _bound_framebuffer(self, to: int) -> Iterator[None]:
+        """A new framebuffer, with nothing attached yet."""
         functions, name = self._functions, ctypes.c_uint()
         functions.glGenFramebuffers(1, ctypes.byref(name))
-        functions.glBindFramebuffer(GL_FRAMEBUFFER, name)
+        functions.glBindFramebuffer(to, name)
+        try:
+            yield
+        finally:
+            functions.glBindFramebuffer(to, 0)
+            functions.glDeleteFramebuffers(1, ctypes.byref(name))
+
+    @contextmanager
+    def _framebuffer(self, step: FrameStep) -> Iterator[None]:
+        """A framebuffer with all that a step draws to."""
+        with self._bound_framebuffer(GL_FRAMEBUFFER):
+            self._attach(step)
+            yield
+
+    def _attach(self, step: FrameStep) -> None:
         for number, target in enumerate(step.targets):
             self._textures[target.texture].attach(target, number)
         if step.depth is not None:
             self._textures[step.depth.texture].attach(step.depth, 0)
         drawn = [GL_COLOR_ATTACHMENT0 + number for number in range(len(step.targets))] or [0]
-        functions.glDrawBuffers(len(drawn), (ctypes.c_uint * len(drawn))(*drawn))
-        try:
-            yield
-        finally:
-            functions.glBindFramebuffer(GL_FRAMEBUFFER, 0)
-            functions.glDeleteFramebuffers(1, ctypes.byref(name))
+        self._functions.glDrawBuffers(len(drawn), (ctypes.c_uint * len(drawn))(*drawn))
 
     def _clear(self, target: Attachment, number: int) -> None:
         if not target.loads:

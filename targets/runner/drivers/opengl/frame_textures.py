@@ -5,12 +5,13 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass
 
-from ..frame_job import Attachment, FrameTexels, FrameTexture
+from ..frame_job import Attachment, FrameTexels, FrameTexture, Resolve
 from ..readback import depths_to_float, to_float
 from ..slots import TextureSlot
 from .context import (
     GL_COLOR_ATTACHMENT0,
     GL_FRAMEBUFFER,
+    GL_TEXTURE_2D_MULTISAMPLE,
     Functions,
 )
 from .screen import DEPTHS, STORAGE, widened_format
@@ -45,6 +46,8 @@ class MadeTexture:
     @property
     def target(self) -> int:
         """What OpenGL calls its type."""
+        if self.description.samples > 1:
+            return GL_TEXTURE_2D_MULTISAMPLE
         return TARGETS[self.description.dimension]
 
     def size(self, level: int) -> tuple[int, int]:
@@ -60,15 +63,13 @@ class MadeTexture:
             case _:
                 return GL_COLOR_ATTACHMENT0 + number
 
-    def attach(self, attachment: Attachment, number: int) -> None:
+    def attach(self, at: Attachment | Resolve, number: int, to: int = GL_FRAMEBUFFER) -> None:
         """Attach it to the framebuffer that is bound: as a target, or as the depths."""
         point = self.point(number)
         if self.description.dimension == "2d":
-            self.functions.glFramebufferTexture(GL_FRAMEBUFFER, point, self.name, attachment.level)
+            self.functions.glFramebufferTexture(to, point, self.name, at.level)
         else:
-            self.functions.glFramebufferTextureLayer(
-                GL_FRAMEBUFFER, point, self.name, attachment.level, attachment.layer
-            )
+            self.functions.glFramebufferTextureLayer(to, point, self.name, at.level, at.layer)
 
     def bind(self, slot: TextureSlot, unit: int) -> None:
         """Bind it to a unit, with the state of a slot's sampler."""
@@ -154,7 +155,9 @@ def make_frame_texture(functions: Functions, wanted: FrameTexture) -> MadeTextur
     made = MadeTexture(functions, wanted, name, internal)
     functions.glBindTexture(made.target, name)
     size = wanted.width, wanted.height
-    if wanted.dimension == "2d_array":
+    if wanted.samples > 1:
+        functions.glTexStorage2DMultisample(made.target, wanted.samples, internal, *size, 1)
+    elif wanted.dimension == "2d_array":
         functions.glTexStorage3D(made.target, wanted.levels, internal, *size, wanted.layers)
     else:
         functions.glTexStorage2D(made.target, wanted.levels, internal, *size)

@@ -13,12 +13,17 @@ from ..render_state import DepthFormat, RenderTarget, TargetFormat
 from .blending import write_all_lanes
 from .context import (
     GL_COLOR,
+    GL_COLOR_ATTACHMENT0,
+    GL_COLOR_BUFFER_BIT,
     GL_DEPTH,
     GL_DEPTH32F_STENCIL8,
     GL_DEPTH_ATTACHMENT,
     GL_DEPTH_COMPONENT32F,
     GL_DEPTH_STENCIL_ATTACHMENT,
+    GL_DRAW_FRAMEBUFFER,
     GL_FRAMEBUFFER,
+    GL_NEAREST,
+    GL_READ_FRAMEBUFFER,
     GL_RENDERBUFFER,
     GL_STENCIL,
     Functions,
@@ -66,13 +71,19 @@ class Screen:
         self._targets = targets = pipeline.targets
         self._depths = DEPTHS[pipeline.depth_format]
         self._size = size
+        samples = pipeline.samples
         self._framebuffer = context.framebuffer([_make(context, size, t) for t in targets])
-        self._framebuffer.use()
+        self._drawn = self._framebuffer
+        if samples > 1:
+            several = [_make(context, size, target, samples) for target in targets]
+            self._drawn = context.framebuffer(several)
+        self._drawn.use()
         self._depth = ctypes.c_uint()
         functions.glGenRenderbuffers(1, ctypes.byref(self._depth))
         functions.glBindRenderbuffer(GL_RENDERBUFFER, self._depth)
         storage, attachment = self._depths
-        functions.glRenderbufferStorage(GL_RENDERBUFFER, storage, *size)
+        stored = samples if samples > 1 else 0  # OpenGL counts none where there is one.
+        functions.glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, storage, *size)
         functions.glFramebufferRenderbuffer(
             GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, self._depth
         )
@@ -87,7 +98,21 @@ class Screen:
 
     def read(self, pipeline: Pipeline) -> tuple[bytes, ...]:
         """Each target in the form of a ``Picture``."""
+        if self._drawn is not self._framebuffer:
+            self._resolve()
         return tuple(self._read(number, pipeline) for number in range(len(self._targets)))
+
+    def _resolve(self) -> None:
+        """Write the mean of each pixel's samples to the targets that are read."""
+        functions, area = self._functions, (0, 0, *self._size)
+        functions.glBindFramebuffer(GL_READ_FRAMEBUFFER, self._drawn.glo)
+        functions.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, self._framebuffer.glo)
+        for number in range(len(self._targets)):
+            point = GL_COLOR_ATTACHMENT0 + number
+            drawn = [0] * number + [point]
+            functions.glReadBuffer(point)
+            functions.glDrawBuffers(len(drawn), (ctypes.c_uint * len(drawn))(*drawn))
+            functions.glBlitFramebuffer(*area, *area, GL_COLOR_BUFFER_BIT, GL_NEAREST)
 
     def _read(self, number: int, pipeline: Pipeline) -> bytes:
         widened = widened_format(self._targets[number].format)
@@ -100,9 +125,10 @@ class Screen:
         # When moderngl makes a framebuffer, it binds the last one again, which must still exist.
         self._context.detect_framebuffer(0).use()
         self._functions.glDeleteRenderbuffers(1, ctypes.byref(self._depth))
-        for attachment in self._framebuffer.color_attachments:
-            attachment.release()
-        self._framebuffer.release()
+        for framebuffer in dict.fromkeys((self._drawn, self._framebuffer)):
+            for attachment in framebuffer.color_attachments:
+                attachment.release()
+            framebuffer.release()
 
 
 def clear_depths(functions: Functions, depth: float, attachment: int) -> None:
@@ -122,7 +148,9 @@ def widened_format(encoded: TargetFormat) -> TargetFormat:
 
 
 def _make(
-    context: moderngl.Context, size: tuple[int, int], target: RenderTarget
+    context: moderngl.Context, size: tuple[int, int], target: RenderTarget, samples: int = 0
 ) -> moderngl.Texture:
     lanes, kind, internal_format = STORAGE[target.format]
-    return context.texture(size, lanes, dtype=kind, internal_format=internal_format)
+    return context.texture(
+        size, lanes, samples=samples, dtype=kind, internal_format=internal_format
+    )

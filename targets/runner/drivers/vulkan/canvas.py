@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import vulkan as vk
@@ -17,10 +17,14 @@ from .device import Gpu
 from .formats import ASPECTS, DEPTHS, TARGETS
 from .memory import Buffer, ImageSpec, make_buffer, make_image
 
+DRAWING = vk.VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL
 DRAWN = vk.VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
-"""The layout of the targets after the render pass."""
+"""The layouts of the targets in the render pass and after it."""
+_WRITTEN_ALL = vk.VK_ATTACHMENT_LOAD_OP_DONT_CARE
+_STORE, _DROP = vk.VK_ATTACHMENT_STORE_OP_STORE, vk.VK_ATTACHMENT_STORE_OP_DONT_CARE
 
-TARGET_USAGE = vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+DRAWN_USAGE = vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
+TARGET_USAGE = DRAWN_USAGE | vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,24 +79,31 @@ def make_canvas(
     (width, height), targets, layers = size, pipeline.targets, pipeline.layers
     view = vk.VK_IMAGE_VIEW_TYPE_2D_ARRAY if layers else vk.VK_IMAGE_VIEW_TYPE_2D
     count = layers or 1
-    made = [
-        make_image(
-            owned, gpu,
-            ImageSpec(
-                TARGETS[target.format], width, height, TARGET_USAGE, depth=count, view=view
-            ),
-        )
+    specs = [
+        ImageSpec(TARGETS[target.format], width, height, TARGET_USAGE, depth=count, view=view)
         for target in targets
-    ]  # fmt: skip
+    ]
+    made = [make_image(owned, gpu, spec) for spec in specs]
+    drawn = made
+    if pipeline.samples > 1:
+        drawn = [
+            make_image(owned, gpu, replace(spec, usage=DRAWN_USAGE, samples=pipeline.samples))
+            for spec in specs
+        ]
     depth = ImageSpec(
         DEPTHS[pipeline.depth_format], width, height,
         vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-        aspect=ASPECTS[pipeline.depth_format], depth=count, view=view,
+        aspect=ASPECTS[pipeline.depth_format], depth=count, view=view, samples=pipeline.samples,
     )  # fmt: skip
     _, depth_view = make_image(owned, gpu, depth)
+    resolved = made if pipeline.samples > 1 else []
     info = vk.VkFramebufferCreateInfo(
         renderPass=render_pass,
-        pAttachments=[*(view for _, view in made), depth_view],
+        pAttachments=[
+            *(view for _, view in drawn),
+            depth_view,
+            *(view for _, view in resolved),
+        ],
         width=width,
         height=height,
         layers=count,
@@ -114,24 +125,25 @@ def _texel_size(target: RenderTarget) -> int:
 
 
 def make_render_pass(owned: ExitStack, gpu: Gpu, pipeline: Pipeline) -> Any:
-    """A render pass that clears targets, depths and stencil values, draws, and makes the targets
-    ready to copy."""
-    targets = pipeline.targets
-    colours = [
-        _attachment(TARGETS[target.format], DRAWN, vk.VK_ATTACHMENT_STORE_OP_STORE)
-        for target in targets
-    ]
+    """A render pass that clears targets, depths and stencil values, draws, resolves samples if
+    there are several, and makes the targets ready to copy."""
+    targets, samples = pipeline.targets, pipeline.samples
+    formats = [TARGETS[target.format] for target in targets]
+    if samples == 1:
+        colours, resolved = [_attachment(each, DRAWN, _STORE) for each in formats], []
+    else:
+        colours = [_attachment(each, DRAWING, _DROP, samples) for each in formats]
+        resolved = [_attachment(each, DRAWN, _STORE, load=_WRITTEN_ALL) for each in formats]
     depth_layout = vk.VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
-    depth = _attachment(
-        DEPTHS[pipeline.depth_format], depth_layout, vk.VK_ATTACHMENT_STORE_OP_DONT_CARE
-    )
+    depth = _attachment(DEPTHS[pipeline.depth_format], depth_layout, _DROP, samples)
     references = [
-        vk.VkAttachmentReference(index, vk.VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL)
-        for index in range(len(targets))
+        vk.VkAttachmentReference(index, DRAWING)
+        for index in range(len(targets) + 1 + len(resolved))
     ]
     subpass = vk.VkSubpassDescription(
         pipelineBindPoint=vk.VK_PIPELINE_BIND_POINT_GRAPHICS,
-        pColorAttachments=references,
+        pColorAttachments=references[: len(targets)],
+        pResolveAttachments=references[len(targets) + 1 :] or None,
         pDepthStencilAttachment=vk.VkAttachmentReference(len(targets), depth_layout),
     )
     copied = vk.VkSubpassDependency(
@@ -143,18 +155,24 @@ def make_render_pass(owned: ExitStack, gpu: Gpu, pipeline: Pipeline) -> Any:
         dstAccessMask=vk.VK_ACCESS_TRANSFER_READ_BIT,
     )
     info = vk.VkRenderPassCreateInfo(
-        pAttachments=[*colours, depth], pSubpasses=[subpass], pDependencies=[copied]
+        pAttachments=[*colours, depth, *resolved], pSubpasses=[subpass], pDependencies=[copied]
     )
     render_pass = vk.vkCreateRenderPass(gpu.device, info, None)
     owned.callback(vk.vkDestroyRenderPass, gpu.device, render_pass, None)
     return render_pass
 
 
-def _attachment(vk_format: int, final_layout: int, store: int) -> Any:
+def _attachment(
+    vk_format: int,
+    final_layout: int,
+    store: int,
+    samples: int = vk.VK_SAMPLE_COUNT_1_BIT,
+    load: int = vk.VK_ATTACHMENT_LOAD_OP_CLEAR,
+) -> Any:
     return vk.VkAttachmentDescription(
         format=vk_format,
-        samples=vk.VK_SAMPLE_COUNT_1_BIT,
-        loadOp=vk.VK_ATTACHMENT_LOAD_OP_CLEAR,
+        samples=samples,
+        loadOp=load,
         storeOp=store,
         stencilLoadOp=vk.VK_ATTACHMENT_LOAD_OP_CLEAR,
         stencilStoreOp=vk.VK_ATTACHMENT_STORE_OP_DONT_CARE,

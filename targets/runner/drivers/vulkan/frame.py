@@ -17,6 +17,7 @@ from ..frame_job import (
     FrameJob,
     FrameStep,
     FrameTexels,
+    Resolve,
 )
 from ..readback import TEXEL_LANES, depths_to_float, to_float
 from ..texels import Image
@@ -52,6 +53,7 @@ class _Frame:
         self._job = job
         written = {image for step in job.steps for image in step.images}
         drawn = {each.texture for step in job.steps for each in _attachments(step)}
+        drawn |= {each.texture for step in job.steps for each in _resolves(step)}
         self._textures = make_frame_textures(owned, gpu, job, drawn, written)
         self._buffers = [
             filled_buffer(owned, gpu, STORAGE, each.initial.to_bytes(4, "little") * each.words)
@@ -139,9 +141,19 @@ class _Frame:
         attachments = _attachments(step)
         render_pass = self._render_pass(step)
         width, height = self._size(attachments[0])
+        views = [
+            *(
+                self._textures[each.texture].part(each.layer, each.level, each.layers)
+                for each in attachments
+            ),
+            *(
+                self._textures[each.texture].part(each.layer, each.level)
+                for each in _resolves(step)
+            ),
+        ]
         info = vk.VkFramebufferCreateInfo(
             renderPass=render_pass,
-            pAttachments=[self._textures[each.texture].part(each) for each in attachments],
+            pAttachments=views,
             width=width,
             height=height,
             layers=attachments[0].layers,
@@ -261,9 +273,11 @@ class _Frame:
         key = tuple(
             (
                 self._job.textures[each.texture].format,
+                self._job.textures[each.texture].samples,
                 each.loads,
                 each.stores,
                 each.stores_stencil,
+                each.resolve is not None,
             )
             for each in attachments
         )
@@ -273,6 +287,7 @@ class _Frame:
 
     def _made_pass(self, step: FrameStep) -> Any:
         described = [self._described(each) for each in _attachments(step)]
+        resolves = self._resolves(step, described)
         references = [
             vk.VkAttachmentReference(number, USES["target"].layout)
             for number in range(len(step.targets))
@@ -281,6 +296,7 @@ class _Frame:
         subpass = vk.VkSubpassDescription(
             pipelineBindPoint=GRAPHICS,
             pColorAttachments=references,
+            pResolveAttachments=resolves,
             pDepthStencilAttachment=None if step.depth is None else depth,
         )
         info = vk.VkRenderPassCreateInfo(pAttachments=described, pSubpasses=[subpass])
@@ -288,13 +304,28 @@ class _Frame:
         self._owned.callback(vk.vkDestroyRenderPass, self._gpu.device, made, None)
         return made
 
-    def _described(self, attachment: Attachment) -> Any:
+    def _resolves(self, step: FrameStep, described: list[Any]) -> Any:
+        """For each target where it is resolved to, which is added to what is ``described``."""
+        if not _resolves(step):
+            return None
+        found = []
+        for target in step.targets:
+            number = vk.VK_ATTACHMENT_UNUSED
+            if target.resolve is not None:
+                number = len(described)
+                written = Attachment(target.resolve.texture)
+                described.append(self._described(written, vk.VK_ATTACHMENT_LOAD_OP_DONT_CARE))
+            found.append(vk.VkAttachmentReference(number, USES["target"].layout))
+        return found
+
+    def _described(self, attachment: Attachment, load: int | None = None) -> Any:
+        """What happens to an attachment; ``load`` is another way to begin with it."""
         texture = self._textures[attachment.texture]
         layout = USES["depth" if texture.description.is_depth else "target"].layout
         return vk.VkAttachmentDescription(
             format=texture.spec.format,
-            samples=vk.VK_SAMPLE_COUNT_1_BIT,
-            loadOp=_LOADS[attachment.loads],
+            samples=texture.spec.samples,
+            loadOp=_LOADS[attachment.loads] if load is None else load,
             storeOp=_STORES[attachment.stores],
             stencilLoadOp=_LOADS[attachment.loads],
             stencilStoreOp=_STORES[attachment.stores_stencil],
@@ -332,6 +363,10 @@ class _Frame:
 
 def _attachments(step: FrameStep) -> tuple[Attachment, ...]:
     return step.targets if step.depth is None else (*step.targets, step.depth)
+
+
+def _resolves(step: FrameStep) -> list[Resolve]:
+    return [target.resolve for target in step.targets if target.resolve is not None]
 
 
 def _texel_size(format_: Any) -> int:

@@ -9,7 +9,7 @@ from typing import Any
 
 import vulkan as vk
 
-from ..frame_job import Attachment, Barrier, BufferUse, FrameJob, FrameTexture, TextureUse
+from ..frame_job import Barrier, BufferUse, FrameJob, FrameTexture, TextureUse
 from .device import Gpu
 from .formats import ASPECTS, DEPTHS, TARGETS, VIEWS
 from .memory import ImageSpec, give_memory, image_without_memory, make_view
@@ -91,9 +91,9 @@ class MadeTexture:
     parts: dict[tuple[int, int, int], Any] = field(default_factory=dict)
     """Views of some layers of a level, to which steps draw."""
 
-    def part(self, attachment: Attachment) -> Any:
+    def part(self, layer: int, level: int, layers: int = 1) -> Any:
         """The view of what is drawn to."""
-        key = attachment.layer, attachment.layers, attachment.level
+        key = layer, layers, level
         if key not in self.parts:
             self.parts[key] = self._part(*key)
         return self.parts[key]
@@ -174,7 +174,7 @@ def _spec(wanted: FrameTexture, *, drawn: bool, written: bool) -> ImageSpec:
         if wanted.is_depth
         else vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
     )
-    usage = _READS | (attached if drawn else 0)
+    usage = (_READS if wanted.samples == 1 else 0) | (attached if drawn else 0)
     usage |= vk.VK_IMAGE_USAGE_STORAGE_BIT if written else 0
     colour, depth = vk.VK_IMAGE_ASPECT_COLOR_BIT, vk.VK_IMAGE_ASPECT_DEPTH_BIT
     match wanted.format:
@@ -184,7 +184,7 @@ def _spec(wanted: FrameTexture, *, drawn: bool, written: bool) -> ImageSpec:
             format_, aspect, read = TARGETS[colours], colour, colour
     return ImageSpec(
         format_, wanted.width, wanted.height, usage, wanted.levels, aspect, wanted.layers,
-        VIEWS[wanted.dimension], read,
+        VIEWS[wanted.dimension], wanted.samples, read,
     )  # fmt: skip
 
 

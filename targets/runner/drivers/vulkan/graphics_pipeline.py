@@ -112,7 +112,7 @@ def make_pipeline(
             pViewportState=vk.VkPipelineViewportStateCreateInfo(viewportCount=1, scissorCount=1),
             pRasterizationState=_rasterization(pipeline),
             pMultisampleState=vk.VkPipelineMultisampleStateCreateInfo(
-                rasterizationSamples=vk.VK_SAMPLE_COUNT_1_BIT
+                rasterizationSamples=pipeline.samples
             ),
             pDepthStencilState=_depth_stencil(pipeline),
             pColorBlendState=vk.VkPipelineColorBlendStateCreateInfo(pAttachments=blends),

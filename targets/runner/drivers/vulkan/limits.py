@@ -91,6 +91,12 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
 
 
 def _state_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
+    limits = gpu.properties.limits
+    counts = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts
+    if not counts & pipeline.samples:
+        yield f"the device has no targets with {pipeline.samples} samples"
+    if pipeline.samples > 1 and not limits.standardSampleLocations:
+        yield "the device has its samples at other places than those of the standard"
     depths = _features(gpu, DEPTHS[pipeline.depth_format])
     if not depths & vk.VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT:
         yield f"the device has no {pipeline.depth_format}"

@@ -62,6 +62,8 @@ class ImageSpec:
     depth: int = 1
     """Slices of a 3D texture, layers, or faces of a cube."""
     view: int = vk.VK_IMAGE_VIEW_TYPE_2D
+    samples: int = vk.VK_SAMPLE_COUNT_1_BIT
+    """A ``VK_SAMPLE_COUNT`` bit, which is the number itself."""
     read_aspect: int = 0
     """What the view shows, if that is not all of it: shaders read depths without stencil values."""
 
@@ -99,7 +101,7 @@ def image_without_memory(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> Any:
         extent=vk.VkExtent3D(spec.width, spec.height, spec.depth if spec.is_volume else 1),
         mipLevels=spec.levels,
         arrayLayers=spec.layers,
-        samples=vk.VK_SAMPLE_COUNT_1_BIT,
+        samples=spec.samples,
         tiling=vk.VK_IMAGE_TILING_OPTIMAL,
         usage=spec.usage,
         sharingMode=vk.VK_SHARING_MODE_EXCLUSIVE,

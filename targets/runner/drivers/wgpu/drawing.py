@@ -13,9 +13,10 @@ from ..draw_job import Draw, Job, Picture
 from ..pipeline import Pipeline
 from ..readback import TEXEL_LANES, to_float
 from ..render_state import TargetFormat
+from ..webgpu import DEPTH, Buffer
 from .bindings import bind_groups, make_buffer, make_storage
 from .device import Gpu, explained
-from .pipeline import DEPTH, Buffer, Made, make_pipeline
+from .pipeline import Made, make_pipeline
 
 CLEARED_STENCIL = {
     "stencil_clear_value": 0,

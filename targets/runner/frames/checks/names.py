@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import Any
 
 from .....compiler.ir.host import KNOWN_TO_HOST
 from ...binding import FORMATS
-from .rows import Row, attachments, fail, inputs, places_of_waiting, step_name, uses
+from .rows import Row, attachments, drawn_to, fail, inputs, places_of_waiting, step_name, uses
 
 DEPTH_FORMATS = ("depth32f", "depth32f_stencil8")
 STENCILS = "stencil8"
@@ -56,9 +56,11 @@ def _check_unique(plan: Row) -> None:
     for name in plan["sources"]:
         _one_of(plan, "sources", "value of the host", name, [row["name"] for row in set_by_host])
     for row in plan["results"]:
-        if (row["kind"] == "texture") != (row["texture"] is not None):
-            fail(plan, row["name"], "a texture has a number, and a buffer has none")
-        _texture(plan, row["name"], row["texture"])
+        if row["kind"] == "buffer" and row["texture"] is not None:
+            fail(plan, row["name"], "a buffer is in no texture")
+        number = _texture(plan, row["name"], row["texture"])
+        if number >= 0 and plan["textures"][number]["samples"] > 1:
+            fail(plan, row["name"], f"nobody can read the samples of texture {number}")
 
 
 def _no_two(plan: Row, table: str, names: Iterable[str]) -> None:
@@ -95,6 +97,9 @@ def _check_value(plan: Row, where: str, value: Row) -> None:
 
 
 def _check_texture(plan: Row, where: str, texture: Row) -> None:
+    is_single = (texture["dimension"], texture["levels"], texture["kept"]) == ("2d", 1, False)
+    if texture["samples"] > 1 and not is_single:
+        fail(plan, where, "it has several samples, and also levels, layers or a later frame")
     _one_of(plan, where, "format", texture["format"], (*FORMATS, *DEPTH_FORMATS))
     if texture["layers"] not in LAYERS.get(texture["dimension"], range(1, 1 << 16)):
         fail(plan, where, f"{texture['dimension']} does not have {texture['layers']} layers")
@@ -129,7 +134,8 @@ def _check_step(plan: Row, step: Row) -> None:
         _no_two(plan, where, [row["name"] for row in use["inputs"]])
     for row in inputs(step):
         _check_input(plan, f"{where}, input {row['name']}", row)
-    _no_two(plan, where, [f"texture {each}" for each in _drawn_to(step)])
+    written = [*drawn_to(step), *(row["texture"] for row in step.get("images", ()))]
+    _no_two(plan, where, [f"texture {number}" for number in written])
     for image in step.get("images", ()):
         _texture(plan, where, image["texture"])
     for row in attachments(step):
@@ -144,11 +150,6 @@ def _check_step(plan: Row, step: Row) -> None:
             _one_of(plan, where, "result", step[end].get("result"), _results(plan))
             _texture(plan, where, step[end].get("texture"))
     _check_result_names(plan, where, step)
-
-
-def _drawn_to(step: Row) -> Iterator[int]:
-    for row in (*attachments(step), *step.get("images", ())):
-        yield row["texture"]
 
 
 def _check_result_names(plan: Row, where: str, step: Row) -> None:
@@ -195,6 +196,20 @@ def _check_attachment(plan: Row, where: str, row: Row, *, is_depth: bool) -> Non
             fail(plan, where, "what is loaded is not cleared")
     if row["over"] is not None:
         _one_of(plan, where, "result", row["over"], _results(plan))
+    if row["resolve"] is not None:
+        _check_resolve(plan, where, texture, row["resolve"])
+
+
+def _check_resolve(plan: Row, where: str, drawn: Row, row: Row) -> None:
+    """The mean of samples is written to a place of the same size and format."""
+    texture, level = plan["textures"][_texture(plan, where, row["texture"])], row["level"]
+    size, whole = drawn["size"], texture["size"]
+    if drawn["samples"] == 1 or drawn["format"] in DEPTH_FORMATS or texture["samples"] > 1:
+        fail(plan, where, f"there are no samples to resolve to texture {row['texture']}")
+    if not 0 <= level < texture["levels"] or not 0 <= row["layer"] < texture["layers"]:
+        fail(plan, where, f"texture {row['texture']} has no layer {row['layer']}, level {level}")
+    if (texture["format"], {**whole, "level": whole["level"] + level}) != (drawn["format"], size):
+        fail(plan, where, f"texture {row['texture']} has another format or size than its samples")
 
 
 def _check_drawn(plan: Row, where: str, step: Row, drawn: Row) -> None:

@@ -16,6 +16,7 @@ from .rows import (
     attachments,
     drawn_over,
     fail,
+    has_samples,
     is_rare,
     places_of_waiting,
     read_before,
@@ -83,7 +84,15 @@ class _Needs:
 
     def _mentioned(self, step: Row) -> Iterator[Reading]:
         """The results of this frame that a step names, each with a texture."""
-        yield from written(step)
+        for row in attachments(step):
+            if not has_samples(self._plan, row):
+                yield row["result"], row["texture"]
+            elif row["resolve"] is not None:
+                yield row["result"], row["resolve"]["texture"]
+        for row in step.get("images", ()):
+            yield row["result"], row["texture"]
+        for row in step.get("buffers", ()):
+            yield row["result"], None
         yield from read_now(step, is_first=True)
         yield from read_now(step, is_first=False)
         for end in ("from", "to"):
@@ -101,10 +110,7 @@ class _Needs:
         kept = pairs.keys()
         for number, row in enumerate(self._plan["textures"]):
             where = f"texture {number}"
-            results = [each for each in self._plan["results"] if each["texture"] == number]
-            names = [each["name"] for each in sorted(results, key=lambda each: int(each["first"]))]
-            if number in self._previous:
-                names = [self._previous[number]]
+            names = [self._previous[number]] if number in self._previous else self._held(number)
             if row["results"] != names:
                 fail(self._plan, where, f"it holds {_listed(names)}")
             if row["kept"] != (number in kept):
@@ -112,6 +118,17 @@ class _Needs:
             uses = self._used_as[number] | self._used_as[pairs.get(number, number)]
             if set(row["uses"]) != uses or len(row["uses"]) != len(uses):
                 fail(self._plan, where, f"it is used as {_listed(sorted(uses))}")
+
+    def _held(self, texture: int) -> list[str]:
+        """The results that a texture holds, in order: all in which others find them, or all that
+        are drawn there with several samples."""
+        found = {name: row["first"] for name, row in self._results.items()
+                 if row["texture"] == texture}  # fmt: skip
+        for number, step in enumerate(self._steps):
+            for row in attachments(step):
+                if row["texture"] == texture and has_samples(self._plan, row):
+                    found.setdefault(row["result"], number)
+        return sorted(found, key=lambda name: int(found[name]))
 
     @cached_property
     def _used_as(self) -> Mapping[int, set[str]]:
@@ -134,15 +151,37 @@ class _Needs:
             if "continues" in step:
                 self._check_continued(number, step)
             for row in attachments(step):
-                if row["store"] != self._is_needed(number, row["result"]):
-                    said = "stored" if row["store"] else "dropped"
-                    fail(self._plan, where, f"`{row['result']}` is {said}")
+                self._check_stored(number, where, row)
                 if "stencil" in row and row["stencil"]["store"] != self._is_found(number, row):
                     said = "stored" if row["stencil"]["store"] else "dropped"
                     fail(self._plan, where, f"stencil values of `{row['result']}` are {said}")
             places = {(row["layer"], row["level"]) for row in attachments(step)}
-            if len(places) > 1:
+            resolved = {(row["resolve"]["layer"], row["resolve"]["level"])
+                        for row in attachments(step) if row["resolve"] is not None}  # fmt: skip
+            if len(places) > 1 or len(resolved) > 1:
                 fail(self._plan, where, "its targets are different layers or levels")
+
+    def _check_stored(self, number: int, where: str, row: Row) -> None:
+        """What is needed of what a step draws is stored, and of samples their mean."""
+        result, needed = row["result"], self._is_needed(number, row["result"])
+        if has_samples(self._plan, row):
+            is_depth = row is self._steps[number]["depth"]
+            resolves = needed and not is_depth and self._resolves(number, row)
+            if (row["resolve"] is not None) != resolves:
+                said = "read later" if resolves else "read by nobody"
+                fail(self._plan, where, f"the mean of the samples of `{result}` is {said}")
+            needed = self._is_found(number, row)
+        if row["store"] != needed:
+            fail(self._plan, where, f"`{result}` is {'stored' if row['store'] else 'dropped'}")
+
+    def _resolves(self, number: int, drawn: Row) -> bool:
+        """Whether somebody reads what a step has drawn before another one draws there, too."""
+        for step in self._steps[number + 1 :]:
+            if any(result == drawn["result"] for result, _ in read_now(step, is_first=True)):
+                return True
+            if any(_place(row) == _place(drawn) for row in attachments(step)):
+                return False
+        return True
 
     def _check_later_frames(self) -> None:
         """They wait for what is written in each of them, and for nothing else."""
@@ -169,6 +208,7 @@ class _Needs:
             and (step["depth"] is None) == (before["depth"] is None)
             and is_rare(step) == is_rare(before)
             and all(row["load"] == "load" and row["layer"] is not None for row in attachments(step))
+            and all(row["resolve"] is None for row in attachments(before))
             and not step["buffer_barriers"]
             and {row["texture"] for row in step["barriers"]} <= {texture for texture, *_ in here}
         )
@@ -182,19 +222,34 @@ class _Needs:
 
     def _is_found(self, number: int, left: Row) -> bool:
         """Whether a later step draws where stencil values were left."""
-        place = left["result"], left["layer"], left["level"]
         later = [row for step in self._steps[number + 1 :] for row in attachments(step)]
-        again = ((row["result"], row["layer"], row["level"]) == place for row in later)
-        return any(again) or any(row["over"] == left["result"] for row in later)
+        again = (_place(row) == _place(left) for row in later)
+        return any(again) or any(
+            row["over"] == left["result"] and self._finds(row, left) for row in later
+        )
+
+    def _finds(self, over: Row, left: Row) -> bool:
+        """Whether a step that draws over what another has left finds it as this one left it:
+        samples, or one value for each texel."""
+        if has_samples(self._plan, left):
+            return bool(over["texture"] == left["texture"])
+        return True
 
     @cached_property
     def _last_read(self) -> dict[str, int]:
-        """The last step that reads each result, or draws over it."""
-        return {
-            result: number
-            for number, step in enumerate(self._steps)
-            for result in (*(each for each, _ in read_now(step, is_first=True)), *drawn_over(step))
-        }
+        """The last step that reads each result, or draws over it with one sample."""
+        found = {}
+        for number, step in enumerate(self._steps):
+            for result, _ in read_now(step, is_first=True):
+                found[result] = number
+            for row in attachments(step):
+                if row["over"] is not None and not has_samples(self._plan, row):
+                    found[row["over"]] = number
+        return found
+
+
+def _place(row: Row) -> tuple[str, int, int | None, int]:
+    return row["result"], row["texture"], row["layer"], row["level"]
 
 
 def _places(step: Row) -> list[tuple[int, int | None, int]]:

@@ -230,6 +230,14 @@ class _Execution:
             held[place] = result if target["store"] else ""
             if "stencil" in target:
                 self._draw_stencil(texture, place, target)
+        if target["resolve"] is not None:
+            self._resolve(target["resolve"], result)
+
+    def _resolve(self, target: Row, result: str) -> None:
+        """The mean of a result's samples is where others find the result."""
+        self._written(target["texture"], "target")
+        held = self._holds.setdefault(target["texture"], {})
+        held[target["layer"], target["level"]] = result
 
     def _draw_stencil(self, texture: int, place: tuple[int, int], target: Row) -> None:
         """The values beside depths begin as these do, and are there later if they are stored."""

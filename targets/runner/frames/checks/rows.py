@@ -55,6 +55,19 @@ def attachments(step: Row) -> Iterator[Row]:
         yield step["depth"]
 
 
+def drawn_to(step: Row) -> Iterator[int]:
+    """The textures that a step draws to, and those to which it resolves samples then."""
+    for row in attachments(step):
+        yield row["texture"]
+        if row["resolve"] is not None:
+            yield row["resolve"]["texture"]
+
+
+def has_samples(plan: Row, attachment: Row) -> bool:
+    """Whether a step draws with several samples there."""
+    return bool(plan["textures"][attachment["texture"]]["samples"] > 1)
+
+
 def uses(step: Row) -> Iterator[Row]:
     """The shaders of a step, with what the frame sets of them."""
     if step["kind"] == "run":
@@ -89,9 +102,13 @@ def read_before(step: Row) -> Iterator[Reading]:
 
 
 def written(step: Row) -> Iterator[Reading]:
-    """The results that a step leaves. A copy leaves nothing of its own: the next step draws over
-    it."""
-    for row in (*attachments(step), *step.get("images", ())):
+    """The results that a step leaves, each with the texture that it lies in then. A copy leaves
+    nothing of its own: the next step draws over it."""
+    for row in attachments(step):
+        yield row["result"], row["texture"]
+        if row["resolve"] is not None:
+            yield row["result"], row["resolve"]["texture"]
+    for row in step.get("images", ()):
         yield row["result"], row["texture"]
     for row in step.get("buffers", ()):
         yield row["result"], None

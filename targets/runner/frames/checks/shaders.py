@@ -111,7 +111,11 @@ class _Shaders:
             self._check_targets(where, step["targets"], reflection)
             self._check_depths(where, step["depth"], reflection)
             own = reflection["draw"]["layers"]
+            samples = reflection["render_state"]["samples"]
             for row in attachments(step):
+                found = self._plan["textures"][row["texture"]]["samples"]
+                if found != samples:
+                    fail(self._plan, where, f"`{row['name']}` has {found} samples, not {samples}")
                 if (own is not None) != (row["layer"] is None):
                     fail(self._plan, where, f"`{row['name']}` is drawn to layer {row['layer']}")
             if own is not None and own["count"] != layers:

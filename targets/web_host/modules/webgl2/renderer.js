@@ -1,11 +1,11 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
-import { hasStencil, isDepth, toFloats } from "../bytes.js";
-import { interleaved } from "../geometry.js";
+import { halved, hasStencil, isDepth, toFloats } from "../bytes.js";
 import { Presenter } from "./canvas.js";
 import { Context } from "./context.js";
 import { PROFILE, linked } from "./programs.js";
 import { setState } from "./state.js";
-import { attach, bindOf, depthPoint, halved, makePicture, makeSampler, makeTexture, } from "./textures.js";
+import { attach, bindOf, depthPoint, freeTexture, makePicture, makeSampler, makeTexture, } from "./textures.js";
+import { interleaved } from "./vertices.js";
 export class WebGl2Renderer {
     context;
     shaders;
@@ -43,7 +43,7 @@ export class WebGl2Renderer {
     }
     freeTexture(texture) {
         this.textures.delete(texture);
-        this.gl.deleteTexture(texture.gl);
+        freeTexture(this.gl, texture);
     }
     own(texture) {
         this.textures.add(texture);
@@ -58,7 +58,7 @@ export class WebGl2Renderer {
     sizeOf = ({ sides }) => sides;
     dispose() {
         const { gl } = this;
-        this.textures.forEach((each) => gl.deleteTexture(each.gl));
+        this.textures.forEach((each) => freeTexture(gl, each));
         this.programs.forEach((each) => gl.deleteProgram(each.gl));
         this.samplers.forEach((each) => gl.deleteSampler(each));
         const uploaded = [...this.uploaded.values()].flatMap((each) => [...each.values()]);
@@ -97,6 +97,7 @@ export class WebGl2Renderer {
         for (const call of calls)
             this.drawCall(call, depth, height);
         gl.disable(gl.SCISSOR_TEST);
+        targets.forEach((target, at) => this.resolve(target, points[at], width, height));
         const attached = depth ? [...targets, depth] : targets;
         const dropped = points.filter((_, at) => !attached[at].target.store);
         if (dropped.length)
@@ -104,6 +105,20 @@ export class WebGl2Renderer {
         for (const point of points) {
             gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0);
         }
+    }
+    /** Write the means of the samples of a target where others read them. */
+    resolve({ resolve }, point, width, height) {
+        if (!resolve)
+            return;
+        const { gl } = this;
+        const { DRAW_FRAMEBUFFER: into, COLOR_ATTACHMENT0: only, COLOR_BUFFER_BIT: colors } = gl;
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.screen);
+        gl.readBuffer(point);
+        gl.bindFramebuffer(into, this.source);
+        attach(gl, into, only, resolve.texture, resolve.layer, resolve.level);
+        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, colors, gl.NEAREST);
+        gl.framebufferTexture2D(into, only, gl.TEXTURE_2D, null, 0);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.screen);
     }
     /** Attach everything that is drawn to; the depths last. */
     attachAll(targets, depth) {
@@ -142,7 +157,7 @@ export class WebGl2Renderer {
         const { gl } = this;
         const program = this.programs[call.shader];
         const { vertices, count } = this.upload(program, call);
-        if (!count || !call.geometry.instances)
+        if (!count || !call.mesh.instance_count)
             return;
         const { reflection } = this.shaders[call.shader];
         gl.useProgram(program.gl);
@@ -150,8 +165,8 @@ export class WebGl2Renderer {
         setState(this.context, reflection, depth?.texture.format ?? null);
         this.bind(program, call);
         gl.bindVertexArray(vertices);
-        const mode = gl[MODES[reflection.draw?.topology ?? "triangle"]];
-        gl.drawElementsInstanced(mode, count, gl.UNSIGNED_INT, 0, call.geometry.instances);
+        const [mode] = MODES[topologyOf(reflection)];
+        gl.drawElementsInstanced(gl[mode], count, gl.UNSIGNED_INT, 0, call.mesh.instance_count);
         gl.bindVertexArray(null);
     }
     run({ values }) {
@@ -209,42 +224,40 @@ export class WebGl2Renderer {
         this.samplers.set(key, found);
         return found;
     }
-    upload(program, { geometry, shader }) {
+    upload(program, { mesh, shader }) {
         const known = this.uploaded.get(program) ?? new Map();
         this.uploaded.set(program, known);
-        const found = known.get(geometry) ?? this.uploadAnew(program, geometry, shader);
-        known.set(geometry, found);
+        const found = known.get(mesh) ?? this.uploadAnew(program, mesh, shader);
+        known.set(mesh, found);
         return found;
     }
-    uploadAnew(program, geometry, shader) {
+    uploadAnew(program, mesh, shader) {
         const { gl } = this;
+        const { reflection } = this.shaders[shader];
         const vertices = gl.createVertexArray();
         gl.bindVertexArray(vertices);
-        const buffers = ["vertex", "instance"].flatMap((step) => {
-            const made = interleaved(geometry.attributes, step);
-            if (!made)
-                return [];
-            const buffer = filled(gl, gl.ARRAY_BUFFER, made.data);
-            for (const { attribute: { input, type, lanes }, offset } of made.members) {
-                const location = program.inputs.get(input.name);
+        const buffers = interleaved(reflection).map(({ step, stride, members }) => {
+            const data = step === "vertex" ? mesh.vertices : mesh.instances;
+            const buffer = filled(gl, gl.ARRAY_BUFFER, data);
+            for (const { input: { name, representation }, lanes, offset } of members) {
+                const location = program.inputs.get(name);
                 if (location === undefined)
                     continue; // not read, so left out by the linker
                 gl.enableVertexAttribArray(location);
                 gl.vertexAttribDivisor(location, step === "instance" ? 1 : 0);
-                const { stride } = made;
-                if (type === "float") {
-                    gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, stride, offset);
-                }
-                else {
-                    const kind = type === "int" ? gl.INT : gl.UNSIGNED_INT;
+                const kind = { i: gl.INT, u: gl.UNSIGNED_INT }[representation[0]];
+                if (kind)
                     gl.vertexAttribIPointer(location, lanes, kind, stride, offset);
-                }
+                else
+                    gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, stride, offset);
             }
-            return [buffer];
+            return buffer;
         });
-        const { draw } = this.shaders[shader].reflection;
-        const indices = geometry.indices ?? Uint32Array.from({ length: geometry.count }, (_, at) => at);
-        const turned = firstVertexLast(indices, CORNERS[draw?.topology ?? "triangle"]);
+        const indices = mesh.indices
+            ? new Uint32Array(mesh.indices.buffer)
+            : Uint32Array.from({ length: mesh.count }, (_, at) => at);
+        const [, corners] = MODES[topologyOf(reflection)];
+        const turned = firstVertexLast(indices, corners);
         const elements = filled(gl, gl.ELEMENT_ARRAY_BUFFER, turned);
         gl.bindVertexArray(null);
         return { vertices, buffers: [...buffers, elements], count: turned.length };
@@ -280,8 +293,7 @@ export class WebGl2Renderer {
     depths(texture, layer) {
         const { gl } = this;
         const { width, height } = texture;
-        const size = { width, height, layers: 1, levels: 1, dimension: "2d", isImage: false };
-        const colors = makeTexture(this.context, { ...size, format: "rgba32float" });
+        const colors = makeTexture(this.context, { ...FLAT, format: "rgba32float", width, height });
         this.flat(texture, layer, (found) => {
             gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
             attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, colors, 0, 0);
@@ -297,16 +309,18 @@ export class WebGl2Renderer {
         if (texture.dimension === "2d")
             return work(texture);
         const { format, width, height } = texture;
-        const copy = makeTexture(this.context, {
-            format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false,
-        });
+        const copy = makeTexture(this.context, { ...FLAT, format, width, height });
         this.copyLayer(texture, layer, 0, copy, 0);
         work(copy);
         this.gl.deleteTexture(copy.gl);
     }
 }
-const MODES = { point: "POINTS", line: "LINES", triangle: "TRIANGLES" };
-const CORNERS = { point: 1, line: 2, triangle: 3 };
+const FLAT = {
+    dimension: "2d", layers: 1, levels: 1, samples: 1, uses: [],
+};
+/** What draws each topology, and how many vertices its primitives have. */
+const MODES = { point: ["POINTS", 1], line: ["LINES", 2], triangle: ["TRIANGLES", 3] };
+const topologyOf = ({ draw }) => (draw?.topology ?? "triangle");
 function filled(gl, kind, data) {
     const buffer = gl.createBuffer();
     gl.bindBuffer(kind, buffer);

@@ -1,9 +1,11 @@
 // Textures of WebGL 2: those that frames draw to, and pictures of the host.
-import { bytesOf, isDepth, hasStencil } from "../bytes.js";
+import { bytesOf, halved, isDepth, hasStencil } from "../bytes.js";
 const BINDS = {
     "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
-const WRAPS = { repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT" };
+const WRAPS = {
+    repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT",
+};
 /** How WebGL stores each format, and in which lanes and numbers texels are brought there. */
 const STORAGE = {
     "r8unorm": ["R8", "RED", "UNSIGNED_BYTE"],
@@ -27,13 +29,14 @@ const STORAGE = {
 };
 const constant = (gl, name) => gl[name];
 export const bindOf = (gl, dimension) => gl[BINDS[dimension]];
-export const halved = (side, level) => Math.max(side >> level, 1);
 function allocate(context, made) {
     const { gl } = context;
-    const { format, dimension, width, height, layers, levels } = made;
+    const { format, dimension, width, height, layers, levels, samples } = made;
     const storage = STORAGE[format];
     if (!storage)
         throw new Error(`WebGL 2 has no textures of ${format}`);
+    if (samples > 1)
+        return { ...made, gl: renderbuffer(gl, made, constant(gl, storage[0])) };
     const texture = gl.createTexture();
     const bind = bindOf(gl, dimension);
     gl.bindTexture(bind, texture);
@@ -45,14 +48,30 @@ function allocate(context, made) {
     }
     return { ...made, gl: texture };
 }
+function renderbuffer(gl, { format, width, height, samples }, storage) {
+    const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, storage, gl.SAMPLES);
+    if (!counts.includes(samples)) {
+        throw new Error(`this device has no ${samples} samples of ${format} in WebGL 2`);
+    }
+    const made = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, made);
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, storage, width, height);
+    return made;
+}
+export function freeTexture(gl, { gl: texture, samples }) {
+    if (samples > 1)
+        gl.deleteRenderbuffer(texture);
+    else
+        gl.deleteTexture(texture);
+}
 /** A texture that is transparent black, as WebGL makes all of them, or as far away as can be. */
 export function makeTexture(context, size) {
-    const { format, dimension, width, height, layers, levels } = size;
+    const { uses: _, ...row } = size;
+    const { format, width, height } = row;
     if (format.endsWith("float") && !isDepth(format)) {
         context.need("EXT_color_buffer_float", `draw to textures of ${format}`);
     }
-    const sides = [width, height];
-    const made = allocate(context, { format, dimension, width, height, layers, levels, sides });
+    const made = allocate(context, { ...row, sides: [width, height] });
     if (isDepth(format))
         clearDepths(context.gl, made);
     return made;
@@ -77,8 +96,11 @@ function clearDepths(gl, texture) {
 /** Where depths are attached to a framebuffer. */
 export const depthPoint = (gl, format) => hasStencil(format) ? gl.DEPTH_STENCIL_ATTACHMENT : gl.DEPTH_ATTACHMENT;
 /** Attach one layer and level of a texture to the framebuffer that is bound. */
-export function attach(gl, framebuffer, point, { gl: texture, dimension }, layer, level) {
-    if (dimension === "2d_array" || dimension === "3d") {
+export function attach(gl, framebuffer, point, { gl: texture, dimension, samples }, layer, level) {
+    if (samples > 1) {
+        gl.framebufferRenderbuffer(framebuffer, point, gl.RENDERBUFFER, texture);
+    }
+    else if (dimension === "2d_array" || dimension === "3d") {
         gl.framebufferTextureLayer(framebuffer, point, texture, level, layer);
     }
     else {
@@ -90,14 +112,15 @@ export function attach(gl, framebuffer, point, { gl: texture, dimension }, layer
  * v = 0. */
 export function makePicture(context, picture) {
     const { gl } = context;
-    const { format, dimension, width, height, depth, levels } = picture;
+    const { dimension, width, height, depth, levels } = picture;
+    const format = picture.format;
     if (format === "rgba32float") {
         context.need("OES_texture_float_linear", "filter pictures of floats");
     }
     const hasThree = dimension === "3d" || dimension === "2d_array";
     const sides = hasThree ? [width, height, depth] : [width, height];
     const made = allocate(context, {
-        format, dimension, width, height, layers: depth, levels: levels.length, sides,
+        format, dimension, width, height, layers: depth, levels: levels.length, samples: 1, sides,
     });
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     levels.forEach((level, number) => upload(gl, made, number, bytesOf(level)));
@@ -139,7 +162,7 @@ function numbersOf(type, { buffer }) {
 export function makeSampler(gl, state) {
     const sampler = gl.createSampler();
     const set = (name, value) => gl.samplerParameteri(sampler, name, value);
-    const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: undefined };
+    const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: "" };
     const { filter, mip, wrap, compare } = state ?? plain;
     const words = [filter, mip === "linear" ? "linear" : "nearest"];
     const [near, between] = words.map((word) => word.toUpperCase());

@@ -1,10 +1,9 @@
 // Draws frames with WebGPU.
-import { hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
-import { interleaved } from "../geometry.js";
+import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { Presenter } from "./canvas.js";
-import { Arena, BufferUsage } from "./device.js";
-import { PROFILE, Pipelines, slotsOf } from "./pipelines.js";
-import { layerOf, makePicture, makeSampler, makeTexture } from "./textures.js";
+import { Arena } from "./device.js";
+import { PROFILE, Pipelines } from "./pipelines.js";
+import { layerOf, makePicture, makeTexture, viewOf } from "./textures.js";
 /** Rows of texels that are copied to a buffer begin at multiples of this. */
 const ROW_ALIGNMENT = 256;
 export class WebGpuRenderer {
@@ -15,7 +14,6 @@ export class WebGpuRenderer {
     shaders;
     encoder;
     arena;
-    slots;
     samplers = new Map();
     uploaded = new Map();
     owned = new Set();
@@ -24,9 +22,7 @@ export class WebGpuRenderer {
         this.pipelines = pipelines;
         this.presenter = presenter;
         this.shaders = shaders;
-        this.slots = shaders.map(({ reflection }) => slotsOf(reflection));
-        const { minUniformBufferOffsetAlignment } = device.gpu.limits;
-        this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
+        this.arena = new Arena(device.gpu);
     }
     static async open(device, from, canvas) {
         const pipelines = await Pipelines.of(device, from);
@@ -42,7 +38,7 @@ export class WebGpuRenderer {
         return this.own(makePicture(this.device, picture));
     }
     makeBuffer(bytes) {
-        const buffer = this.device.buffer(bytes, BufferUsage.STORAGE | BufferUsage.COPY_SRC);
+        const buffer = this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
         this.owned.add(buffer);
         return buffer;
     }
@@ -76,16 +72,18 @@ export class WebGpuRenderer {
         this.encoder = this.device.gpu.createCommandEncoder();
     }
     end() {
-        this.arena.flush();
         this.device.gpu.queue.submit([this.encoder.finish()]);
     }
     draw(targets, depth, calls, { viewport, scissor, blendConstant }) {
         const pass = this.encoder.beginRenderPass({
-            colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
+            colorAttachments: targets.map(({ target, texture, layer, clear, resolve }) => ({
                 view: layerOf(texture.gpu, layer, target.level),
                 clearValue: clear,
                 loadOp: target.load,
                 storeOp: storeOp(target),
+                ...(resolve && {
+                    resolveTarget: layerOf(resolve.texture.gpu, resolve.layer, resolve.level),
+                }),
             })),
             ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
         });
@@ -99,7 +97,7 @@ export class WebGpuRenderer {
             const { stencil } = this.shaders[call.shader].reflection.render_state;
             pass.setStencilReference(stencil?.reference ?? 0);
             this.bind(pass, pipeline, call, []);
-            this.drawGeometry(pass, call.geometry);
+            this.drawMesh(pass, call.mesh);
         }
         pass.end();
     }
@@ -118,70 +116,68 @@ export class WebGpuRenderer {
     }
     copy({ gpu: from }, { gpu: to }) {
         for (let mipLevel = 0; mipLevel < from.mipLevelCount; mipLevel++) {
-            const halved = (side) => Math.max(side >> mipLevel, 1);
-            const size = [halved(from.width), halved(from.height), from.depthOrArrayLayers];
+            const [width, height] = [from.width, from.height].map((side) => halved(side, mipLevel));
+            const size = [width, height, from.depthOrArrayLayers];
             const [source, target] = [from, to].map((texture) => ({ texture, mipLevel }));
             this.encoder.copyTextureToTexture(source, target, size);
         }
     }
-    bind(pass, { layouts }, bound, images) {
+    bind(pass, { groups }, bound, images) {
         const blocks = bound.values.blocks();
-        const { textures } = this.shaders[bound.shader].reflection;
-        const resource = (slot) => {
-            switch (slot.kind) {
-                case "block":
-                    return this.arena.put(blocks.get(slot.name));
-                case "buffer":
-                    return { buffer: given(bound.buffers, slot.name, bound) };
-                case "image":
-                    return layerOf(images[slot.number].gpu, 0, 0);
-                case "sampler":
-                    return this.sampler(bound.shader, slot.name);
-                case "texture": {
-                    const row = textures.find(({ name }) => name === slot.name);
-                    return viewOf(given(bound.textures, slot.name, bound), row);
-                }
-            }
+        const resource = ({ kind, name, number, layout, sampler }) => {
+            if (kind === "block")
+                return this.arena.put(blocks.get(name));
+            if (kind === "sampler")
+                return this.sampler(sampler);
+            if (kind === "storage_texture")
+                return viewOf(images[number], "2d");
+            const found = kind === "buffer" ? bound.buffers.get(name) : bound.textures.get(name);
+            if (!found)
+                throw new Error(`nobody gives ${bound.values.name} its \`${name}\``);
+            return "gpu" in found ? viewOf(found, layout.texture.viewDimension) : { buffer: found };
         };
-        this.slots[bound.shader].forEach((slots, group) => {
-            const entries = slots.map((slot) => ({ binding: slot.binding, resource: resource(slot) }));
-            const layout = layouts[group];
+        groups.forEach(({ layout, slots }, group) => {
+            const entries = slots.map((slot) => {
+                return { binding: slot.layout.binding, resource: resource(slot) };
+            });
             pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
         });
     }
-    sampler(shader, texture) {
-        const { samplers } = this.shaders[shader].reflection;
-        const { state } = samplers.find((each) => each.texture === texture);
+    sampler(state) {
         const key = JSON.stringify(state);
-        const found = this.samplers.get(key) ?? makeSampler(this.device, state);
+        const found = this.samplers.get(key) ?? this.device.gpu.createSampler(state);
         this.samplers.set(key, found);
         return found;
     }
-    drawGeometry(pass, geometry) {
-        if (!geometry.count || !geometry.instances)
+    drawMesh(pass, mesh) {
+        const { count, instance_count: instances } = mesh;
+        if (!count || !instances)
             return;
-        const { vertices, indices } = this.upload(geometry);
+        const { vertices, indices } = this.upload(mesh);
         vertices.forEach((buffer, at) => pass.setVertexBuffer(at, buffer));
         if (indices) {
             pass.setIndexBuffer(indices, "uint32");
-            pass.drawIndexed(geometry.count, geometry.instances);
+            pass.drawIndexed(count, instances);
         }
         else {
-            pass.draw(geometry.count, geometry.instances);
+            pass.draw(count, instances);
         }
     }
-    upload(geometry) {
-        const known = this.uploaded.get(geometry);
+    upload(mesh) {
+        const known = this.uploaded.get(mesh);
         if (known)
             return known;
-        const steps = ["vertex", "instance"];
-        const streams = steps.flatMap((step) => interleaved(geometry.attributes, step) ?? []);
-        const made = {
-            vertices: streams.map(({ data }) => this.device.buffer(data, BufferUsage.VERTEX)),
-            indices: geometry.indices && this.device.buffer(geometry.indices, BufferUsage.INDEX),
+        const buffer = (bytes, usage) => {
+            const made = this.device.buffer(bytes, usage);
+            this.owned.add(made);
+            return made;
         };
-        [...made.vertices, made.indices].forEach((buffer) => buffer && this.owned.add(buffer));
-        this.uploaded.set(geometry, made);
+        const streams = [mesh.vertices, mesh.instances].filter(({ length }) => length);
+        const made = {
+            vertices: streams.map((bytes) => buffer(bytes, GPUBufferUsage.VERTEX)),
+            indices: mesh.indices && buffer(mesh.indices, GPUBufferUsage.INDEX),
+        };
+        this.uploaded.set(mesh, made);
         return made;
     }
     // --- results ---
@@ -232,15 +228,3 @@ function depthAttachment({ texture, layer, target, clear }) {
     };
 }
 const storeOp = ({ store }) => (store ? "store" : "discard");
-/** Something that a shader reads. */
-function given(items, name, { values }) {
-    const found = items.get(name);
-    if (found === undefined)
-        throw new Error(`nobody gives ${values.name} its \`${name}\``);
-    return found;
-}
-/** The view by which a shader reads a whole texture. */
-function viewOf({ gpu }, { layout: { viewDimension } }) {
-    const aspect = isDepth(gpu.format) ? "depth-only" : "all";
-    return gpu.createView({ dimension: viewDimension, aspect });
-}

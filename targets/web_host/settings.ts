@@ -1,17 +1,7 @@
 // What a step sets for all that it draws: see `viewport`, `scissor` and `blend_constant` in
 // docs/plans.md.
 
-/** A part of a picture: left, top, width and height. */
-export type Area = [number, number, number, number];
-
-export interface DrawSettings {
-  /** Into which part of the targets the clip volume is drawn. */
-  viewport: Area;
-  /** To which part of the targets is drawn: nothing outside of the viewport. */
-  scissor: Area;
-  /** What the factor `constant` means where targets are blended. */
-  blendConstant: [number, number, number, number];
-}
+import type { Area, DrawSettings } from "./renderer.js";
 
 /** The settings for targets of a size; what is null is not set. */
 export function settingsOf(
@@ -29,7 +19,7 @@ export function settingsOf(
   return {
     viewport: seen,
     scissor: common(seen, (scissor ?? whole) as Area),
-    blendConstant: (constant ?? [0, 0, 0, 0]) as Area,
+    blendConstant: (constant ?? [0, 0, 0, 0]) as DrawSettings["blendConstant"],
   };
 }
 

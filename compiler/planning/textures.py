@@ -1,0 +1,120 @@
+"""The textures of a plan while it is made: which results share one.
+
+``plan.py`` asks for a texture for each thing that a step leaves, and gives it back when nobody
+needs this any more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...frozen import frozen, record
+from ..ir.frame import Frame, Image, ImageDimension
+from ..ir.node import Node
+from .barriers import State, Waits
+from .stencils import Stencils
+
+
+@frozen
+class Shape:
+    """What results have in common that can share a texture."""
+
+    format: str
+    size: Node | str
+    """The value that says it, or the name of the step whose kernel does."""
+    halved: int
+    """How often both sides are halved then."""
+    dimension: ImageDimension = "2d"
+    layers: int = 1
+    levels: int = 1
+    samples: int = 1
+
+    @classmethod
+    def of(cls, frame: Frame, stencils: Stencils, image: Image) -> Shape:
+        """That of the texture in which others find a result."""
+        return cls(
+            stencils.format_of(image), _size(frame, image), image.size.level, image.dimension,
+            image.layers, image.levels,
+        )  # fmt: skip
+
+    @classmethod
+    def of_samples(cls, frame: Frame, stencils: Stencils, image: Image, level: int) -> Shape:
+        """That of the texture with the samples of one layer of a result, in one of its levels."""
+        size, halved = _size(frame, image), image.size.level + level
+        return cls(stencils.format_of(image), size, halved, samples=image.samples)
+
+
+def _size(frame: Frame, image: Image) -> Node | str:
+    value = image.size.value
+    return image.size.kernel if value is None else frame.values[value]
+
+
+@record
+class PlannedTexture:
+    """A texture that the host makes, for one result after the other."""
+
+    shape: Shape
+    images: list[Image]
+    uses: tuple[State, ...] = ()
+    """All that it is used as, also where it is exchanged with the one that the last frame left."""
+    kept: bool = False
+    """Whether its contents are needed in the next frame."""
+
+
+class Textures:
+    """All textures so far; each is named by its place among ``made``."""
+
+    def __init__(self, waits: Waits, *, shares: bool) -> None:
+        """``waits`` is told of each texture."""
+        self.made: list[PlannedTexture] = []
+        self._waits = waits
+        self._shares = shares
+        self._free: dict[Shape, list[int]] = {}
+        self._lasting: set[int] = set()
+
+    def new(self, shape: Shape, image: Image, *, lasts: bool = False) -> int:
+        """A texture of its own; one that ``lasts`` is never shared."""
+        self.made.append(PlannedTexture(shape, [image]))
+        number = len(self.made) - 1
+        self._waits.add(number)
+        if lasts:
+            self._lasting.add(number)
+        return number
+
+    def lasts(self, number: int) -> bool:
+        """Whether a texture is never shared, as steps of the first frame only draw to it."""
+        return number in self._lasting
+
+    def allot(self, shape: Shape, image: Image) -> int:
+        """A texture that is free, or else a new one."""
+        free = self._free.get(shape)
+        if not free or not self._shares:
+            return self.new(shape, image)
+        number = free.pop()
+        self.share(number, image)
+        return number
+
+    def share(self, number: int, image: Image) -> None:
+        """Have a texture hold one more result, behind those that it holds."""
+        self.made[number].images.append(image)
+
+    def release(self, number: int, image: Image) -> None:
+        """Let others have a texture, unless it holds another result by now."""
+        texture = self.made[number]
+        if texture.images[-1] is image and number not in self._lasting:
+            self._free.setdefault(texture.shape, []).append(number)
+
+    def exchange(self, one: int, other: int) -> None:
+        """Have two textures take turns from frame to frame: the next one finds what they hold."""
+        for number in (one, other):
+            self.made[number].kept = True
+
+    def join_uses(self, exchanged: Iterable[tuple[int, int]]) -> None:
+        """Say what each texture is used as; of two that are exchanged, what either is."""
+        uses = self._waits.uses
+        for number, texture in enumerate(self.made):
+            texture.uses = tuple(uses[number])
+        for one, other in exchanged:
+            joined = tuple({**uses[one], **uses[other]})
+            for number in (one, other):
+                self.made[number].uses = joined

@@ -1,0 +1,29 @@
+"""What a program that shows scenes has for a parameter: the camera, the place of an object.
+
+``parameters.py`` marks the rows of the reflection and of plans by it, and
+``targets/runner/scene.py`` sets scenes up by the same file of the library.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+from ..ir.shader import ParameterInfo
+
+_NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
+
+
+@cache
+def scene_names() -> Mapping[str, Mapping[str, str]]:
+    """What the declarations of the library mean in a scene, by kind."""
+    import tomllib
+
+    return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
+
+
+def role_of(info: ParameterInfo) -> str | None:
+    """What a scene calls the value of a parameter, if it has one for it."""
+    names = scene_names()
+    return names["parameters"].get(info.library) or names["types"].get(info.declared_type)

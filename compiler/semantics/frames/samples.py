@@ -1,0 +1,62 @@
+"""Checks that steps with several samples for each pixel fit to what they draw over.
+
+``steps.py`` asks for each step, and who reads a result for the depths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Report
+from ...diagnostics.source import Span
+from ...ir.frame import Attachment, Image
+
+
+class SampleChecks:
+    """What has been drawn over so far, in one frame."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+        self._over: dict[Image, Image] = {}
+        """Of each result with several samples, the one that is drawn over these."""
+
+    def check(self, drawn_to: Iterable[Attachment], samples: int, span: Span) -> None:
+        """Report the first of its targets to which a step of so many ``samples`` cannot draw."""
+        for attachment in drawn_to:
+            image, over = attachment.image, attachment.over
+            reason = self._misfit(image, over, samples)
+            if reason:
+                name = image.name if over is None else over.name
+                self._report.add(rules.SAMPLES_DIFFER, span, name=name, reason=reason)
+                return
+
+    def _misfit(self, image: Image, over: Image | None, samples: int) -> str:
+        """Why a step cannot draw to ``image``, or ``over`` what another one has left."""
+        if image.samples != samples:
+            return f"this step draws with {samples}, another one with {image.samples}"
+        if over is None:
+            return ""
+        if (samples > 1 and over.samples == 1) or (samples == 1 and _has_samples_only(over)):
+            return f"this step draws with {samples}, and there {_counted(over.samples)}"
+        if samples > 1 and self._over.setdefault(over, image) is not image:
+            return f"`{self._over[over].name}` is drawn over them already"
+        return ""
+
+
+def _counted(samples: int) -> str:
+    return "is 1" if samples == 1 else f"are {samples}"
+
+
+def _has_samples_only(image: Image) -> bool:
+    """Whether nobody joins the samples of a result to one value, which others can read."""
+    return image.is_depth and image.samples > 1
+
+
+def check_readable(report: Report, left: object, span: Span) -> bool:
+    """Whether others than passes that draw over it find something that a step leaves; reported if
+    not."""
+    if isinstance(left, Image) and _has_samples_only(left):
+        report.add(rules.DEPTHS_OF_SAMPLES, span, name=left.name, samples=left.samples)
+        return False
+    return True

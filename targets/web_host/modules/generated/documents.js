@@ -1,0 +1,2 @@
+// Generated from the JSON Schemas of packages, plans and reflections by the tests: do not edit.
+export {};

@@ -1,0 +1,122 @@
+// The elements of a buffer as numbers, by the rows of the reflection that say how they lie.
+
+import type { FramePackage } from "../web_host/host.js";
+import type { Placed, Reflection } from "../web_host/types.js";
+
+/** A number, vector, matrix or list of numbers that each element has. */
+export interface Column {
+  name: string;
+  type: string;
+  kind: "float" | "int" | "uint" | "bool";
+  /** How many bytes behind the beginning of an element each of its lanes lies. */
+  places: number[];
+}
+
+/** What vertices are that a pass has captured: `capture` of a reflection. */
+interface Capture {
+  primitive: "point" | "line" | "triangle";
+  buffer: string | null;
+  /** Where an element says whether the vertex is there; null: all are. */
+  there: number | null;
+  members: { name: string; representation: string; offset: number }[];
+}
+
+/** How the elements of an output lie in its buffer. */
+export interface Layout {
+  type: string;
+  stride: number;
+  columns: Column[];
+  /** How many elements in turn make a primitive; 1 unless they are captured vertices. */
+  corners: 1 | 2 | 3;
+  there: number | null;
+}
+
+const CORNERS = { point: 1, line: 2, triangle: 3 } as const;
+
+/** The layout of an output that is a buffer; null for a picture. */
+export function layoutOf(from: FramePackage, output: string): Layout | null {
+  const row = from.plan.outputs.find(({ name }) => name === output);
+  if (!row || row.texture !== null) return null;
+  for (const step of from.plan.steps) {
+    const written = step.kind === "run" && step.buffers.find(({ result }) => result === row.result);
+    if (!written) continue;
+    const reflection = from.shaders[step.shader].reflection as Reflection & { capture: Capture | null };
+    const result = reflection.results.find(({ name }) => name === written.name)!;
+    const { capture } = reflection;
+    const captured = capture?.buffer === result.name ? capture : null;
+    return {
+      type: captured ? "vertex" : (result.type ?? "").replace(/\[\]$/, ""),
+      stride: result.stride,
+      columns: captured ? captured.members.map(ofCapture) : columnsOf(result, "", 0),
+      corners: CORNERS[captured?.primitive ?? "point"],
+      there: captured?.there ?? null,
+    };
+  }
+  return null;
+}
+
+function ofCapture({ name, representation, offset }: Capture["members"][number]): Column {
+  const kind = ({ i: "int", u: "uint" } as const)[representation[0]] ?? "float";
+  const lanes = Number(/\d$/.exec(representation)?.[0] ?? 1);
+  const places = Array.from({ length: lanes }, (_, lane) => offset + 4 * lane);
+  return { name, type: representation, kind, places };
+}
+
+/** The columns of a value; those of a structure are called `member` and `member.part`. */
+function columnsOf(row: Placed, name: string, offset: number): Column[] {
+  if (row.members?.length) {
+    const within = name ? `${name}.` : "";
+    return row.members.flatMap((each) =>
+      columnsOf(each, within + each.name, offset + each.offset),
+    );
+  }
+  const { layout, representation } = row;
+  const type = (row.type ?? representation).replace(/\[\]$/, "");
+  const kind = /^bvec|^bool/.test(type) ? "bool" : layout.kind;
+  const some = (count: number, stride: number) =>
+    Array.from({ length: count }, (_, at) => at * stride);
+  const places = some(layout.count ?? 1, layout.stride ?? 0).flatMap((element) =>
+    some(layout.columns ?? 1, layout.column_stride ?? 0).flatMap((column) =>
+      some(layout.lanes, 4).map((lane) => offset + element + column + lane),
+    ),
+  );
+  return [{ name, type, kind, places }];
+}
+
+/** The elements of a buffer. */
+export class Elements {
+  readonly count: number;
+  private readonly view: DataView;
+  /** The numbers of the elements that are there, if some are not. */
+  private readonly present: number[] | null = null;
+
+  constructor(readonly layout: Layout, bytes: Uint8Array) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    const { stride, there } = layout;
+    const whole = Math.floor(bytes.byteLength / stride);
+    if (there !== null) {
+      this.present = Array.from({ length: whole }, (_, at) => at).filter(
+        (at) => this.view.getUint32(at * stride + there, true) !== 0,
+      );
+    }
+    this.count = this.present?.length ?? whole;
+  }
+
+  /** One lane of a column, of an element. */
+  get(column: Column, lane: number, element: number): number {
+    const number = this.present ? this.present[element] : element;
+    const at = number * this.layout.stride + column.places[lane];
+    if (column.kind === "float") return this.view.getFloat32(at, true);
+    return column.kind === "int" ? this.view.getInt32(at, true) : this.view.getUint32(at, true);
+  }
+
+  /** What a person reads of an element. */
+  text(column: Column, element: number): string {
+    return column.places.map((_, lane) => {
+      const value = this.get(column, lane, element);
+      if (column.kind === "bool") return value ? "true" : "false";
+      return column.kind === "float" && Number.isFinite(value)
+        ? String(Number(value.toPrecision(5))) : String(value);
+    }).join(", ");
+  }
+}

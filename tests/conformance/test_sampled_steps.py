@@ -1,0 +1,189 @@
+"""Frames with four samples for each pixel, against values that are worked out by hand.
+
+All that is drawn is left of an upright edge, which cuts the pixels of one column. The samples of a
+pixel are 1, 3, 5 and 7 eighths from its left side, so that an edge between these covers quarters of
+it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from .kit import REFERENCE, Floats, Studio
+from .test_frames import FRAME_ROUTES, SIZE, outputs
+
+CUT = 3
+"""The column that edges cut."""
+
+PASSES = f"""
+import std.frames.{{FullScreen}}
+
+abstract pass LeftOf : FullScreen {{
+    param edge  : float = 100                      /// In pixels from the left
+    param shade : float = 1
+    beside : float = 2 * edge / {SIZE[0]} - 1
+    across : float = if vertex_index == 1u then -100 else beside
+    above  : float = if vertex_index == 0u then 100 else if vertex_index == 1u then 0 else -100
+}}
+pass Smooth : LeftOf {{
+    raster {{ samples = 4 }}
+    target value : rgba8 = vec4(shade)
+}}
+pass Added : Smooth blend add {{}}
+pass Single : LeftOf blend add {{
+    target value : rgba8 = vec4(shade)
+}}
+pass Bright : LeftOf {{
+    raster {{ samples = 4 }}
+    target value : rgba16f = vec4(8)
+}}
+pass Box {{
+    raster {{ samples = 4 }}
+    param corner : vec2
+    column : float = if vertex_index mod 2u == 0u then -1 else corner.x
+    row    : float = if vertex_index < 2u or vertex_index == 3u then 1 else corner.y
+    clip_position = vec4(column, row, 0.5, 1)
+    target value : rgba16f = vec4(1)
+}}
+pass Hiding : LeftOf {{
+    raster {{ samples = 4 }}
+    depth {{ compare = less, write = true }}
+    param away : float = 0.5
+    clip_position = @vertex (vec4(across, above, away, 1) as point<clip>)
+    target value : rgba8 = vec4(shade)
+}}
+pass Sloped : LeftOf {{
+    raster {{ samples = 4 }}
+    depth {{ compare = less, write = true }}
+    param crossing : float = 0                     /// Where the depth is 1/2, in pixels
+    beyond = (across + 1) / 2 - crossing / {SIZE[0]}
+    clip_position = @vertex (vec4(across, above, 0.5 + 0.005 * beyond, 1) as point<clip>)
+    target value : rgba8 = vec4(shade)
+}}
+pass Faded : FullScreen {{
+    map source : texture2d with {{ filter = nearest, mip = none }}
+    map before : texture2d with {{ filter = nearest, mip = none }}
+    target value : rgba16f =
+        source.load(ivec2(frag_coord.xy)) + 0.5 * before.load(ivec2(frag_coord.xy))
+}}
+pass Shown : FullScreen {{
+    map source : texture2d with {{ filter = nearest, mip = none }}
+    target value : rgba16f = source.load(ivec2(frag_coord.xy))
+}}
+"""
+
+EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
+
+
+def shown(studio: Studio, where: str, steps: str, name: str = "picture", count: int = 1) -> Floats:
+    """The lane red of an output of a frame, in which all rows are alike: one number for each
+    column."""
+    frame = f"{PASSES}\nframe F {{ {steps} }}"
+    (picture,) = outputs(frame, where, studio, count)[-1][name][..., 0]
+    assert (picture == picture[0]).all()
+    row: Floats = picture[0]
+    return row
+
+
+def columns(left: float, cut: float, right: float = 0.0) -> Floats:
+    """The columns before the one that is cut, this one, and those behind it."""
+    values = np.full(SIZE[0], right)
+    values[:CUT], values[CUT] = left, cut
+    return values
+
+
+STEP = 1 / 255
+
+
+PLACES = np.array(((0.375, 0.125), (0.875, 0.375), (0.125, 0.625), (0.625, 0.875)))
+"""Of the samples in a pixel, from the left and from the top."""
+CORNERS = [(2.25, 1.5), (2.5, 2.25), (5.75, 0.5), (3.0, 2.0), (7.5, 3.75)]
+"""Between columns and between rows of samples, in pixels."""
+
+
+@EVERYWHERE
+def test_a_pixel_has_the_mean_of_the_samples_that_are_covered(studio: Studio, where: str) -> None:
+    """All that is to the left of a corner and above it, which tells each place apart."""
+    width, height = SIZE
+    steps = "\n".join(
+        f"""box{number} = Box(vertices(6)) with {{
+            corner = vec2({2 * right / width - 1}, {1 - 2 * bottom / height})
+        }}
+        output shown{number} = box{number}.value"""
+        for number, (right, bottom) in enumerate(CORNERS)
+    )
+    (found,) = outputs(f"{PASSES}\nframe F {{ {steps} }}", where, studio)
+    pixels = np.stack(np.meshgrid(np.arange(width), np.arange(height)), axis=-1)
+    for number, corner in enumerate(CORNERS):
+        covered = (pixels[:, :, None] + PLACES < corner).all(axis=-1).mean(axis=-1)
+        assert np.array_equal(found[f"shown{number}"][0, ..., 0], covered), corner
+
+
+@EVERYWHERE
+def test_others_read_the_mean(studio: Studio, where: str) -> None:
+    found = shown(studio, where, f"""
+        smooth = Bright(screen) with {{ edge = {CUT + 0.25} }}
+        read   = Shown(screen) with {{ source = smooth.value }}
+        output picture = read.value
+    """)  # fmt: skip
+    assert np.array_equal(found, columns(8, 2))
+
+
+OVER = f"""
+    first  = Smooth(screen) with {{ edge = {CUT + 0.5} }}
+    second = Added(screen, first) with {{ edge = {CUT + 0.75}, shade = 0.5 }}
+    third  = Single(screen, second) with {{ edge = {CUT + 0.75}, shade = 0.25 }}
+    output early   = first.value
+    output picture = second.value
+    output late    = third.value
+"""
+
+
+@EVERYWHERE
+def test_what_draws_over_samples_finds_each_of_them(studio: Studio, where: str) -> None:
+    """Two samples of the column have 1, to which nothing can be added in this format, and one gets
+    a half. The means of the first step would get a half, too."""
+    found = shown(studio, where, OVER)
+    assert np.abs(found - columns(1, 2.5 / 4)).max() <= STEP
+    assert np.abs(shown(studio, where, OVER, "early") - columns(1, 0.5)).max() <= STEP
+
+
+@EVERYWHERE
+def test_a_step_with_one_sample_draws_over_means(studio: Studio, where: str) -> None:
+    """Its edge is right of the pixel's centre, so that it covers all of the column."""
+    found = shown(studio, where, OVER, "late")
+    assert np.abs(found - columns(1, 2.5 / 4 + 0.25)).max() <= 2 * STEP
+
+
+@EVERYWHERE
+def test_the_depths_of_samples_hide_what_another_step_draws(studio: Studio, where: str) -> None:
+    found = shown(studio, where, f"""
+        near = Hiding(screen) with {{ edge = {CUT + 0.25}, away = 0.25, shade = 1 }}
+        far  = Hiding(screen, near) with {{ edge = {CUT + 0.75}, away = 0.5, shade = 0.5 }}
+        output picture = far.value
+    """)  # fmt: skip
+    assert np.abs(found - columns(1, (1 + 2 * 0.5) / 4)).max() <= STEP
+
+
+@EVERYWHERE
+@pytest.mark.parametrize("quarters", [0, 1, 2, 3, 4])
+def test_the_depth_of_each_sample_is_its_own(studio: Studio, where: str, quarters: int) -> None:
+    """Two triangles go through each other within a pixel, from the left to the right."""
+    found = shown(studio, where, f"""
+        level = Hiding(screen) with {{ shade = 0 }}
+        steep = Sloped(screen, level) with {{ crossing = {CUT + quarters / 4} }}
+        output picture = steep.value
+    """)  # fmt: skip
+    assert np.abs(found - columns(1, quarters / 4)).max() <= STEP
+
+
+@EVERYWHERE
+def test_the_next_frame_finds_means(studio: Studio, where: str) -> None:
+    """Each frame adds half of what the last one has shown."""
+    found = shown(studio, where, f"""
+        smooth = Smooth(screen) with {{ edge = {CUT + 0.25}, shade = 0.5 }}
+        sum    = Faded(screen) with {{ source = smooth.value, before = previous(sum.value) }}
+        output picture = sum.value
+    """, count=2)  # fmt: skip
+    assert np.abs(found - columns(0.75, 0.1875)).max() <= STEP

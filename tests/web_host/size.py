@@ -1,0 +1,45 @@
+"""How large the host is: ``python -m tests.web_host.size`` prints the lines of each module.
+
+A line counts if it has code: no blank one, and none that only has comment. The host for WebGPU
+consists of the modules that APIs share and of those in ``webgpu``. What is generated is left out:
+types of the documents and the table of builtins, which nobody writes or reads line by line.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+FOLDER = Path(__file__).parents[2] / "targets" / "web_host"
+MOST = 1620
+"""So many lines the host for WebGPU may have."""
+
+_COMMENT = re.compile(r"/\*.*?\*/|^\s*//[^\n]*", re.DOTALL | re.MULTILINE)
+"""A comment between these signs, or a line that is one: no string of the host has any of it."""
+
+
+def code_lines(text: str) -> int:
+    """The lines of a module that have code."""
+    return sum(bool(line.strip()) for line in _COMMENT.sub("", text).splitlines())
+
+
+def sizes(*folders: str) -> dict[str, int]:
+    """The lines of each module that lies in these folders of the host."""
+    paths = sorted(path for folder in folders for path in (FOLDER / folder).glob("*.ts"))
+    return {
+        path.relative_to(FOLDER).as_posix(): code_lines(path.read_text(encoding="utf-8"))
+        for path in paths
+    }
+
+
+def main() -> None:
+    """Print a table."""
+    for folders in ((".", "webgpu"), ("webgl2",), ("generated",)):
+        found = sizes(*folders)
+        for name, count in found.items():
+            print(f"{count:5} {name}")
+        print(f"{sum(found.values()):5} together\n")
+
+
+if __name__ == "__main__":
+    main()
