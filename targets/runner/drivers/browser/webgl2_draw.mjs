@@ -1,7 +1,9 @@
 // Draws one picture of a job: its resources, the state, and reading it back.
 
 import { bytes, Refusal } from "./answers.mjs";
-import { clear, deleteScreen, makeScreen, readTarget, setBlending } from "./webgl2_screen.mjs";
+import {
+  clear, deleteScreen, makeScreen, readTarget, setBlending, whileReadable,
+} from "./webgl2_screen.mjs";
 import { bindSampler, bindTexture, COMPARES } from "./webgl2_textures.mjs";
 
 /** The picture of a draw: the format and the texels of each target. */
@@ -13,7 +15,9 @@ export function drawPicture(gl, extensions, program, job, draw) {
     setState(gl, extensions, job);
     setBlending(gl, extensions, job.targets, draw.blend_constant);
     drawMesh(gl, program, job, draw);
-    return job.targets.map(({ format }, at) => readTarget(gl, at, format, size));
+    return whileReadable(gl, screen, job, size, () =>
+      job.targets.map(({ format }, at) => readTarget(gl, at, format, size)),
+    );
   } finally {
     deleteScreen(gl, screen);
   }

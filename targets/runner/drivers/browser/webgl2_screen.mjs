@@ -41,32 +41,60 @@ const OPERATIONS = {
 };
 
 /** A framebuffer, which is bound, and its renderbuffers. */
-export function makeScreen(gl, { targets, stencil }, size) {
-  const framebuffer = gl.createFramebuffer();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  const buffers = targets.map(({ format }, at) =>
-    attach(gl, gl.COLOR_ATTACHMENT0 + at, gl[STORAGE[format]], size),
-  );
-  buffers.push(
-    stencil
-      ? attach(gl, gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH32F_STENCIL8, size)
-      : attach(gl, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F, size),
-  );
-  gl.drawBuffers(targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at));
+export function makeScreen(gl, { targets, stencil, samples }, size) {
+  const screen = withTargets(gl, targets, size, samples);
+  const depth = stencil
+    ? [gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH32F_STENCIL8]
+    : [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F];
+  screen.buffers.push(attach(gl, ...depth, size, samples));
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
     const formats = targets.map(({ format }) => format).join(", ");
     throw new Refusal(`WebGL cannot draw ${size.join(" x ")} pixels to ${formats}`);
   }
   gl.viewport(0, 0, ...size);
+  return screen;
+}
+
+/** A framebuffer with a renderbuffer for each target. */
+function withTargets(gl, targets, size, samples) {
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  const buffers = targets.map(({ format }, at) =>
+    attach(gl, gl.COLOR_ATTACHMENT0 + at, gl[STORAGE[format]], size, samples),
+  );
+  gl.drawBuffers(points(gl, targets));
   return { framebuffer, buffers };
 }
 
-function attach(gl, attachment, storage, size) {
+const points = (gl, targets) => targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at);
+
+function attach(gl, attachment, storage, size, samples) {
   const buffer = gl.createRenderbuffer();
   gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-  gl.renderbufferStorage(gl.RENDERBUFFER, storage, ...size);
+  // With 0, pixels are not divided; with 1, WebGL may give them several samples.
+  gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples > 1 ? samples : 0, storage, ...size);
   gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
   return buffer;
+}
+
+/** Calls `read` while what can be read is bound: the targets of a screen, or the means of their
+ * samples. */
+export function whileReadable(gl, screen, { targets, samples }, size, read) {
+  if (samples === 1) return read();
+  const means = withTargets(gl, targets, size, 1);
+  try {
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, screen.framebuffer);
+    points(gl, targets).forEach((point, number, all) => {
+      gl.readBuffer(point);
+      gl.drawBuffers(all.map((each) => (each === point ? point : gl.NONE)));
+      const area = [0, 0, ...size];
+      gl.blitFramebuffer(...area, ...area, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    });
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, means.framebuffer);
+    return read();
+  } finally {
+    deleteScreen(gl, means);
+  }
 }
 
 export function deleteScreen(gl, { framebuffer, buffers }) {

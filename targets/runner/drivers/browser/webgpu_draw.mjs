@@ -17,10 +17,13 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   const keep = (resource) => (resources.push(resource), resource);
   try {
     const size = [draw.width, draw.height];
-    const screen = job.targets.map(({ format }) => keep(makeTarget(device, format, size)));
-    const depth = keep(makeTarget(device, depthFormat(job), size));
+    const made = (format, samples) => keep(makeTarget(device, format, size, samples));
+    const screen = job.targets.map(({ format }) => made(format, 1));
+    // Where pixels have several samples, these are drawn to, and what is read is their mean.
+    const several = job.samples > 1 && job.targets.map(({ format }) => made(format, job.samples));
+    const depth = made(depthFormat(job), job.samples);
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass(passDescriptor(job, screen, depth, draw));
+    const pass = encoder.beginRenderPass(passDescriptor(job, screen, several, depth, draw));
     pass.setPipeline(pipeline);
     pass.setBlendConstant(draw.blend_constant);
     if (job.stencil) pass.setStencilReference(job.stencil.reference);
@@ -42,21 +45,23 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   }
 }
 
-function makeTarget(device, format, size) {
+function makeTarget(device, format, size, sampleCount) {
   return device.createTexture({
     format,
     size,
-    usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
+    sampleCount,
+    usage: GPUTextureUsage.RENDER_ATTACHMENT | (sampleCount > 1 ? 0 : GPUTextureUsage.COPY_SRC),
   });
 }
 
-function passDescriptor(job, screen, depth, draw) {
+function passDescriptor(job, screen, several, depth, draw) {
   return {
     colorAttachments: screen.map((target, at) => ({
-      view: target.createView(),
+      view: (several ? several[at] : target).createView(),
+      ...(several && { resolveTarget: target.createView() }),
       clearValue: draw.clear[at],
       loadOp: "clear",
-      storeOp: "store",
+      storeOp: several ? "discard" : "store",
     })),
     depthStencilAttachment: {
       view: depth.createView(),

@@ -42,6 +42,7 @@ export async function makePipeline(device, job) {
       frontFace: job.front_face,
     },
     depthStencil: depthStencilState(device, job),
+    multisample: { count: job.samples },
   });
   return { pipeline, layouts };
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -37,15 +37,14 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
     drawn = encoder.begin_render_pass(
         color_attachments=[
             {
-                "view": target.create_view(),
+                **_drawn_to(gpu, pipeline, target, slot.format, draw),
                 "clear_value": clear,
                 "load_op": "clear",
-                "store_op": "store",
             }
-            for target, clear in zip(targets, draw.clear, strict=True)
+            for target, slot, clear in zip(targets, pipeline.targets, draw.clear, strict=True)
         ],
         depth_stencil_attachment={
-            "view": _target(gpu, pipeline.depth_format, draw).create_view(),
+            "view": _target(gpu, pipeline.depth_format, draw, pipeline.samples).create_view(),
             "depth_clear_value": draw.clear_depth,
             "depth_load_op": "clear",
             "depth_store_op": "discard",
@@ -70,12 +69,26 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
     return Picture(draw.width, draw.height, tuple(lanes))
 
 
-def _target(gpu: Gpu, format: str, draw: Draw) -> Any:
+def _drawn_to(
+    gpu: Gpu, pipeline: Pipeline, target: Any, format: str, draw: Draw
+) -> Mapping[str, Any]:
+    """The target itself or, where pixels have several samples, these, whose mean becomes it."""
+    if pipeline.samples == 1:
+        return {"view": target.create_view(), "store_op": "store"}
+    several = _target(gpu, format, draw, pipeline.samples)
+    return {
+        "view": several.create_view(),
+        "resolve_target": target.create_view(),
+        "store_op": "discard",
+    }
+
+
+def _target(gpu: Gpu, format: str, draw: Draw, samples: int = 1) -> Any:
     usage = wgpu.TextureUsage.RENDER_ATTACHMENT
-    if not format.startswith(DEPTH):
+    if samples == 1 and not format.startswith(DEPTH):
         usage |= wgpu.TextureUsage.COPY_SRC
     size = (draw.width, draw.height, 1)
-    return gpu.device.create_texture(format=format, size=size, usage=usage)
+    return gpu.device.create_texture(format=format, size=size, usage=usage, sample_count=samples)
 
 
 def _mesh(gpu: Gpu, drawn: Any, buffers: Sequence[Buffer], draw: Draw) -> None:

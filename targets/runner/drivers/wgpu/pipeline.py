@@ -89,6 +89,7 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
             "front_face": pipeline.front_face,
         },
         depth_stencil=_depth_stencil(gpu, pipeline),
+        multisample={"count": pipeline.samples},
     )
     return Made(handle, groups, layouts, buffers)
 
