@@ -40,66 +40,61 @@ const OPERATIONS = {
   max: "MAX",
 };
 
-/** A framebuffer, which is bound, and its renderbuffers. */
-export function makeScreen(gl, { targets, stencil, samples }, size) {
-  const screen = withTargets(gl, targets, size, samples);
-  const depth = stencil
-    ? [gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH32F_STENCIL8]
-    : [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F];
-  screen.buffers.push(attach(gl, ...depth, size, samples));
+/** A framebuffer, which is bound, and its renderbuffers. Their texels have as many samples as those
+ * of the job, or one to which others are resolved. */
+export function makeScreen(gl, { targets, stencil, samples }, size, isResolved = false) {
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  const count = isResolved ? 1 : samples;
+  const buffers = targets.map(({ format }, at) =>
+    attach(gl, gl.COLOR_ATTACHMENT0 + at, STORAGE[format], size, count),
+  );
+  const [point, depths] = stencil
+    ? [gl.DEPTH_STENCIL_ATTACHMENT, "DEPTH32F_STENCIL8"]
+    : [gl.DEPTH_ATTACHMENT, "DEPTH_COMPONENT32F"];
+  if (!isResolved) buffers.push(attach(gl, point, depths, size, count));
+  gl.drawBuffers(targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at));
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
     const formats = targets.map(({ format }) => format).join(", ");
     throw new Refusal(`WebGL cannot draw ${size.join(" x ")} pixels to ${formats}`);
   }
   gl.viewport(0, 0, ...size);
-  return screen;
-}
-
-/** A framebuffer with a renderbuffer for each target. */
-function withTargets(gl, targets, size, samples) {
-  const framebuffer = gl.createFramebuffer();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  const buffers = targets.map(({ format }, at) =>
-    attach(gl, gl.COLOR_ATTACHMENT0 + at, gl[STORAGE[format]], size, samples),
-  );
-  gl.drawBuffers(points(gl, targets));
   return { framebuffer, buffers };
 }
 
-const points = (gl, targets) => targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at);
-
 function attach(gl, attachment, storage, size, samples) {
+  const format = gl[storage];
+  const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, format, gl.SAMPLES);
+  if (samples > 1 && !counts.includes(samples)) {
+    throw new Refusal(`WebGL has no ${samples} samples of ${storage} here`);
+  }
   const buffer = gl.createRenderbuffer();
   gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-  // With 0, pixels are not divided; with 1, WebGL may give them several samples.
-  gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples > 1 ? samples : 0, storage, ...size);
+  // WebGL counts none where there is one.
+  const stored = samples > 1 ? samples : 0;
+  gl.renderbufferStorageMultisample(gl.RENDERBUFFER, stored, format, ...size);
   gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
   return buffer;
-}
-
-/** Calls `read` while what can be read is bound: the targets of a screen, or the means of their
- * samples. */
-export function whileReadable(gl, screen, { targets, samples }, size, read) {
-  if (samples === 1) return read();
-  const means = withTargets(gl, targets, size, 1);
-  try {
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, screen.framebuffer);
-    points(gl, targets).forEach((point, number, all) => {
-      gl.readBuffer(point);
-      gl.drawBuffers(all.map((each) => (each === point ? point : gl.NONE)));
-      const area = [0, 0, ...size];
-      gl.blitFramebuffer(...area, ...area, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-    });
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, means.framebuffer);
-    return read();
-  } finally {
-    deleteScreen(gl, means);
-  }
 }
 
 export function deleteScreen(gl, { framebuffer, buffers }) {
   buffers.forEach((buffer) => gl.deleteRenderbuffer(buffer));
   gl.deleteFramebuffer(framebuffer);
+}
+
+/** Write the mean of each pixel's samples to another screen, which is bound then. */
+export function resolve(gl, { targets }, from, to, [width, height]) {
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from.framebuffer);
+  gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to.framebuffer);
+  targets.forEach((_, at) => {
+    const point = gl.COLOR_ATTACHMENT0 + at;
+    gl.readBuffer(point);
+    gl.drawBuffers([...Array(at).fill(gl.NONE), point]);
+    gl.blitFramebuffer(
+      0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST,
+    );
+  });
+  gl.bindFramebuffer(gl.FRAMEBUFFER, to.framebuffer);
 }
 
 /** Clear everything; what is cleared obeys the masks. */

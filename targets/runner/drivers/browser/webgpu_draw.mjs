@@ -17,13 +17,13 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   const keep = (resource) => (resources.push(resource), resource);
   try {
     const size = [draw.width, draw.height];
-    const made = (format, samples) => keep(makeTarget(device, format, size, samples));
-    const screen = job.targets.map(({ format }) => made(format, 1));
-    // Where pixels have several samples, these are drawn to, and what is read is their mean.
-    const several = job.samples > 1 && job.targets.map(({ format }) => made(format, job.samples));
-    const depth = made(depthFormat(job), job.samples);
+    const targets = (samples) =>
+      job.targets.map(({ format }) => keep(makeTarget(device, format, size, samples)));
+    const screen = targets(1);
+    const drawn = job.samples > 1 ? targets(job.samples) : screen;
+    const depth = keep(makeTarget(device, depthFormat(job), size, job.samples));
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass(passDescriptor(job, screen, several, depth, draw));
+    const pass = encoder.beginRenderPass(passDescriptor(job, drawn, screen, depth, draw));
     pass.setPipeline(pipeline);
     pass.setBlendConstant(draw.blend_constant);
     if (job.stencil) pass.setStencilReference(job.stencil.reference);
@@ -50,18 +50,20 @@ function makeTarget(device, format, size, sampleCount) {
     format,
     size,
     sampleCount,
-    usage: GPUTextureUsage.RENDER_ATTACHMENT | (sampleCount > 1 ? 0 : GPUTextureUsage.COPY_SRC),
+    usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
   });
 }
 
-function passDescriptor(job, screen, several, depth, draw) {
+/** What is drawn to, and to what its samples are resolved, if it is not the same. */
+function passDescriptor(job, drawn, screen, depth, draw) {
   return {
-    colorAttachments: screen.map((target, at) => ({
-      view: (several ? several[at] : target).createView(),
-      ...(several && { resolveTarget: target.createView() }),
+    colorAttachments: drawn.map((target, at) => ({
+      view: target.createView(),
       clearValue: draw.clear[at],
       loadOp: "clear",
-      storeOp: several ? "discard" : "store",
+      ...(target === screen[at]
+        ? { storeOp: "store" }
+        : { storeOp: "discard", resolveTarget: screen[at].createView() }),
     })),
     depthStencilAttachment: {
       view: depth.createView(),

@@ -41,8 +41,8 @@ export async function makePipeline(device, job) {
       cullMode: job.cull,
       frontFace: job.front_face,
     },
-    depthStencil: depthStencilState(device, job),
     multisample: { count: job.samples },
+    depthStencil: depthStencilState(device, job),
   });
   return { pipeline, layouts };
 }
