@@ -303,7 +303,7 @@ _PICTURE = [
     Planted("the smaller alpha", "pipeline: Stained", HLSL,
             edited(compositing, "CHOICES", "max", np.minimum)),
     Planted("samples in one half", "pipeline: Sampled", GLSL,
-            edited(samples, "_STANDARD", 4, samples._STANDARD[4][::2] * 2)),
+            edited(samples, "_STANDARD", 4, [*samples._STANDARD[4][::2]] * 2)),
     Planted("samples turned over", "pipeline: Sampled", GLSL,
             replaced(coverage, "locations", _from_below)),
     Planted("depths of samples at the centre", "pipeline: Sampled", GLSL,
