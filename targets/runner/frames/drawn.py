@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
 
@@ -157,7 +157,7 @@ def store(
             _keep(_place(target, layer), samples, undecided, textures)
             mean = target["resolve"]
         if mean is not None:
-            ends = np.stack([picture.targets[number], picture.low[number], picture.high[number]])
+            ends = picture.targets[number], picture.low[number], picture.high[number]
             _keep(_place(mean, layer), ends, picture.undecided, textures)
     if step["depth"] is not None:
         value, off = canvas.depth, canvas.depth_off
@@ -165,24 +165,23 @@ def store(
             np.where(undecided, *ends)
             for ends in zip(hulls.depth, (value - off, value + off), strict=True)
         )
-        depths = np.stack([value, low, high])[..., None]
         texture, at, level = place = _place(step["depth"], layer)
-        _keep(place, depths, undecided, textures)
+        _keep(place, (value, low, high), undecided, textures)
         faces = textures[texture].faces[level]
         faces[at] = canvas.place.reshape(faces[at].shape)
         _keep_stencil(step["depth"], layer, canvas, textures)
 
 
-def _keep(place: tuple[int, int, int], ends: Floats, undecided: Bools, textures: Textures) -> None:
-    """Keep values between their ends, of samples in the order of the texture's rows."""
+def _keep(
+    place: tuple[int, int, int], ends: Iterable[Floats], undecided: Bools, textures: Textures
+) -> None:
+    """Keep values and their ends, of samples in the order of the texture's rows."""
     texture, at, level = place
     drawn = textures[texture]
-    if drawn.format.startswith(DEPTHS):
-        ends = np.clip(ends, 0.0, 1.0)
-    else:
-        ends = np.stack([formats.clamped(drawn.format, end) for end in ends])
-    kept = drawn.levels[level]
-    kept[:, at] = ends.reshape(kept[:, at].shape)
+    has_depths = drawn.format.startswith(DEPTHS)
+    for kept, end in zip(drawn.levels[level][:, at], ends, strict=True):
+        values = np.clip(end, 0.0, 1.0) if has_depths else formats.clamped(drawn.format, end)
+        kept[:] = values.reshape(kept.shape)
     drawn.undecided[level][at] = undecided.reshape(drawn.undecided[level][at].shape)
 
 
