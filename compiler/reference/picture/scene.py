@@ -155,6 +155,9 @@ class RasterRules:
     """To which part of the picture is drawn, likewise."""
     samples: int = 1
     """How many samples each pixel has."""
+    mirrors_sample_depths: bool = False
+    """Whether the device computes the depth of each sample where another one would be if left and
+    right were exchanged: a known mistake."""
 
     @property
     def common(self) -> Counted:

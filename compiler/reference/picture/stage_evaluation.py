@@ -6,9 +6,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any, Protocol
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -19,13 +19,14 @@ from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
-from ..bounds import Bounded, Bounds, Errors, exact, given, hull, remembered
+from ..bounds import Bounded, Bounds, Errors, exact, given, hull, joined, remembered
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
+from ..texture_reads import Reader
 from .quads import Barycentric
-from .sampler import TextureReader
-from .scene import Bools, Floats, Geometry, RasterRules, Texels
+from .sampler import PlainReader, TextureReader
+from .scene import Bools, Floats, Geometry, Ints, RasterRules, Texels
 from .texels import Image
 from .watch import Found, Watch
 
@@ -37,9 +38,9 @@ _ROWS, _COLUMNS = -2, -1
 DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
 
-
-class _Reader(Protocol):
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes: ...
+_VERTICES = 1 << 14
+"""How many vertices are evaluated at once, so that a large mesh needs no more memory than others.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +103,19 @@ class StageEvaluator:
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
-        count = geometry.vertex_count
-        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = geometry.inputs()
+        parts = []
+        for begin in range(0, max(geometry.vertex_count, 1), _VERTICES):
+            some = slice(begin, begin + _VERTICES)
+            attributes = {name: rows[some] for name, rows in geometry.attributes.items()}
+            numbers = {name: numbers[some] for name, numbers in inputs.items()}
+            parts.append(self._some_vertices(replace(geometry, attributes=attributes), numbers))
+        return parts[0] if len(parts) == 1 else _joined(parts)
+
+    def _some_vertices(self, geometry: Geometry, inputs: Mapping[str, Ints]) -> Vertices:
+        """Evaluate it for vertices with these attributes and inputs of the pipeline."""
+        count = len(inputs["vertex_index"])
+        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
@@ -158,8 +169,8 @@ class StageEvaluator:
 
     # --- leaves -----------------------------------------------------------------------------------
 
-    def _reader(self, reader: _Reader) -> _Reader:
-        return reader if self.has_bounds else _Plain(reader)
+    def _reader(self, reader: Reader) -> Reader:
+        return reader if self.has_bounds else PlainReader(reader)
 
     def _given(self, lanes: Lanes) -> Lanes:
         """Floats from outside, which are exact unless they have bounds already."""
@@ -186,17 +197,6 @@ class _Watch(Watch):
         return value
 
 
-class _Plain:
-    """A reader of a texture for an evaluation without bounds."""
-
-    def __init__(self, reader: _Reader) -> None:
-        self._reader = reader
-
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        lanes = self._reader.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
-        return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
-
-
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:
     return 0.0
 
@@ -219,6 +219,23 @@ def difference_taken(lane: Lane, builtin: str, rules: RasterRules) -> Lane:
     if rules.derivatives == "any" and isinstance(lane, Bounded):
         return hull(lane, lane.take([1, 0], axis))
     return lane
+
+
+def _joined(parts: Sequence[Vertices]) -> Vertices:
+    """Several parts of the vertices as one."""
+    crossings = {
+        id_: tuple(
+            joined(lanes) if isinstance(lanes[0], Bounded) else np.concatenate(lanes)
+            for lanes in zip(*(part.crossings[id_] for part in parts), strict=True)
+        )
+        for id_ in parts[0].crossings
+    }
+    return Vertices(
+        np.concatenate([part.positions for part in parts]),
+        np.concatenate([part.off for part in parts]),
+        crossings,
+        np.concatenate([part.undecided for part in parts]),
+    )
 
 
 def _whole(lane: Any, shape: tuple[int, ...]) -> Bounded:
