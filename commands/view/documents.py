@@ -25,7 +25,7 @@ from ..failures import drawing_errors
 from ..frames import scenery_of
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
-from ..subjects import set_pictures
+from ..subjects import set_pictures, tell_unmade
 from .request import Choice, Request
 
 if TYPE_CHECKING:
@@ -202,6 +202,7 @@ class Documents:
             _set(host, kernels, name, text)
         if isinstance(frame, SingleFrame):
             set_pictures(host.instances, _SIZE)
+            tell_unmade(host.instances)
             if captures(frame):
                 give_captured(host, mesh, self._request.instances)
             if kernels:
