@@ -60,7 +60,7 @@ COLORS = {
 @click.option(
     "--case", metavar="NAME",
     help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`, or `blended` if the pass "
-    "blends; by default the one where it is the least certain.",
+    "blends, or the output of a frame; by default the one where it is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
@@ -86,7 +86,8 @@ def conform(**chosen: Any) -> None:
 
     --explain shows the way of the error at one pixel: its value and its bounds, what each route has
     drawn, which operations contribute how much, and where precision is lost. Pixels are counted
-    from 0,0 in the upper left corner.
+    from 0,0 in the upper left corner. Of a frame it says which step has made the pixel, and what
+    carries the error to it.
 
     With --native-stages, routes draw with the stages that their target has for primitives, and what
     the reference draws is the same: a route whose target has no such stage is not run.
@@ -137,14 +138,8 @@ def _check_report(folder: Path | None) -> None:
 
 
 def _routes(request: Request) -> Sequence[Route]:
-    from ..targets.conformance.explaining import PixelError, check_pixel
     from ..targets.runner.routes import select
 
-    if request.explain is not None:
-        try:
-            check_pixel(request.explain)
-        except PixelError as error:
-            raise click.BadParameter(str(error), param_hint="--explain") from error
     routes = select([request.routes])
     if not routes:
         raise click.UsageError("--routes names no route")
@@ -168,6 +163,7 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
         if request.device:
             _check_named_device(runner, routes)
         subjects = subjects_of(request, routes, native_stages=False)
+        _check_pixel(request, subjects)
         drawn = subjects
         if request.native_stages:
             drawn = subjects_of(request, routes, native_stages=True)
@@ -181,6 +177,22 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
     return subjects, rows
 
 
+def _check_pixel(request: Request, subjects: Subjects) -> None:
+    """Raise ``BadParameter`` for a pixel that no picture has, before drawing, which may take long.
+
+    What frames draw may be larger: that is known when it is drawn.
+    """
+    from ..targets.conformance.explaining import check_pixel
+    from ..targets.conformance.seen import PixelError
+    from ..targets.runner.frames.host import is_shader
+
+    if request.explain is not None and all(is_shader(subject) for _, subject in subjects):
+        try:
+            check_pixel(request.explain)
+        except PixelError as error:
+            raise click.BadParameter(str(error), param_hint="--explain") from error
+
+
 def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
     """Raise ``DriverError`` if there is no such device, instead of once for each material."""
     for route in routes:
@@ -190,7 +202,8 @@ def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
     """Print the way of the error at one pixel of every material; then where there is none."""
-    from ..targets.conformance.explaining import PixelError, explanation_lines
+    from ..targets.conformance.explaining import explanation_lines
+    from ..targets.conformance.seen import PixelError
     from ..targets.conformance.summary import by_material
 
     assert request.explain is not None

@@ -81,9 +81,14 @@ def told() -> Iterator[None]:
 
 
 def needed(error: ModuleNotFoundError) -> NoReturn:
-    """Say how to install a missing package; any other missing module is a bug, and raised again."""
+    """Say how to install a missing package, and end the command."""
+    fail(lacking(error))
+
+
+def lacking(error: ModuleNotFoundError) -> str:
+    """How to install a missing package; any other missing module is a bug, and raised again."""
     package = PACKAGES.get((error.name or "").partition(".")[0])
     if package is None:
         raise error
     lack, extra = package
-    fail(f"{lack}, which is not installed: pip install 'burnish[{extra}]'")
+    return f"{lack}, which is not installed: pip install 'burnish[{extra}]'"

@@ -118,7 +118,7 @@ def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float]
     if request.error is None:
         return None
     with told():
-        from ...targets.conformance.explaining import PixelError
+        from ...targets.conformance.seen import PixelError
         from .errors import parts
 
         try:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -26,6 +26,7 @@ from ..frames import scenery_of
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
 from ..subjects import set_pictures, tell_unmade
+from .pictures import MOST_BYTES, Pictures, Wanted
 from .request import Choice, Request
 
 if TYPE_CHECKING:
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
 
 PROFILES = ("wgsl:webgpu", "glsl:es300")
 """The texts that a page can ask for."""
+_PICTURE = "picture."
+"""Begins the names by which a page asks for pictures; the rest is the texture's."""
 _SIZE = (512, 512)
 """Of the picture, until the page says how large it is."""
 
@@ -43,8 +46,11 @@ _SIZE = (512, 512)
 class Documents:
     """The documents of a file as it is now. Threads may share it."""
 
-    def __init__(self, request: Request) -> None:
+    def __init__(self, request: Request, name: str, pictures: Pictures) -> None:
+        """``request`` is about one file, which pages know by its ``name``."""
         self._request = request
+        self._name = name
+        self._pictures = pictures
         self._lock = Lock()
         self._changes = 0
         self._made: dict[Choice, bytes] = {}
@@ -74,13 +80,15 @@ class Documents:
 
     def get(self, choice: Choice) -> bytes:
         """The document of a choice, as JSON."""
+        choice = choice._replace(file=None)  # It is this one.
         with self._lock:
             if choice not in self._made:
                 document = {"version": self.version, **self._document(choice)}
                 made = json.dumps(document, separators=(",", ":")).encode()
                 self._made[choice] = made
                 if chosen := document.get("chosen"):  # What the page will ask for after a change.
-                    self._made[choice_of({**chosen, "profile": choice.profile})] = made
+                    whole = choice_of({**chosen, "profile": choice.profile})
+                    self._made[whole._replace(pictures=choice.pictures)] = made
                 self._told = self.version
             return self._made[choice]
 
@@ -115,9 +123,10 @@ class Documents:
     def _head(self) -> dict[str, Any]:
         """What every document has."""
         return {
-            "file": self._request.file.name,
+            "file": self._name,
             **self._listed,
             "meshes": [],
+            "most_bytes": MOST_BYTES,
         }
 
     def _drawn(self, choice: Choice) -> dict[str, Any]:
@@ -128,7 +137,7 @@ class Documents:
         declared = self._declared()
         chosen = self._chosen(choice, declared)
         frame = self._compiled(chosen, declared)
-        host = self._host(frame, chosen)
+        host, given = self._host(frame, chosen)
         has_mesh = self._request.scene is None and _takes_mesh(frame)
         return {
             "chosen": {
@@ -137,7 +146,7 @@ class Documents:
             },
             "meshes": list(MESHES) if has_mesh else [],
             "doc": frame.plan["doc"],
-            "controls": controls(host),
+            "controls": [{**row, "picture": given.get(row["name"])} for row in controls(host)],
             "orbit": orbit(host.scenery),
             "package": frame_package(host, (choice.profile,)),
         }  # fmt: skip
@@ -167,11 +176,13 @@ class Documents:
         pass_ = choice.pass_ if choice.pass_ in declared.passes else None
         own = declared.passes if subject in declared.materials and not declared.frames else ()
         return Choice(
+            None,
             subject,
             _first(rig, request.rig, *declared.rigs),
             None if subject in declared.frames else _first(pass_, request.pass_, *own),
             choice.mesh if choice.mesh in MESHES else request.mesh,
             choice.profile,
+            choice.pictures,
         )
 
     def _compiled(self, chosen: Choice, declared: api.Declared) -> FrameSubject:
@@ -190,8 +201,11 @@ class Documents:
         red, green, blue = color_lanes(BACKGROUND) or (0.0, 0.0, 0.0)
         return single_frame(result.materials[0], (red, green, blue, 1.0))
 
-    def _host(self, frame: FrameSubject, chosen: Choice) -> FrameHost:
-        """The frame with a scene, and with the values of the command line."""
+    def _host(
+        self, frame: FrameSubject, chosen: Choice
+    ) -> tuple[FrameHost, dict[str, dict[str, Any]]]:
+        """The frame with a scene, with the values of the command line, and with the pictures that
+        were given, which are also told by name."""
         from ...targets.runner.frames.host import FrameHost
         from ...targets.runner.frames.single import SingleFrame, captures, give_captured
 
@@ -200,6 +214,7 @@ class Documents:
         kernels = self._kernels(host, chosen) if isinstance(frame, SingleFrame) else []
         for name, text in self._request.values:
             _set(host, kernels, name, text)
+        given = dict(self._give(host, chosen.pictures))
         if isinstance(frame, SingleFrame):
             set_pictures(host.instances, _SIZE)
             tell_unmade(host.instances)
@@ -211,7 +226,21 @@ class Documents:
             remark(
                 "note", f"the light {name!r} of the scene is left out: the rig has no place for it"
             )
-        return host
+        return host, given
+
+    def _give(
+        self, host: FrameHost, pictures: Sequence[tuple[str, str]]
+    ) -> Iterator[tuple[str, dict[str, Any]]]:
+        """Give textures the pictures of the page, as far as both are there. Yields what the page
+        tells of each."""
+        for name, asked in pictures:
+            wanted = _wanted(host, name)
+            texture = wanted and self._pictures.texture(asked, wanted)
+            kept = self._pictures.get(asked)
+            if wanted and texture and kept:
+                host.set(name, texture)
+                is_srgb = self._pictures.is_srgb(asked, wanted)
+                yield name, {"file": kept.name, "is_float": kept.is_float, "is_srgb": is_srgb}
 
     def _kernels(self, host: FrameHost, chosen: Choice) -> list[Kernel]:
         """The other kernels of the file, if what is shown reads buffers, which they may write."""
@@ -234,9 +263,15 @@ class Documents:
 def choice_of(query: Mapping[str, str]) -> Choice:
     """What a page asks for, by the names in its address. What nobody can mean is left out."""
     profile = query.get("profile", PROFILES[0])
+    pictures = {
+        key.removeprefix(_PICTURE): asked
+        for key, asked in query.items()
+        if key.startswith(_PICTURE)
+    }
+    file, subject, rig = query.get("file"), query.get("subject"), query.get("rig")
     return Choice(
-        query.get("subject"), query.get("rig"), query.get("pass"), query.get("mesh"),
-        profile if profile in PROFILES else PROFILES[0],
+        file, subject, rig, query.get("pass"), query.get("mesh"),
+        profile if profile in PROFILES else PROFILES[0], tuple(sorted(pictures.items())),
     )  # fmt: skip
 
 
@@ -263,6 +298,15 @@ def _takes_mesh(frame: FrameSubject) -> bool:
     from ...targets.runner.frames.single import SingleFrame, captures
 
     return bool(frame.plan["models"]) or (isinstance(frame, SingleFrame) and captures(frame))
+
+
+def _wanted(host: FrameHost, name: str) -> Wanted | None:
+    """What the texture of this name has to be, if there is one."""
+    for instance in (host.values, *host.instances):
+        for row in instance.reflection["textures"]:
+            if row["name"] == name:
+                return Wanted(row["dimension"], row["sample"])
+    return None
 
 
 def _first(*names: str | None) -> str | None:

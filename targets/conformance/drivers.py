@@ -62,6 +62,8 @@ class Driver:
     """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies."""
+    mirrors_sample_depths: bool = False
+    """Whether it takes the depth of each of several samples from the wrong side of the pixel."""
 
 
 _LLVM = Driver(
@@ -86,6 +88,7 @@ _SWIFTSHADER = Driver(
     clips_sides=True,
     level_power=4,
     projects_cubes=False,
+    mirrors_sample_depths=True,
 )  # fmt: skip
 
 

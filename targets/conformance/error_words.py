@@ -65,7 +65,7 @@ def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
     for worst in explanation.contributions[:1]:
         size = max((abs(lane) for lane in worst.value), default=0.0)
         if worst.own > _INACCURATE * _HALF_ULP * max(size, 1.0):
-            text = f"`{worst.text}` {_OWN[worst.kind]} {_short(worst.own)}"
+            text = f"`{worst.text}` {_OWN[worst.kind]} {short(worst.own)}"
             yield _with_place(text, worst.span)
 
 
@@ -73,7 +73,7 @@ def small(explanation: Explanation, width: float) -> str:
     """What is said of a pixel whose bounds are wide although nothing in it loses precision."""
     return (
         f"no expression magnifies rounding much: at ({explanation.x}, {explanation.y}) it amounts "
-        f"to {_short(explanation.error)}, to first order, but the bounds are {_short(width)} wide, "
+        f"to {short(explanation.error)}, to first order, but the bounds are {short(width)} wide, "
         "as they do not see how errors cancel out"
     )
 
@@ -91,7 +91,7 @@ def lines(explanation: Explanation) -> Iterator[str]:
     """The whole explanation as lines of text."""
     lane = _LANES[explanation.lane]
     value = explanation.value[explanation.lane]
-    yield f"rounding may change {lane} = {value:.7g} by {_short(explanation.error)}, to first order"
+    yield f"rounding may change {lane} = {value:.7g} by {short(explanation.error)}, to first order"
     if explanation.overflows:
         yield from ("", "what overflows:")
         for large in explanation.overflows:
@@ -127,10 +127,10 @@ def _contributions(explanation: Explanation) -> Iterator[str]:
     for one in explanation.contributions[:MOST]:
         part = one.contribution / explanation.error
         rows.append((
-            f"{part:.0%}" if part >= 0.005 else "<1%", _short(one.own), _times(one.magnification),
+            f"{part:.0%}" if part >= 0.005 else "<1%", short(one.own), _times(one.magnification),
             _with_place(f"`{one.text}`", one.span),
         ))  # fmt: skip
-    yield from _table(rows)
+    yield from table(rows)
     rest = explanation.contributions[MOST:]
     if rest:
         part = sum(one.contribution for one in rest) / explanation.error
@@ -144,12 +144,13 @@ def _way(way: tuple[Expression, ...]) -> Iterator[str]:
         lane = max(one.value, key=abs, default=0.0)
         branch = f"{'  ' * (depth - 1)}└ " if depth else ""
         rows.append((
-            _with_place(f"{branch}`{one.text}`", one.span), f"{lane:.6g}", _short(one.error)
+            _with_place(f"{branch}`{one.text}`", one.span), f"{lane:.6g}", short(one.error)
         ))  # fmt: skip
-    yield from _table(rows)
+    yield from table(rows)
 
 
-def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
+def table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
+    """Rows as lines, column below column."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
         cells = (text.ljust(width) for text, width in zip(row, widths, strict=True))
@@ -166,17 +167,17 @@ def _lossy(loss: Loss) -> str:
 
 def _tipping(tipping: Tipping) -> str:
     if tipping.error >= _WHOLE_STEP and tipping.repeats:
-        off = _short(tipping.error)
+        off = short(tipping.error)
         return (
             f"the operand of `{tipping.expression.text}` may be off by {off}: anything may follow"
         )
-    text = f"`{tipping.expression.text}` is {_short(tipping.distance)} from {tipping.words}"
-    text += f", and may be off by {_short(tipping.error)}: "
+    text = f"`{tipping.expression.text}` is {short(tipping.distance)} from {tipping.words}"
+    text += f", and may be off by {short(tipping.error)}: "
     if math.isinf(tipping.effect):
         return text + "the pixel would be discarded"
     if tipping.effect == 0:
         return text + "the bounds are those of both sides, though this alone changes nothing"
-    return text + f"the pixel would change by {_short(tipping.effect)}"
+    return text + f"the pixel would change by {short(tipping.effect)}"
 
 
 def _times(factor: float) -> str:
@@ -187,7 +188,8 @@ def _times(factor: float) -> str:
     return power if leading == "1" else f"{leading}·{power}"
 
 
-def _short(number: float) -> str:
+def short(number: float) -> str:
+    """A number that says how large something is."""
     return f"{number:.1e}" if number and abs(number) < 1e-3 else f"{number:.3g}"
 
 

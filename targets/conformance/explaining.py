@@ -6,32 +6,36 @@ about, and for rows that differ or prove little, to say what in the source has t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
-from typing import TypeVar
 
 import numpy as np
 
-from ...compiler.diagnostics.nearest import suggestion
 from ...compiler.reference.attribution import Explanation, UncoveredError
-from ...compiler.reference.picture import Expected
 from ..runner.drivers.device import Device
 from ..runner.explanation import explained
-from ..runner.frames.host import FrameSubject, is_shader
+from ..runner.frames.host import FrameSubject, is_frame, is_shader
 from ..runner.kernels import drawable, is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
-from .compare import Bools, ends_of, says_nothing, shares
-from .error_words import blamed, causes, lanes_text, lines, small
+from .compare import Bools, ends_of, says_nothing
+from .error_words import blamed, causes, lines, small
+from .frame_explaining import frame_lines
 from .plan import bounds_of
 from .rows import CaseResult, Row
-
-T = TypeVar("T")
-Pixel = tuple[int, int]
-"""Its column and its row, from the upper left corner of the picture."""
-
+from .seen import (
+    Pixel,
+    PixelError,
+    Seen,
+    chosen,
+    leading_of,
+    named,
+    results_of,
+    values_lines,
+    width_of,
+)
 
 _BLAMED = 100.0
 """How many times its bound a difference may be for an operation's error to be told as its cause."""
@@ -40,10 +44,6 @@ _TRIED = (0.5, 0.75, 0.25, 0.9)
 their bounds are, from 0 to 1."""
 _ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
 """Has the bits that nearly all devices have."""
-
-
-class PixelError(Exception):
-    """There is no such pixel, or nothing to explain in it; the text tells people why."""
 
 
 def check_pixel(pixel: Pixel) -> None:
@@ -58,19 +58,10 @@ def check_pixel(pixel: Pixel) -> None:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Seen:
-    """One case of a material, with what the routes that drew it have made of it."""
+class _SeenCase(Seen):
+    """One case of a material."""
 
     case: Case
-    results: Mapping[str, CaseResult]
-    """By the route's name."""
-    leading: Row
-    """The row whose device and rules the explanation is for."""
-
-    @property
-    def result(self) -> CaseResult:
-        """What the leading row has drawn."""
-        return self.results[self.leading.route.name]
 
 
 def explanation_lines(
@@ -82,20 +73,21 @@ def explanation_lines(
 ) -> Iterator[str]:
     """What there is to say of one pixel of a material, whose rows these are.
 
-    Without a case, the one that is the least certain there is taken. Raises ``PixelError``, also
-    for a frame.
+    Without a case, the one that is the least certain there is taken. Raises ``PixelError``.
     """
     if not is_shader(subject):
-        raise PixelError("a pixel of a frame depends on those of other steps: nothing explains it")
+        assert is_frame(subject)
+        yield from frame_lines(subject, rows, pixel, case)
+        return
     x, y = pixel
-    seen = _chosen(_seen(subject, rows, seed), pixel, case)
+    seen = chosen(_seen(subject, rows, seed), pixel, case, "image of this kernel")
     try:
         found = _explained(subject, seen, pixel)
     except UncoveredError:
         raise PixelError(_uncovered(seen, pixel)) from None
-    yield f"pixel {x},{y} of `{seen.case.name}`, by the rules of {seen.leading.route.name}"
+    yield f"pixel {x},{y} of `{seen.name}`, by the rules of {seen.leading.route.name}"
     yield ""
-    yield from _values(seen, pixel, found.target)
+    yield from values_lines(seen, pixel, found.target)
     yield ""
     yield from lines(found)
 
@@ -131,7 +123,7 @@ def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> 
     Raises ``PixelError`` if there is no such case, or nothing at the pixel.
     """
     every = chain.from_iterable(series.cases for series in series_of(subject.reflection))
-    case = _named({one.name: one for one in every}, name)
+    case = named({one.name: one for one in every}, name)
     if not (pixel[0] < case.state.width and pixel[1] < case.state.height):
         raise PixelError(f"`{name}` has {case.state.width} x {case.state.height} pixels")
     bounds = bounds_of(case.state, route, _ANY_DEVICE)[-1]
@@ -154,7 +146,7 @@ def _of_little(subject: Subject, row: Row, seed: int) -> list[str]:
         for found in _explained_if_covered(subject, least, (x, y)):
             if told := list(causes(found)):
                 return told
-            otherwise.append(small(found, float(_width(least.result.expected)[y, x])))
+            otherwise.append(small(found, float(width_of(least.result.expected)[y, x])))
     return otherwise[:1]
 
 
@@ -166,54 +158,29 @@ def _of_difference(subject: Subject, row: Row, seed: int) -> Iterator[str]:
         if comparison.wrong and comparison.worst is not None and comparison.excess < _BLAMED:
             worst = comparison.worst
             for found in _explained_if_covered(subject, seen, (worst.x, worst.y)):
-                yield from (f"{seen.case.name}: {text}" for text in blamed(found))
+                yield from (f"{seen.name}: {text}" for text in blamed(found))
 
 
-def _explained_if_covered(subject: Subject, seen: Seen, pixel: Pixel) -> Iterator[Explanation]:
+def _explained_if_covered(subject: Subject, seen: _SeenCase, pixel: Pixel) -> Iterator[Explanation]:
     try:
         yield _explained(subject, seen, pixel)
     except UncoveredError:
         return
 
 
-def _seen(subject: Subject, rows: Iterable[Row], seed: int) -> list[Seen]:
+def _seen(subject: Subject, rows: Iterable[Row], seed: int) -> list[_SeenCase]:
     """The cases that any of these rows has drawn."""
     drawn = [row for row in rows if row.results]
     found = []
     for series in series_of(subject.reflection, seed) if drawn else ():
         for case in series.cases:
-            results = {
-                row.route.name: result
-                for row in drawn
-                for result in row.results
-                if result.case == case.name
-            }
-            leading = next(row for row in drawn if row.route.name in results)
-            found.append(Seen(case, results, leading))
+            results = results_of(case.name, drawn)
+            leading = leading_of(results, drawn)
+            found.append(_SeenCase(case.name, results, leading, case))
     return found
 
 
-def _chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None) -> Seen:
-    """The case with this name; or the one in which the pixel's bounds are widest."""
-    if not seen:
-        raise PixelError("no route has drawn it, so there is no device whose rounding to explain")
-    x, y = pixel
-    seen = [one for one in seen if x < one.case.state.width and y < one.case.state.height]
-    if not seen:
-        raise PixelError(f"no image of this kernel has a pixel {x},{y}")
-    if name is None:
-        return max(seen, key=lambda one: _width(one.result.expected)[pixel[1], pixel[0]])
-    return _named({one.case.name: one for one in seen}, name)
-
-
-def _named(cases: Mapping[str, T], name: str) -> T:
-    if name not in cases:
-        hint = suggestion(name, cases) or f"its cases are {', '.join(map(_quoted, cases))}"
-        raise PixelError(f"there is no case `{name}`; {hint}")
-    return cases[name]
-
-
-def _explained(subject: Subject, seen: Seen, pixel: Pixel) -> Explanation:
+def _explained(subject: Subject, seen: _SeenCase, pixel: Pixel) -> Explanation:
     """Explain a pixel by the bounds that decided on the verdict of the leading row."""
     row = seen.leading
     assert row.device is not None
@@ -223,35 +190,11 @@ def _explained(subject: Subject, seen: Seen, pixel: Pixel) -> Explanation:
     return explained(drawable(subject.shader), seen.case.state, bounds.rules, bounds.errors, *pixel)
 
 
-def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
-    """The value and its bounds, and what each route has drawn."""
-    x, y = pixel
-    rows = []
-    for route, result in seen.results.items():
-        expected = result.expected
-        low, high = expected.low[target][y, x], expected.high[target][y, x]
-        got = result.got[target][y, x]
-        value = expected.targets[target][y, x]
-        inside = bool((shares(got, value, low, high) <= 1).all())
-        note = "" if inside else "outside of its bounds"
-        if expected.undecided[y, x]:
-            note = "undecided: what is drawn here hangs on rounding"
-        rows += [
-            (route, lanes_text(got), note),
-            ("  from", lanes_text(low), ""),
-            ("  to", lanes_text(high), ""),
-        ]
-    rows.insert(0, ("value", lanes_text(seen.result.expected.targets[target][y, x]), ""))
-    width = max(len(name) for name, _, _ in rows)
-    for name, lanes, note in rows:
-        yield f"{name:<{width}}  {lanes}{'  ' + note if note else ''}"
-
-
-def _uncovered(seen: Seen, pixel: Pixel) -> str:
+def _uncovered(seen: _SeenCase, pixel: Pixel) -> str:
     """Why a pixel cannot be explained, and where something can be."""
     x, y = pixel
     covered = seen.result.expected.covered
-    text = f"nothing is drawn at {x},{y} of `{seen.case.name}`"
+    text = f"nothing is drawn at {x},{y} of `{seen.name}`"
     if not covered.any():
         return f"{text}, nor elsewhere"
     rows, columns = np.nonzero(covered)
@@ -271,18 +214,6 @@ def _usual(result: CaseResult) -> list[Pixel]:
     rows, columns = np.nonzero(_unproven(result))
     if not len(rows):
         return []
-    order = _width(result.expected)[rows, columns].argsort(kind="stable")
-    chosen = [order[int(share * (len(order) - 1))] for share in _TRIED]
-    return list(dict.fromkeys((int(columns[i]), int(rows[i])) for i in chosen))
-
-
-def _width(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-    """(height, width): how far a pixel's bounds are apart, in its widest lane."""
-    pairs = zip(expected.low, expected.high, strict=True)
-    apart = [np.where(np.isfinite(high - low), high - low, np.inf) for low, high in pairs]
-    widest: np.ndarray[tuple[int, int], np.dtype[np.float64]] = np.max(apart, axis=(0, 3))
-    return np.where(expected.covered, widest, -1.0)
-
-
-def _quoted(name: str) -> str:
-    return f"`{name}`"
+    order = width_of(result.expected)[rows, columns].argsort(kind="stable")
+    tried = [order[int(share * (len(order) - 1))] for share in _TRIED]
+    return list(dict.fromkeys((int(columns[i]), int(rows[i])) for i in tried))

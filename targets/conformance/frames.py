@@ -20,6 +20,7 @@ from ..runner.drivers.device import Device
 from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
 from ..runner.frames.drawn import DEPTHS, Drawn
+from ..runner.frames.following import FollowedFrames, Made
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable, is_drawn
@@ -29,7 +30,7 @@ from ..runner.runner import Runner
 from ..toolchain import Toolchain
 from ..web_host.drawing import draw_frames
 from .cases import Size
-from .compare import Comparison, compare
+from .compare import Comparison, Level, compare
 from .once import Known
 from .plan import Bounds, bounds_of, precise, summed_up, to_targets
 from .rows import CaseResult
@@ -97,13 +98,40 @@ class FramePlan:
         """A result for each output of each frame. Raises ``CodeError``, ``DriverError`` and
         ``PlanError``."""
         got = draw_frames(self._host(self.subject), route, runner, toolchain, self._count)
-        questions = bounds_of(_Sized(*self._size), route, device)
-        if route.bottom_up:
-            questions = tuple(map(_turned_over, questions))
-        for number, pictures in enumerate(got):
-            for name in self._names:
-                case = name if self._count == 1 else f"{name}, frame {number + 1}"
-                yield self._judged(case, number, name, pictures[name], route, questions)
+        questions = self._questions(route, device)
+        for case, (number, name) in self.cases().items():
+            yield self._judged(case, number, name, got[number][name], route, questions)
+
+    def cases(self) -> dict[str, tuple[int, str]]:
+        """The number of the frame and the output, by the name of the case."""
+        return {
+            name if self._count == 1 else f"{name}, frame {number + 1}": (number, name)
+            for number in range(self._count)
+            for name in self._names
+        }
+
+    def made(
+        self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
+    ) -> Made | None:
+        """How a pixel of a case came about, by the bounds of this level; ``None`` if no step has
+        made it. Layers of an output stand one below the other."""
+        number, name = self.cases()[case]
+        bounds = next(one for one in self._questions(route, device) if one.level == level)
+        programs = self._programs_for(route.profile)
+        host = self._host(self._meant)
+        row = next(row for row in host.plan["outputs"] if row["name"] == name)
+        _, height = host.size_of(row["texture"])
+        drawing = FollowedFrames(
+            host, bounds.rules, bounds.errors, lambda shader: programs[shader].shader,
+            texture=row["texture"], layer=pixel[1] // height, pixel=(pixel[0], pixel[1] % height),
+        )  # fmt: skip
+        for _ in range(number + 1):
+            drawing.draw()
+        return drawing.found
+
+    def _questions(self, route: Route, device: Device) -> tuple[Bounds, ...]:
+        questions = tuple(bounds_of(_Sized(*self._size), route, device))
+        return tuple(map(_turned_over, questions)) if route.bottom_up else questions
 
     def _judged(
         self,
@@ -144,7 +172,7 @@ class FramePlan:
     ) -> list[dict[str, Drawn]]:
         """What the reference draws of a profile's texts, or of the source: within bounds, or what
         is meant."""
-        programs = self._programs.value(profile, lambda: self._programs_of(profile))
+        programs = self._programs_for(profile)
 
         def made() -> _Pictures:
             drawing = ReferenceFrames(
@@ -165,6 +193,9 @@ class FramePlan:
         )
         return found.frames
 
+    def _programs_for(self, profile: str | None) -> list[Program]:
+        return self._programs.value(profile, lambda: self._programs_of(profile))
+
     def _programs_of(self, profile: str | None) -> list[Program]:
         """The shaders as emitted for a profile, or those of the source."""
         found = []
@@ -176,9 +207,14 @@ class FramePlan:
         return found
 
     def _host(self, subject: PlannedFrame) -> FrameHost:
-        tags = {row["name"]: row["materials"] for row in self._meant.plan["models"]}
-        materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-        return FrameHost(subject, in_a_row(materials, tags, MESH), self._size)
+        return host_of(subject, self._size)
+
+
+def host_of(subject: PlannedFrame, size: Size) -> FrameHost:
+    """A frame with the scene that it is judged in: a model of each material."""
+    tags = {row["name"]: row["materials"] for row in subject.plan["models"]}
+    materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
+    return FrameHost(subject, in_a_row(materials, tags, MESH), size)
 
 
 def _sides(shape: Sequence[int]) -> str:

@@ -263,6 +263,7 @@ def rules_of(
         level_power=driver.level_power,
         bottom_up=bottom_up,
         projects_cubes=driver.projects_cubes,
+        mirrors_sample_depths=driver.mirrors_sample_depths,
     )
 
 

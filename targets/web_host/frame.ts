@@ -192,6 +192,9 @@ export class PlanFrame<Texture, Buffer> {
         target,
         texture: this.resources.texture(target.texture),
         layer: target.layer ?? layer,
+        resolve: target.resolve && {
+          ...target.resolve, texture: this.resources.texture(target.resolve.texture),
+        },
         clear: this.cleared(target),
       });
       const depth = step.depth && attachment(step.depth);
@@ -371,7 +374,9 @@ export class PlanFrame<Texture, Buffer> {
     if (images.length && !Object.keys(reflection.backends[this.renderer.profile].images).length) {
       // Where a kernel cannot write images it is drawn over all of them.
       const target = { level: 0, load: "clear", store: true } as const;
-      const targets = images.map((texture) => ({ target, texture, layer: 0, clear: [0, 0, 0, 0] }));
+      const targets = images.map((texture) => ({
+        target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
+      }));
       const [width, height] = this.resources.sizeOf(step.images[0].texture);
       const settings = settingsOf(width, height, null, null, null);
       const call = { ...bound, mesh: this.vertices(step.shader, 3) };

@@ -1,7 +1,7 @@
 // What a draw call gets of a mesh: see `draw`, "Expansions" and "Patches" in docs/reflection.md.
 
 import { bytesOf } from "./bytes.js";
-import type { Geometry, PackagedShader, Reflection, VertexInput } from "./generated/documents.js";
+import type { Geometry, PackagedShader, Reflection } from "./generated/documents.js";
 import type { Values } from "./values.js";
 
 /** What packages hold in base64, as bytes. */
@@ -54,27 +54,4 @@ export function checkLevels({ reflection, levels: packaged }: PackagedShader, va
         `and its values say ${levels.join(", ")}: make the package anew`,
     );
   }
-}
-
-/** Where the inputs lie that step alike: all of one vertex, or of one instance, after the other. */
-export interface Interleaved {
-  step: VertexInput["step"];
-  stride: number;
-  members: { input: VertexInput; lanes: number; offset: number }[];
-}
-
-/** The buffers that a shader reads vertex inputs of. */
-export function interleaved({ vertex_inputs: inputs }: Reflection): Interleaved[] {
-  const found = (["vertex", "instance"] as const).map((step) => {
-    let stride = 0;
-    const members = inputs
-      .filter((each) => each.step === step && !each.buffer)
-      .map((input) => {
-        const lanes = Number(/\d$/.exec(input.representation)?.[0] ?? 1);
-        stride += 4 * lanes;
-        return { input, lanes, offset: stride - 4 * lanes };
-      });
-    return { step, stride, members };
-  });
-  return found.filter(({ members }) => members.length);
 }

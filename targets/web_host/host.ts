@@ -5,8 +5,8 @@ import type { FramePackage } from "./generated/documents.js";
 import { PROFILE as ES_3_00 } from "./webgl2/programs.js";
 import { WebGl2Renderer } from "./webgl2/renderer.js";
 import { Device } from "./webgpu/device.js";
+import { PROFILE as WGSL } from "./webgpu/pipelines.js";
 import { WebGpuRenderer } from "./webgpu/renderer.js";
-import { PROFILE as WGSL } from "./webgpu/slots.js";
 
 export type { Camera, FramePackage, Value } from "./generated/documents.js";
 export type { Pixels } from "./renderer.js";

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import INSTANCES, VERTICES
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance
@@ -27,6 +28,7 @@ from ..runner.scene import texture_roles, value_roles
 from ..runner.scene_state import drawn_state
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
+from .webgpu import WGSL, webgpu_pipeline
 
 MODULES = Path(__file__).with_name("modules")
 """The folder with the modules that a page loads; ``host.js`` is the first of them."""
@@ -41,7 +43,7 @@ _CAMERA = {"world_to_clip": "view_projection", "eye": "eye"}
 """What the host calls a value of the camera, by what a scene calls it."""
 
 
-def frame_package(host: FrameHost, profiles: Iterable[str] = ("wgsl:webgpu",)) -> dict[str, Any]:
+def frame_package(host: FrameHost, profiles: Iterable[str] = (WGSL,)) -> dict[str, Any]:
     """The package of a frame with the values and the scene that its host has now, and with the
     texts for some profiles.
 
@@ -88,16 +90,18 @@ class _Package:
         plain = replace(self._host.scenery.scene, look=PLAIN, bones=None)
         plain.apply(instance, _SQUARE, self._host.given)
         self._instances.append(instance)
-        reflection = instance.reflection
+        reflection, texts = instance.reflection, self._texts(shader)
+        stages = texts.get(WGSL)
         return {
             "reflection": _without_source_maps(reflection),
-            "texts": self._texts(shader),
+            "texts": texts,
             "values": _values(instance),
             "roles": _roles(reflection),
             "textures": self._textures(instance),
             "texture_roles": texture_roles(reflection),
             "buffers": _buffers(instance),
             "levels": _levels(instance),
+            "webgpu": webgpu_pipeline(reflection, stages) if stages else None,
         }
 
     def _texts(self, shader: Subject) -> dict[str, dict[str, Any]]:
@@ -190,14 +194,14 @@ def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
     rows = [row for row in instance.reflection["vertex_inputs"] if row["buffer"] is None]
     steps = {
         step: [(row, state.attributes[row["name"]]) for row in rows if row["step"] == step]
-        for step in ("vertex", "instance")
+        for step in (VERTICES, INSTANCES)
     }
     corners = state.triangles.reshape(-1)
     is_in_order = np.array_equal(corners, np.arange(len(corners)))
     buffers = instance.buffers()
     return {
-        "vertices": _interleaved(steps["vertex"]),
-        "instances": _interleaved(steps["instance"]),
+        "vertices": _interleaved(steps[VERTICES]),
+        "instances": _interleaved(steps[INSTANCES]),
         "indices": None if is_in_order else _base64(corners.astype("<u4").tobytes()),
         "count": len(corners),
         "instance_count": state.instance_count,

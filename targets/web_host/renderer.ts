@@ -5,12 +5,11 @@ import type { Mesh } from "./geometry.js";
 import type { Values } from "./values.js";
 
 /** A texture that a frame draws to. */
-export interface TextureSize extends Pick<PlanTexture, "dimension" | "layers" | "levels"> {
+export interface TextureSize
+  extends Pick<PlanTexture, "dimension" | "layers" | "levels" | "samples" | "uses"> {
   format: GPUTextureFormat;
   width: number;
   height: number;
-  /** Whether kernels write it as an image. */
-  isImage: boolean;
 }
 
 /** A shader of a frame, by its number, with everything that it reads. */
@@ -31,6 +30,8 @@ export interface Attachment<Texture> {
   target: Pick<PlanTarget, "level" | "load" | "store" | "stencil">;
   texture: Texture;
   layer: number;
+  /** Where the means of its samples are written behind the draws. */
+  resolve: { texture: Texture; layer: number; level: number } | null;
   /** What it is cleared to: a colour, or a depth. */
   clear: number[];
 }
@@ -69,10 +70,8 @@ export interface Renderer<Texture, Buffer> {
 
   begin(): void;
   draw(
-    targets: Attachment<Texture>[],
-    depth: Attachment<Texture> | null,
-    calls: DrawCall<Texture, Buffer>[],
-    settings: DrawSettings,
+    targets: Attachment<Texture>[], depth: Attachment<Texture> | null,
+    calls: DrawCall<Texture, Buffer>[], settings: DrawSettings,
   ): void;
   run(kernel: Bound<Texture, Buffer>, images: Texture[], groups: number[]): void;
   copy(from: Texture, to: Texture): void;

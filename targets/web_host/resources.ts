@@ -5,18 +5,12 @@ import type { FramePackage, PlanRun } from "./generated/documents.js";
 import type { Bound, Renderer } from "./renderer.js";
 import type { Values } from "./values.js";
 
-interface Made<Texture> {
-  texture: Texture;
-  width: number;
-  height: number;
-}
-
 export class Resources<Texture, Buffer> {
   /** The host's pictures, by their numbers in the package. */
   readonly pictures: Texture[];
   /** By the results that kernels have written, and the host's by the names of `hostBuffer`. */
   readonly buffers = new Map<string, Buffer>();
-  private readonly textures = new Map<number, Made<Texture>>();
+  private readonly textures = new Map<number, Texture>();
   /** How many bytes of a buffer its elements are: of those that kernels have written. */
   private readonly lengths = new Map<Buffer, number>();
   /** The kernels that this frame has run, by step. */
@@ -50,7 +44,7 @@ export class Resources<Texture, Buffer> {
   /** What an output shows, or undefined if it is no picture, or was not drawn yet. */
   shown(result: string, texture: number | null): Texture | undefined {
     const kept = this.from.plan.kept.find((each) => each.result === result);
-    return this.textures.get(kept?.previous ?? texture ?? -1)?.texture;
+    return this.textures.get(kept?.previous ?? texture ?? -1);
   }
 
   /** The buffer that a kernel has written, or undefined if it is none, or was not run yet. */
@@ -62,17 +56,6 @@ export class Resources<Texture, Buffer> {
   /** How many bytes the elements of a buffer have; there may be none. */
   bytesIn(buffer: Buffer): number {
     return this.lengths.get(buffer) ?? this.renderer.bytesIn(buffer);
-  }
-
-  /** Whether a kernel stores to a texture, and is not drawn over it. */
-  private isStored(number: number): boolean {
-    const { plan, shaders } = this.from;
-    const stores = (shader: number) =>
-      Object.keys(shaders[shader].reflection.backends[this.renderer.profile].images).length > 0;
-    return plan.steps.some((step) =>
-      step.kind === "run" && step.images.some(({ texture }) => texture === number) &&
-      stores(step.shader),
-    );
   }
 
   /** A number, vector or matrix of the plan. */
@@ -95,14 +78,13 @@ export class Resources<Texture, Buffer> {
 
   /** A texture of the plan, which is made when it is needed first, and anew for another size. */
   texture(number: number): Texture {
-    if (this.fits(number)) return this.textures.get(number)!.texture;
+    if (this.fits(number)) return this.textures.get(number)!;
     this.free(number);
     const row = this.from.plan.textures[number];
     const [width, height] = this.sizeOf(number);
     const format = formatOf(row.format);
-    const isImage = row.uses.includes("image") && this.isStored(number);
-    const texture = this.renderer.makeTexture({ ...row, format, width, height, isImage });
-    this.textures.set(number, { texture, width, height });
+    const texture = this.renderer.makeTexture({ ...row, format, width, height });
+    this.textures.set(number, texture);
     return texture;
   }
 
@@ -153,13 +135,13 @@ export class Resources<Texture, Buffer> {
   private fits(texture: number): boolean {
     const made = this.textures.get(texture);
     if (!made) return false;
-    const [width, height] = this.sizeOf(texture);
-    return made.width === width && made.height === height;
+    const sides = this.renderer.sizeOf(made);
+    return this.sizeOf(texture).every((side, axis) => side === sides[axis]);
   }
 
   private free(texture: number): void {
     const made = this.textures.get(texture);
-    if (made) this.renderer.freeTexture(made.texture);
+    if (made) this.renderer.freeTexture(made);
     this.textures.delete(texture);
   }
 

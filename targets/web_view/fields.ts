@@ -37,7 +37,7 @@ const makers: Record<
   color: (control, label, changed) => colorField(control, label, changed),
   checkbox: (_control, label, changed) => checkbox({ label }, changed),
   checkboxes: (control, label, changed) => checkboxes(control, label, changed),
-  texture: (control) => textureField(control),
+  texture: () => { throw new Error("textures have fields of their own"); },
 };
 
 // --- numbers -------------------------------------------------------------------------------------
@@ -217,7 +217,7 @@ function matrixField(
   return { element, show };
 }
 
-// --- colours, switches, textures -----------------------------------------------------------------
+// --- colours, switches ---------------------------------------------------------------------------
 
 /** A colour; with a strength where it may be brighter than any picker's, and with an alpha where it
  * has one. */
@@ -258,7 +258,9 @@ function checkbox(named: Naming, changed: Changed<boolean>): Field<boolean> {
   return { element, show: (value) => { element.checked = Boolean(value); } };
 }
 
-function checkboxes(control: Control, label: string, changed: Changed<boolean[]>): Field<boolean[]> {
+function checkboxes(
+  control: Control, label: string, changed: Changed<boolean[]>,
+): Field<boolean[]> {
   let values: boolean[] = [];
   const fields = LANES.slice(0, control.lanes).map((word, lane) =>
     checkbox({ label, word }, (value) => {
@@ -270,17 +272,6 @@ function checkboxes(control: Control, label: string, changed: Changed<boolean[]>
   const show = (given: boolean[]) => {
     values = given ?? fields.map(() => false);
     fields.forEach((field, lane) => field.show(values[lane]!));
-  };
-  return { element, show };
-}
-
-/** Textures are set on the command line. */
-function textureField(control: Control): Field<Value> {
-  const element = make("p", { class: "texture" });
-  const show = () => {
-    const set = make("code", {}, `--set ${control.name}=FILE`);
-    const now = control.is_given ? "A picture" : `All ${String(control.value)}`;
-    element.replaceChildren(`${now}; another by `, set);
   };
   return { element, show };
 }

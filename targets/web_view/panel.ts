@@ -4,6 +4,7 @@ import type { Value } from "../web_host/host.js";
 import type { Control } from "./documents.js";
 import { make } from "./elements.js";
 import { fieldOf, type Field } from "./fields.js";
+import { isTexture, textureField, type Pictures, type TextureControl } from "./pictures.js";
 
 /** A value that somebody has set, and the type that it had then. */
 interface Kept {
@@ -23,21 +24,24 @@ export class Panel {
   private kept: Record<string, Kept> = {};
   private built = "";
   private subject = "";
+  /** How large the file of a picture may be. */
+  private mostBytes = 0;
   /** The numbers that run with the time, each with what it is exactly. */
   private timed = new Map<string, number>();
 
-  /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
+  /** `changed` is told of every value that is set. */
   constructor(
     private readonly root: HTMLElement,
-    private readonly file: string,
     private readonly changed: (name: string, value: Value) => void,
     private readonly animated: () => void,
+    private readonly pictures: Pictures,
   ) {}
 
-  /** Show the controls of a subject; values that were set stay, where the control still takes
-   * them. Returns these values. */
-  show(subject: string, controls: Control[]): Map<string, Value> {
-    if (subject !== this.subject) this.kept = load(`${this.file}/${subject}`);
+  /** Show the controls of a subject, by its name among all that there is; values that were set
+   * stay, where the control still takes them. Returns these values. */
+  show(subject: string, controls: Control[], mostBytes: number): Map<string, Value> {
+    this.mostBytes = mostBytes;
+    if (subject !== this.subject) this.kept = load(subject);
     this.subject = subject;
     const known = JSON.stringify(controls);
     if (known !== this.built) this.build(controls);
@@ -72,15 +76,42 @@ export class Panel {
   }
 
   resetAll(): void {
-    for (const row of this.rows.values()) if (this.kept[row.control.name]) this.reset(row);
+    for (const row of this.rows.values()) {
+      if (this.kept[row.control.name] || row.control.picture) this.reset(row);
+    }
+  }
+
+  /** The names of all textures. */
+  get textures(): string[] {
+    return [...this.rows.values()].filter(({ control }) => isTexture(control))
+      .map(({ control }) => control.name);
+  }
+
+  /** Give a texture the picture of a file; its row says what is wrong with that. */
+  async give(name: string, file: File): Promise<void> {
+    const row = this.rows.get(name);
+    if (!row || !isTexture(row.control)) return;
+    row.element.querySelector(".wrong")?.remove();
+    row.element.setAttribute("aria-busy", "true");
+    try {
+      await this.pictures.give(row.control, file, this.mostBytes);
+    } catch (error) {
+      const said = (error as Error).message;
+      row.element.append(make("p", { class: "wrong", role: "alert" }, said));
+    } finally {
+      row.element.removeAttribute("aria-busy");
+    }
   }
 
   /** What was set, as options of the command line. */
   get options(): string {
-    return Object.entries(this.kept)
+    const values = Object.entries(this.kept)
       .filter(([name]) => this.rows.has(name))
-      .map(([name, { value }]) => `--set '${name}=${written(value)}'`)
-      .join(" ");
+      .map(([name, { value }]) => [name, written(value)]);
+    const pictures = [...this.rows.values()].flatMap(({ control: { name, picture } }) =>
+      picture ? [[name, `${picture.is_srgb ? "srgb:" : ""}${picture.file}`]] : [],
+    );
+    return [...values, ...pictures].map(([name, text]) => `--set '${name}=${text}'`).join(" ");
   }
 
   // --- building ----------------------------------------------------------------------------------
@@ -125,7 +156,9 @@ export class Panel {
       type: "button", class: "reset", title: "Back to the default",
       "aria-label": `${control.name}: back to the default`,
     }, "↺");
-    const field = fieldOf(control, id, (value) => this.set(row, value));
+    const field: Field<Value> = isTexture(control)
+      ? this.textureField(control, id)
+      : fieldOf(control, id, (value) => this.set(row, value));
     const head = make("div", { class: "head" }, label);
     if (control.is_timed) head.append(this.clock(control.name));
     head.append(reset);
@@ -138,6 +171,13 @@ export class Panel {
     reset.addEventListener("click", () => this.reset(row));
     this.rows.set(control.name, row);
     return row;
+  }
+
+  /** It shows what the control says, and is made anew with it. */
+  private textureField(control: TextureControl, label: string): Field<Value> {
+    const give = (file: File) => this.give(control.name, file);
+    const element = textureField(control, label, this.pictures, give);
+    return { element, show: () => {} };
   }
 
   /** A button that lets a number run with the time. */
@@ -166,21 +206,25 @@ export class Panel {
     const { name, type } = row.control;
     this.kept[name] = { type, value };
     row.reset.hidden = false;
-    save(`${this.file}/${this.subject}`, this.kept);
+    save(this.subject, this.kept);
     this.changed(name, value);
     this.hideUncounted();
   }
 
   private reset(row: Row): void {
+    if (isTexture(row.control)) {
+      this.pictures.drop(row.control.name);
+      return;
+    }
     delete this.kept[row.control.name];
-    save(`${this.file}/${this.subject}`, this.kept);
+    save(this.subject, this.kept);
     this.refresh(row);
     this.changed(row.control.name, row.control.value);
   }
 
   private refresh(row: Row, value?: Value): void {
     row.field.show(value ?? row.control.value);
-    row.reset.hidden = value === undefined;
+    row.reset.hidden = value === undefined && !row.control.picture;
     this.hideUncounted();
   }
 

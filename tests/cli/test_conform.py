@@ -277,6 +277,42 @@ def test_explaining_a_pixel() -> None:
     assert re.search(r"pixel 36,28 of `(stretched|behind|inside)`", result.stdout)
 
 
+FRAME = """
+import std.frames.{FullScreen}
+pass Rough : FullScreen { target value : rgba32f = vec4(sin(uv.x)) }
+pass Scaled : FullScreen {
+    map source : texture2d with { filter = nearest, mip = none }
+    target value : rgba32f = source.load(ivec2(frag_coord.xy)) * 1000
+}
+frame F {
+    rough  = Rough(screen)
+    scaled = Scaled(screen) with { source = rough.value }
+    output value = scaled.value
+}
+"""
+
+
+def test_explaining_a_pixel_of_a_frame() -> None:
+    Path("f.burnish").write_text(FRAME)
+    command = "conform", "f.burnish", "--routes", "llvmpipe:gl330", "--explain"
+    result = invoke(*command, "36,28")
+    assert (result.exit_code, result.stderr) == (0, "")
+    text = result.stdout
+    assert text.startswith(
+        "f.burnish: F\n  pixel 36,28 of `value`, by the rules of llvmpipe:gl330\n"
+    )
+    assert re.search(
+        r"^  the step `scaled` has made it, and its bounds are \S+ apart\n\n"
+        r"  how far apart they would be without the error of:\n"
+        r"    \S+  `source`, which is `rough\.value`\n\n"
+        r"  what `scaled` makes of what it reads:\n  rounding may change r = \S+ by ",
+        text, re.MULTILINE,
+    )  # fmt: skip
+    assert "`source.load(ivec2(frag_coord.xy))` (f.burnish:6)" in text
+    result = invoke(*command, "72,0")
+    assert (result.exit_code, result.stderr) == (1, "error: no output has a pixel 72,0\n")
+
+
 NOT_EXPLAINED = {
     "72,0": (2, "there is no pixel 72,0: pictures have 72 columns and 56 rows, counted"),
     "3": (2, "'3' is no pixel, which would be like 36,28"),

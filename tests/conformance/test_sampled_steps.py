@@ -53,6 +53,14 @@ pass Hiding : LeftOf {{
     clip_position = @vertex (vec4(across, above, away, 1) as point<clip>)
     target value : rgba8 = vec4(shade)
 }}
+pass Sloped : LeftOf {{
+    raster {{ samples = 4 }}
+    depth {{ compare = less, write = true }}
+    param crossing : float = 0                     /// Where the depth is 1/2, in pixels
+    beyond = (across + 1) / 2 - crossing / {SIZE[0]}
+    clip_position = @vertex (vec4(across, above, 0.5 + 0.005 * beyond, 1) as point<clip>)
+    target value : rgba8 = vec4(shade)
+}}
 pass Faded : FullScreen {{
     map source : texture2d with {{ filter = nearest, mip = none }}
     map before : texture2d with {{ filter = nearest, mip = none }}
@@ -156,6 +164,18 @@ def test_the_depths_of_samples_hide_what_another_step_draws(studio: Studio, wher
         output picture = far.value
     """)  # fmt: skip
     assert np.abs(found - columns(1, (1 + 2 * 0.5) / 4)).max() <= STEP
+
+
+@EVERYWHERE
+@pytest.mark.parametrize("quarters", [0, 1, 2, 3, 4])
+def test_the_depth_of_each_sample_is_its_own(studio: Studio, where: str, quarters: int) -> None:
+    """Two triangles go through each other within a pixel, from the left to the right."""
+    found = shown(studio, where, f"""
+        level = Hiding(screen) with {{ shade = 0 }}
+        steep = Sloped(screen, level) with {{ crossing = {CUT + quarters / 4} }}
+        output picture = steep.value
+    """)  # fmt: skip
+    assert np.abs(found - columns(1, quarters / 4)).max() <= STEP
 
 
 @EVERYWHERE

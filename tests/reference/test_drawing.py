@@ -12,7 +12,13 @@ from burnish.compiler.ir.render_state import RenderState
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.bounds.errors import Errors
-from burnish.compiler.reference.picture import Geometry, RasterRules, draw, instanced
+from burnish.compiler.reference.picture import (
+    Geometry,
+    RasterRules,
+    draw,
+    instanced,
+    stage_evaluation,
+)
 from burnish.frozen import changed
 from burnish.stdlib.builtins.accuracy import INTERPOLATED_BITS
 
@@ -604,3 +610,24 @@ def test_nothing_is_defined_where_an_unguarded_operation_leaves_its_domain(
     assert found.undecided.all(axis=0).tolist() == [x in undecided for x in range(4)]
     assert (found.undecided.all(axis=0) == found.undecided.any(axis=0)).all()
     assert not picture(given, mesh, at(4)).undecided.any()
+
+
+@pytest.mark.parametrize("errors", [None, few_ulps])
+def test_vertices_are_the_same_however_many_are_evaluated_at_once(
+    monkeypatch: pytest.MonkeyPatch, errors: Errors | None
+) -> None:
+    given = passing("attribute s : float\nvalue = vec4(s * s, float(vertex_index), 0, 1)")
+    corners = [
+        (left + x, below + y, 0.5, 1)
+        for left in (-1, 0)
+        for below in (-1, 0)
+        for x, y in ((0, 0), (1, 0), (0, 1))
+    ]
+    mesh = triangles(corners, s=np.linspace(-0.3, 0.7, 12))
+    whole = picture(given, mesh, at(8), errors=errors)
+    monkeypatch.setattr(stage_evaluation, "_VERTICES", 5)
+    parts = picture(given, mesh, at(8), errors=errors)
+    assert whole.covered.any()
+    assert np.array_equal(whole.targets[0], parts.targets[0])
+    assert np.array_equal(whole.low[0], parts.low[0])
+    assert np.array_equal(whole.high[0], parts.high[0])

@@ -81,7 +81,7 @@ FLOORS: dict[str, str] = {
         "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection closing "
         "toolchain"
     ),
-    "targets.web_host": "runner toolchain",
+    "targets.web_host": "ir runner toolchain",
     "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",
     "targets.web_view": "runner",
     # The door.

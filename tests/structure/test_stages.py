@@ -23,6 +23,7 @@ OUTSIDE = {
     "targets/runner/drivers/pipeline.py": "the vertex inputs' steps, which WebGPU calls so",
     "targets/runner/drivers/opengl/program.py": "a call that takes both stages",
     "targets/runner/drivers/opengl/vertices.py": "the library's words for steps",
+    "targets/runner/drivers/webgpu.py": "WebGPU's words for steps",
     "targets/runner/drivers/wgpu/pipeline.py": "the library's words for both stages",
     "targets/runner/drivers/vulkan/graphics_pipeline.py": "Vulkan's bits for stages and steps",
     "targets/toolchain/checkers.py": "DXC's profiles, and how Metal's entry points look",

@@ -46,12 +46,14 @@ class Viewer:
     said: Path
     """What it writes to standard error."""
 
-    def ask(self, path: str, method: str = "GET", **headers: str) -> Answer:
+    def ask(
+        self, path: str, method: str = "GET", body: bytes | None = None, **headers: str
+    ) -> Answer:
         """Send a request; names of headers have ``_`` for ``-``."""
         connection = http.client.HTTPConnection(urlsplit(self.address).netloc, timeout=LIMIT)
         given = {name.replace("_", "-"): value for name, value in headers.items()}
         try:
-            connection.request(method, path, headers=given)
+            connection.request(method, path, body, headers=given)
             found = connection.getresponse()
             return Answer(found.status, dict(found.getheaders()), found.read())
         finally:

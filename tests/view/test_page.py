@@ -200,7 +200,7 @@ def test_a_kernel_over_images(page: Page, viewer: Viewer) -> None:
     shows(page, (255, 255, 255), 0.75, 0.5)
     assert page.locator("#problem").is_hidden()
     said = page.locator("[data-name=source] .texture").inner_text()
-    assert said == "A picture; another by --set source=FILE"
+    assert said.startswith("A picture")
 
 
 def test_numbers_run_with_the_time(page: Page, viewer: Viewer) -> None:

@@ -54,7 +54,9 @@ def parameter(name: str, representation: str, lanes: int, **further: Any) -> dic
     }  # fmt: skip
 
 
-def shader(texts: dict[str, str], backend: dict[str, Any], **further: Any) -> dict[str, Any]:
+def shader(
+    texts: dict[str, str], backend: dict[str, Any], slots: list[dict[str, Any]], **further: Any
+) -> dict[str, Any]:
     none: dict[str, Any] = {
         kind: {}
         for kind in ("blocks", "buffers", "images", "textures", "samplers", "vertex_inputs")
@@ -68,7 +70,8 @@ def shader(texts: dict[str, str], backend: dict[str, Any], **further: Any) -> di
             "topology": "triangle", "tessellation": None, "layers": None,
         },
         "render_state": {
-            "cull": "none", "front": "counter_clockwise", "fill": "faces", "stencil": None,
+            "samples": 1, "cull": "none", "front": "counter_clockwise", "fill": "faces",
+            "stencil": None,
             "depth": {"compare": "less", "write": True, "bias": None},
         },
         "backends": {PROFILE: {"front_face": "ccw", **none, **backend}}, **further,
@@ -77,7 +80,25 @@ def shader(texts: dict[str, str], backend: dict[str, Any], **further: Any) -> di
     empty: dict[str, Any] = {
         kind: {} for kind in ("values", "roles", "textures", "texture_roles", "buffers")
     }
-    return {"reflection": reflection, "texts": {PROFILE: given}, "levels": None, **empty}
+    pipeline = {
+        "groups": [slots], "buffers": [], "targets": [{"writeMask": 15} for _ in TARGET],
+        "primitive": {"topology": "triangle-list"},
+        "depthStencil": {"depthWriteEnabled": True, "depthCompare": "less"},
+    }  # fmt: skip
+    return {
+        "reflection": reflection, "texts": {PROFILE: given}, "levels": None, "webgpu": pipeline,
+        **empty,
+    }  # fmt: skip
+
+
+def slot(binding: int, kind: str, name: str, stage: int, **layout: Any) -> dict[str, Any]:
+    """What is bound at a place, for the stages with these bits."""
+    place = {"binding": binding, "visibility": stage, **layout}
+    return {"kind": kind, "name": name, "number": 0, "layout": place}
+
+
+FRAGMENT, COMPUTE = 2, 4
+LOADED = {"texture": {"viewDimension": "2d", "sampleType": "unfilterable-float"}}
 
 
 def texture_row(name: str) -> dict[str, Any]:
@@ -102,7 +123,7 @@ def package() -> dict[str, Any]:
     def drawn(name: str, shader: int, texture: int, inputs: list[dict[str, Any]]) -> dict[str, Any]:
         target = {
             "name": "color", "texture": texture, "layer": 0, "level": 0, "load": "clear",
-            "clear": None, "store": True,
+            "clear": None, "store": True, "resolve": None,
         }  # fmt: skip
         use = {"material": None, "shader": shader, "inputs": inputs}
         draw = {"models": None, "vertices": 1, "light": None, "uses": [use]}
@@ -114,8 +135,8 @@ def package() -> dict[str, Any]:
 
     def texture() -> dict[str, Any]:
         return {
-            "format": "rgba32f", "dimension": "2d", "layers": 1, "levels": 1, "uses": [],
-            "size": {"value": 0, "extent_of": None, "level": 0},
+            "format": "rgba32f", "dimension": "2d", "layers": 1, "levels": 1, "samples": 1,
+            "uses": [], "size": {"value": 0, "extent_of": None, "level": 0},
         }  # fmt: skip
 
     glow = parameter("glow", "float", 1, block="Given", offset=0, range=[0, 10])
@@ -151,16 +172,23 @@ def package() -> dict[str, Any]:
     }  # fmt: skip
     filled = shader(
         {"vertex": _CORNERS, "fragment": _FILLED}, {"blocks": {"Given": place(0)}},
+        [slot(0, "block", "Given", FRAGMENT, buffer={})],
         blocks=[{"name": "Given", "size": 16}], parameters=[glow], targets=TARGET,
     )  # fmt: skip
     doubled = shader(
-        {"compute": _DOUBLED}, {"buffers": {"numbers": place(0)}}, draw=None,
+        {"compute": _DOUBLED}, {"buffers": {"numbers": place(0)}},
+        [slot(0, "buffer", "numbers", COMPUTE, buffer={"type": "storage"})], draw=None,
         work_group=[2, 1, 1], extent=constant(3),
         results=[{**NUMBERS, "count": constant(3), "initial": None}],
     )  # fmt: skip
     added = shader(
         {"vertex": _CORNERS, "fragment": _ADDED},
         {"textures": {"filled": place(0), "before": place(1)}, "buffers": {"numbers": place(2)}},
+        [
+            slot(0, "texture", "filled", FRAGMENT, **LOADED),
+            slot(1, "texture", "before", FRAGMENT, **LOADED),
+            slot(2, "buffer", "numbers", FRAGMENT, buffer={"type": "read-only-storage"}),
+        ],
         parameters=[counted], buffers=[{**NUMBERS, "count": "count", "stages": ["fragment"]}],
         textures=[texture_row("filled"), texture_row("before")], targets=TARGET,
     )  # fmt: skip

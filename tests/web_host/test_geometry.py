@@ -56,7 +56,7 @@ def hosted(name: str) -> tuple[FrameHost, dict[str, Any]]:
 def seen(reflection: Mapping[str, Any], geometry: Any) -> dict[str, Any]:
     """What the host has of a packaged geometry, or of so many vertices that have nothing but their
     numbers."""
-    further = [("geometry.js", name) for name in ("bareMesh", "interleaved")]
+    further = [("geometry.js", "bareMesh"), ("webgl2/vertices.js", "interleaved")]
     given = {"reflection": reflection, "geometry": geometry}
     (found,) = in_node("geometry.js", "meshOf", _MESH, [given], *further)
     return dict(found)

@@ -4,7 +4,7 @@ The reference's pictures evaluate graphs with it, as with numbers: a lane is a `
 array library is a ``Bounds``. It needs NumPy, so nothing that compiles imports it.
 """
 
-from .bounded import Bounded, as_bounded, exact
+from .bounded import Bounded, as_bounded, exact, joined
 from .functions import Bounds, Errors
 from .lanes import between, given, hull, remembered
 
@@ -17,5 +17,6 @@ __all__ = [
     "exact",
     "given",
     "hull",
+    "joined",
     "remembered",
 ]

@@ -8,7 +8,7 @@ may round them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import count
 from typing import Any
 
@@ -235,6 +235,15 @@ def exact(value: Any) -> Bounded:
     """A lane that every device has exactly, such as an integer."""
     array = np.asarray(value)[()]
     return Bounded(array, array, array)
+
+
+def joined(parts: Sequence[Bounded]) -> Bounded:
+    """The elements of several lanes of one axis, one behind the other."""
+    value = np.concatenate([part.value for part in parts])
+    if all(part.is_exact for part in parts):
+        return exact(value)
+    low, high = (np.concatenate([getattr(part, end) for part in parts]) for end in ("low", "high"))
+    return Bounded(value, low, high)
 
 
 def constant(value: float) -> Bounded:

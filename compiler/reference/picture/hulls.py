@@ -46,12 +46,12 @@ class Hulls:
         several = fragments.only(here)
         depth, off = depths(several)
         now = np.stack([canvas.depth - canvas.depth_off, canvas.depth + canvas.depth_off])
-        self.depth = _joined(self.depth, now, undecided)
+        _join(self.depth, now, undecided)
         _include(self.depth, several.sample, np.stack([depth - off, depth + off]))
         shades = shaded(several).only(np.arange(len(several.sample)))
         for number, target in enumerate(canvas.targets):
             if canvas.is_opaque:
-                self.targets[number] = _joined(self.targets[number], target[1:], undecided)
+                _join(self.targets[number], target[1:], undecided)
                 colours = canvas.stored(number, shades.colours[number])[1:]
                 _include(self.targets[number], several.sample, _known(colours))
             else:
@@ -77,15 +77,12 @@ class Hulls:
             hull[1, at] = np.where(sure, mixed[1], np.maximum(mixed[1], behind[1]))
 
 
-def _joined(before: Floats, now: Floats, undecided: Bools) -> Floats:
-    """Of undecided samples both, of all others what they are now."""
-    low = np.where(_like(undecided, now[0]), np.minimum(before[0], now[0]), now[0])
-    high = np.where(_like(undecided, now[1]), np.maximum(before[1], now[1]), now[1])
-    return np.stack([low, high])
-
-
-def _like(mask: Bools, values: Floats) -> Bools:
-    return mask if values.ndim == 1 else mask[:, None]
+def _join(hull: Floats, now: Floats, undecided: Bools) -> None:
+    """Make of a hull, in place: of undecided samples both, of all others what they are now."""
+    here = undecided if now.ndim == 2 else undecided[:, None]
+    for least, before, new in zip((np.minimum, np.maximum), hull, now, strict=True):
+        least(before, new, out=before, where=here)
+        np.copyto(before, new, where=~here)
 
 
 def _include(hull: Floats, sample: Ints, ends: Floats) -> None:

@@ -16,7 +16,7 @@ from ..bounds import Bounded
 from ..namespace import Lanes
 from .coverage import Fragments
 from .faces import Faces
-from .samples import CENTRE, Location, location_of, pixels_of
+from .samples import CENTRE, Location, location_of_depth, pixels_of
 from .scene import Bools, Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
@@ -320,7 +320,7 @@ def _single(faces: Faces, fragments: Fragments, rules: RasterRules) -> Bounded:
     found = []
     for begin in range(0, max(len(fragments.sample), 1), _AT_ONCE):
         part = fragments.only(slice(begin, begin + _AT_ONCE))
-        pixel, at = pixels_of(part.sample, rules), location_of(part.sample, rules)
+        pixel, at = pixels_of(part.sample, rules), location_of_depth(part.sample, rules)
         quads = Quads(part.face, pixel % rules.width, pixel // rules.width, 1, at)
         depth = Barycentric(faces, quads, rules).depth
         found.append((depth.value, depth.low, depth.high))

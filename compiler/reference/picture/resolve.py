@@ -48,18 +48,13 @@ def expected_on(
 def samples_on(canvas: Canvas, target: int, hulls: Hulls | None = None) -> Ends:
     """The samples of one of the targets, (3, samples, 4). Those that are undecided may be all that
     their hulls contain."""
-    value, low, high = canvas.targets[target]
-    low, high = _known(low, -np.inf), _known(high, np.inf)
+    found: Ends = canvas.targets[target].copy()
+    low, high = found[1:]
+    low[np.isnan(low)], high[np.isnan(high)] = -np.inf, np.inf
     if hulls is not None:
-        hull, undecided = hulls.targets[target], (canvas.undecided | canvas.shaky)[:, None]
-        low, high = np.where(undecided, hull[0], low), np.where(undecided, hull[1], high)
-    return np.stack([value, low, high])
-
-
-def _known(ends: Floats, otherwise: float) -> Floats:
-    """The ends of intervals, or infinity where nothing is known."""
-    known: Floats = np.where(np.isnan(ends), otherwise, ends)
-    return known
+        undecided = (canvas.undecided | canvas.shaky)[:, None]
+        np.copyto(found[1:], hulls.targets[target], where=undecided)
+    return found
 
 
 def _mean(samples: Ends, format_: str, *, rounds: bool) -> Ends:

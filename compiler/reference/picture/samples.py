@@ -52,10 +52,10 @@ def pixels_of(sample: Ints, rules: RasterRules) -> Ints:
     return sample if rules.samples == 1 else sample // rules.samples
 
 
-def location_of(sample: Ints, rules: RasterRules) -> Location:
-    """Where in their pixels samples lie."""
+def location_of_depth(sample: Ints, rules: RasterRules) -> Location:
+    """Where in their pixels the depths of samples are computed."""
     if rules.samples == 1:
         return CENTRE
     number, every = sample % rules.samples, locations(rules)
     x, y = (np.array([getattr(at, axis) for at in every])[number] for axis in "xy")
-    return Location(x, y)
+    return Location(1.0 - x if rules.mirrors_sample_depths else x, y)

@@ -94,6 +94,8 @@ class Texels:
     high: tuple[Floats, ...] = ()
     """Of a texture that was drawn: for each level, between which numbers those are that a device
     has stored. Of an undecided pixel, these contain all that it may have drawn there."""
+    has_undefined: bool = False
+    """Whether some were drawn of which nothing is defined; they are NaN."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +157,9 @@ class RasterRules:
     """To which part of the picture is drawn, likewise."""
     samples: int = 1
     """How many samples each pixel has."""
+    mirrors_sample_depths: bool = False
+    """Whether the device computes the depth of each sample where another one would be if left and
+    right were exchanged: a known mistake."""
 
     @property
     def common(self) -> Counted:

@@ -6,9 +6,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any, Protocol
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -19,13 +19,14 @@ from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
-from ..bounds import Bounded, Bounds, Errors, exact, given, hull, remembered
+from ..bounds import Bounded, Bounds, Errors, exact, given, hull, joined, remembered
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
+from ..texture_reads import Reader
 from .quads import Barycentric
-from .sampler import TextureReader
-from .scene import Bools, Floats, Geometry, RasterRules, Texels
+from .sampler import PlainReader, TextureReader
+from .scene import Bools, Floats, Geometry, Ints, RasterRules, Texels
 from .texels import Image
 from .watch import Found, Watch
 
@@ -37,9 +38,9 @@ _ROWS, _COLUMNS = -2, -1
 DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
 
-
-class _Reader(Protocol):
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes: ...
+_VERTICES = 1 << 14
+"""How many vertices are evaluated at once, so that a large mesh needs no more memory than others.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,15 +97,26 @@ class StageEvaluator:
         self.side = 2 if _compares(nodes, rules) else 1
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
-        self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
-        self.found = Found.of((*self._targets, self._position))
+        texels = {resource: _texels(textures, resource) for resource in read}
+        self._images = {r: Image(each, r, rules) for r, each in texels.items()}
+        self.found = Found.of((*self._targets, self._position), texels.values(), rules)
         """Where nothing is defined, as far as it is known."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
-        count = geometry.vertex_count
-        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = geometry.inputs()
+        parts = []
+        for begin in range(0, max(geometry.vertex_count, 1), _VERTICES):
+            some = slice(begin, begin + _VERTICES)
+            attributes = {name: rows[some] for name, rows in geometry.attributes.items()}
+            numbers = {name: numbers[some] for name, numbers in inputs.items()}
+            parts.append(self._some_vertices(replace(geometry, attributes=attributes), numbers))
+        return parts[0] if len(parts) == 1 else _joined(parts)
+
+    def _some_vertices(self, geometry: Geometry, inputs: Mapping[str, Ints]) -> Vertices:
+        """Evaluate it for vertices with these attributes and inputs of the pipeline."""
+        count = len(inputs["vertex_index"])
+        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
@@ -152,14 +164,14 @@ class StageEvaluator:
         discards = (self._discard,) if self._discard else ()
         found = evaluator.values((*discards, *self._targets))
         discarded: Any = found.pop(0)[0] if discards else False
-        targets = tuple(found)
-        watch.end((*(lane for target in targets for lane in target), discarded))
+        watch.end((*(lane for target in found for lane in target), discarded))
+        targets = tuple(map(watch.as_defined, found))
         return Shaded(targets, discarded, watch.undecided)
 
     # --- leaves -----------------------------------------------------------------------------------
 
-    def _reader(self, reader: _Reader) -> _Reader:
-        return reader if self.has_bounds else _Plain(reader)
+    def _reader(self, reader: Reader) -> Reader:
+        return reader if self.has_bounds else PlainReader(reader)
 
     def _given(self, lanes: Lanes) -> Lanes:
         """Floats from outside, which are exact unless they have bounds already."""
@@ -172,9 +184,7 @@ class _Watch(Watch):
     """Observes derivatives, too, and other operations that compare neighbours."""
 
     def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
-        self._rules = stages.rules
-        is_nan = self._rules.unguarded_is_nan
-        super().__init__(stages.found, shape, unguarded_is_nan=is_nan, rounds=stages.has_bounds)
+        super().__init__(stages.found, shape, stages.rules, rounds=stages.has_bounds)
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         value = super().__call__(node, operands, value)
@@ -184,17 +194,6 @@ class _Watch(Watch):
         if builtin in DERIVATIVE_AXES:
             return tuple(difference_taken(lane, builtin, self._rules) for lane in value)
         return value
-
-
-class _Plain:
-    """A reader of a texture for an evaluation without bounds."""
-
-    def __init__(self, reader: _Reader) -> None:
-        self._reader = reader
-
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        lanes = self._reader.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
-        return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
 
 
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:
@@ -219,6 +218,23 @@ def difference_taken(lane: Lane, builtin: str, rules: RasterRules) -> Lane:
     if rules.derivatives == "any" and isinstance(lane, Bounded):
         return hull(lane, lane.take([1, 0], axis))
     return lane
+
+
+def _joined(parts: Sequence[Vertices]) -> Vertices:
+    """Several parts of the vertices as one."""
+    crossings = {
+        id_: tuple(
+            joined(lanes) if isinstance(lanes[0], Bounded) else np.concatenate(lanes)
+            for lanes in zip(*(part.crossings[id_] for part in parts), strict=True)
+        )
+        for id_ in parts[0].crossings
+    }
+    return Vertices(
+        np.concatenate([part.positions for part in parts]),
+        np.concatenate([part.off for part in parts]),
+        crossings,
+        np.concatenate([part.undecided for part in parts]),
+    )
 
 
 def _whole(lane: Any, shape: tuple[int, ...]) -> Bounded:

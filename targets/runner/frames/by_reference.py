@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,9 @@ from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
     Canvas,
     Counted,
+    Geometry,
     Hulls,
+    Places,
     RasterRules,
     Texels,
     draw_onto,
@@ -36,6 +39,15 @@ Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
 
 
+class Inputs(NamedTuple):
+    """Of what the reference draws."""
+
+    shader: Shader
+    values: Mapping[str, Any]
+    texels: Mapping[str, Texels]
+    geometry: Geometry
+
+
 @dataclass(slots=True)
 class ReferenceFrames:
     """Draws one frame after the other."""
@@ -50,6 +62,7 @@ class ReferenceFrames:
     frames: int = 0
     """How many have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
+    places: Places = field(default_factory=Places)
     buffers: dict[str, Contents] = field(default_factory=dict)
     """By the name of the result."""
     counted: Counted = frozenset()
@@ -129,17 +142,12 @@ class ReferenceFrames:
 
     def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
         shader = drawable(self._shader(step["draws"][0]["uses"][0]["shader"]))
-        width, height = self.host.drawn_size(step)
-        state, depth = self.host.state_of(step), step["depth"]
-        rules = replace(
-            self.rules, width=width, height=height, viewport=state.viewport,
-            scissor=state.scissor, samples=shader.render_state.samples,
-        )  # fmt: skip
+        rules, depth = self._rules_of(step, shader), step["depth"]
         canvas = Canvas(
             rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
             depth=1.0 if depth is None else self.host.clear_of(depth)[0],
-            blend_constant=state.blend_constant,
+            blend_constant=self.host.state_of(step).blend_constant, places=self.places,
         )  # fmt: skip
         hulls = Hulls(canvas)
         load(canvas, hulls, step, layer, self.textures)
@@ -147,6 +155,15 @@ class ReferenceFrames:
             self._onto(canvas, hulls, draw, rules, layer)
         store(canvas, hulls, step, layer, rules, self.textures)
         self.counted |= canvas.counted
+
+    def _rules_of(self, step: Row, shader: Shader) -> RasterRules:
+        """The rules for the pictures of one step."""
+        width, height = self.host.drawn_size(step)
+        state = self.host.state_of(step)
+        return replace(
+            self.rules, width=width, height=height, viewport=state.viewport,
+            scissor=state.scissor, samples=shader.render_state.samples,
+        )  # fmt: skip
 
     def _shader(self, number: int) -> Shader:
         if self.shader_of is not None:
@@ -157,13 +174,20 @@ class ReferenceFrames:
         self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
     ) -> None:
         """Draw on a canvas; where a shader draws each layer by itself, this one."""
+        drawn = self._drawn_of(draw, layer)
+        draw_onto(
+            canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
+            hulls=None if self.errors is None else hulls,
+        )  # fmt: skip
+
+    def _drawn_of(self, draw: FrameDraw, layer: int) -> Inputs:
+        """Of what a draw is drawn; where a shader draws each layer by itself, this one."""
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         shader = drawable(self._shader(draw.shader))
         written = self._give_buffers(state.instance, draw)
-        draw_onto(
-            canvas, shader, values_for(shader, state.instance, written), self._texels(draw),
-            geometry_for(shader, state.geometry()), rules, self.errors,
-            hulls=None if self.errors is None else hulls,
+        return Inputs(
+            shader, values_for(shader, state.instance, written), self._texels(draw),
+            geometry_for(shader, state.geometry()),
         )  # fmt: skip
 
     def _texels(self, draw: FrameDraw) -> Mapping[str, Texels]:

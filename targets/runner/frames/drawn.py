@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
 
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ....compiler.ir.image_sizes import halved
 from ....compiler.reference.picture import (
+    NOWHERE,
     Canvas,
     Hulls,
     RasterRules,
@@ -49,6 +50,9 @@ class Drawn:
     """Of each level (layers, height, width): the values beside depths; empty if there are none."""
     stencil_unsure: list[Bools]
     """Likewise: where a device may have another one."""
+    faces: list[NDArray[np.int64]]
+    """Of each level of depths (layers, height, width): of which face each is, by the number of its
+    place; empty if there are none."""
 
     @classmethod
     def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
@@ -63,7 +67,9 @@ class Drawn:
         beside = undecided if row["format"].endswith(STENCILS) else []
         stencil = [np.zeros(level.shape, np.int64) for level in beside]
         unsure = [level.copy() for level in beside]
-        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure)
+        deep = undecided if row["format"].startswith(DEPTHS) else []
+        faces = [np.full(level.shape, NOWHERE) for level in deep]
+        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure, faces)
 
     @property
     def lanes(self) -> int:
@@ -77,7 +83,11 @@ class Drawn:
             tuple(level[end, 0] if flat else level[end] for level in self.levels)
             for end in range(_ENDS)
         )
-        return Texels(value, self.format.endswith("srgb"), low, high)
+        has_undefined = any(
+            bool((np.isnan(level[0]).any(axis=-1) & undecided).any())
+            for level, undecided in zip(self.levels, self.undecided, strict=True)
+        )
+        return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)
 
     def copy(self) -> Drawn:
         """The same contents in a texture of its own."""
@@ -110,6 +120,8 @@ def load(canvas: Canvas, hulls: Hulls, step: Row, layer: int, textures: Textures
         value, low, high = there = _samples(depth, layer, textures)[..., 0]
         canvas.depth[:] = value
         canvas.depth_off[:] = np.maximum(high - value, value - low)
+        texture, at, level = _place(depth, layer)
+        canvas.place[:] = textures[texture].faces[level][at].ravel()
         hulls.depth[:] = there[1:]
         _load_stencil(canvas, depth, layer, textures)
     for target in attachments(step):
@@ -149,7 +161,7 @@ def store(
             _keep(_place(target, layer), samples, undecided, textures)
             mean = target["resolve"]
         if mean is not None:
-            ends = np.stack([picture.targets[number], picture.low[number], picture.high[number]])
+            ends = picture.targets[number], picture.low[number], picture.high[number]
             _keep(_place(mean, layer), ends, picture.undecided, textures)
     if step["depth"] is not None:
         value, off = canvas.depth, canvas.depth_off
@@ -157,21 +169,23 @@ def store(
             np.where(undecided, *ends)
             for ends in zip(hulls.depth, (value - off, value + off), strict=True)
         )
-        depths = np.stack([value, low, high])[..., None]
-        _keep(_place(step["depth"], layer), depths, undecided, textures)
+        texture, at, level = place = _place(step["depth"], layer)
+        _keep(place, (value, low, high), undecided, textures)
+        faces = textures[texture].faces[level]
+        faces[at] = canvas.place.reshape(faces[at].shape)
         _keep_stencil(step["depth"], layer, canvas, textures)
 
 
-def _keep(place: tuple[int, int, int], ends: Floats, undecided: Bools, textures: Textures) -> None:
-    """Keep values between their ends, of samples in the order of the texture's rows."""
+def _keep(
+    place: tuple[int, int, int], ends: Iterable[Floats], undecided: Bools, textures: Textures
+) -> None:
+    """Keep values and their ends, of samples in the order of the texture's rows."""
     texture, at, level = place
     drawn = textures[texture]
-    if drawn.format.startswith(DEPTHS):
-        ends = np.clip(ends, 0.0, 1.0)
-    else:
-        ends = np.stack([formats.clamped(drawn.format, end) for end in ends])
-    kept = drawn.levels[level]
-    kept[:, at] = ends.reshape(kept[:, at].shape)
+    has_depths = drawn.format.startswith(DEPTHS)
+    for kept, end in zip(drawn.levels[level][:, at], ends, strict=True):
+        values = np.clip(end, 0.0, 1.0) if has_depths else formats.clamped(drawn.format, end)
+        kept[:] = values.reshape(kept.shape)
     drawn.undecided[level][at] = undecided.reshape(drawn.undecided[level][at].shape)
 
 

@@ -6,7 +6,7 @@ place.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol, TypeGuard
 
@@ -152,11 +152,18 @@ class FrameHost:
     def set_text(self, name: str, text: str) -> None:
         """Set something of the frame; or else of all shaders that have it, such as a material's
         parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
+        self._set(name, lambda instance: instance.set_text(name, text))
+
+    def set(self, name: str, value: object) -> None:
+        """The same for a value that ``Instance.set`` takes. Raises ``ParameterError``."""
+        self._set(name, lambda instance: instance.set(name, value))
+
+    def _set(self, name: str, act: Callable[[Instance], None]) -> None:
         self.given |= {name}
         is_known = False
         for instance in (self.values, *self.instances):
             try:
-                instance.set_text(name, text)
+                act(instance)
             except UnknownParameterError:
                 continue
             if instance is self.values:

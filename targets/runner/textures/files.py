@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -48,15 +49,34 @@ def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
         if path.exists() and not (path.is_file() or path.is_dir()):
             raise PictureError(f"cannot read {path}: it is a pipe or a device")
         if form := format_of(path):
-            return read_floats(path, form)
+            return read_floats(path, form, str(path))
         return _decoded(path, str(path), sample)
 
 
-def picture_in(data: bytes, name: str, formats: tuple[str, ...]) -> NDArray[Any]:
+def picture_in(
+    data: bytes, name: str, formats: tuple[str, ...], sample: Kind = "float"
+) -> NDArray[Any]:
     """The array of the picture that some bytes are, in one of these formats of Pillow; errors call
     it ``name``. Raises ``PictureError``."""
     with _told(name):
-        return _decoded(BytesIO(data), name, "float", formats)
+        return _decoded(BytesIO(data), name, sample, formats)
+
+
+def picture_given(
+    data: bytes, name: str, formats: tuple[str, ...], dimension: Dimension, sample: Kind
+) -> NDArray[Any]:
+    """The array of a texture from the bytes of one picture, in one of these formats or, if its name
+    says so, of floats: a layer or a slice, or a cube from a panorama. Raises ``PictureError``."""
+    if form := format_of(Path(name)):
+        with _told(name), TemporaryDirectory(prefix="burnish-") as folder:
+            path = Path(folder) / f"picture{Path(name).suffix.lower()}"
+            path.write_bytes(data)
+            array: NDArray[Any] = read_floats(path, form, name)
+    else:
+        array = picture_in(data, name, formats, sample)
+    if dimension == "cube":
+        return cube_of(array, name)
+    return array if dimension == "2d" else array[np.newaxis]
 
 
 def _decoded(

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
-from pathlib import Path
+from pathlib import Path, PurePath
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
@@ -48,7 +48,7 @@ FORMATS = {
 """By the ending of a file's name, in small letters."""
 
 
-def format_of(path: Path) -> Format | None:
+def format_of(path: PurePath) -> Format | None:
     """The format that the ending of a name says, if it is one of these."""
     return FORMATS.get(path.suffix.lower())
 
@@ -59,45 +59,46 @@ def check_installed() -> None:
     import_module("OpenImageIO")
 
 
-def read_floats(path: Path, form: Format) -> NDArray[np.float32]:
-    """The texels of a file: (height, width), or (height, width, lanes) with 3 or 4 lanes.
+def read_floats(path: Path, form: Format, name: str) -> NDArray[np.float32]:
+    """The texels of a file: (height, width), or (height, width, lanes) with 3 or 4 lanes. Errors
+    call it ``name``.
 
     Raises ``PictureError`` for what is no such file, or is damaged or too large, and ``OSError`` if
     it cannot be read at all.
     """
     with path.open("rb") as file:
         if file.read(len(form.begins)) != form.begins:
-            raise PictureError(f"{path} is no file of the format that its name says")
+            raise PictureError(f"{name} is no file of the format that its name says")
     import OpenImageIO
 
     source = OpenImageIO.ImageInput.open(str(path))
     if source is None:
-        raise _damaged(path, OpenImageIO.geterror())
+        raise _damaged(name, OpenImageIO.geterror())
     try:
         if source.format_name() != form.name:
-            raise _damaged(path, "")
-        return _texels(source, path)
+            raise _damaged(name, "")
+        return _texels(source, name)
     finally:
         source.close()
 
 
-def _texels(source: ImageInput, path: Path) -> NDArray[np.float32]:
+def _texels(source: ImageInput, name: str) -> NDArray[np.float32]:
     spec = source.spec()
-    check_sides(spec.width, spec.height, str(path))
+    check_sides(spec.width, spec.height, name)
     if spec.width * spec.height > MAX_TEXELS:
         size = f"{spec.width} x {spec.height}"
-        raise PictureError(f"{path} has {size} texels, and may have {MAX_TEXELS} of floats")
+        raise PictureError(f"{name} has {size} texels, and may have {MAX_TEXELS} of floats")
     if spec.deep or spec.depth > 1:
-        raise PictureError(f"{path} is no flat picture: it has several values behind a texel")
-    channels = _channels(spec.channelnames, path)
+        raise PictureError(f"{name} is no flat picture: it has several values behind a texel")
+    channels = _channels(spec.channelnames, name)
     texels = source.read_image(0, 0, 0, spec.nchannels, "float")
     if texels is None:
-        raise _damaged(path, source.geterror())
+        raise _damaged(name, source.geterror())
     found: NDArray[np.float32] = texels.reshape(spec.height, spec.width, -1)[..., channels]
     return found[..., 0] if len(channels) == 1 else found
 
 
-def _channels(names: Sequence[str], path: Path) -> list[int]:
+def _channels(names: Sequence[str], picture: str) -> list[int]:
     """The numbers of the channels that make the picture: colours, or the only one."""
     for wanted in (("R", "G", "B", "A"), ("R", "G", "B")):
         if set(wanted) <= set(names):
@@ -105,13 +106,15 @@ def _channels(names: Sequence[str], path: Path) -> list[int]:
     if len(names) == 1:
         return [0]
     listed = ", ".join(names[:8]) + (", …" if len(names) > 8 else "")
-    raise PictureError(f"{path} has the channels {listed}: a picture has R, G and B, or only one")
+    raise PictureError(
+        f"{picture} has the channels {listed}: a picture has R, G and B, or only one"
+    )
 
 
-def _damaged(path: Path, reason: str) -> PictureError:
+def _damaged(name: str, reason: str) -> PictureError:
     """The error for a file of which not all can be read; decoders may say more than one line."""
     first = reason.strip().partition("\n")[0]
-    return PictureError(f"{path} is damaged" + (f": {first}" if first else ""))
+    return PictureError(f"{name} is damaged" + (f": {first}" if first else ""))
 
 
 def encoded_floats(pixels: NDArray[np.float64], lanes: int, path: Path, form: Format) -> bytes:

@@ -267,6 +267,10 @@ export interface Parameter {
    */
   library: string | null;
   /**
+   * What a program that shows scenes has for it, such as `world_to_clip` of the camera; null where it is the material's own affair.
+   */
+  role: string | null;
+  /**
    * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
    */
   group: string;
@@ -645,6 +649,10 @@ export interface PlanTexture {
    */
   levels: number;
   /**
+   * How many samples each texel has. A texture with several has one layer and one level, is drawn to, and is not read.
+   */
+  samples: 1 | 4;
+  /**
    * What steps use it as, and the host or the next frame behind them; of the two textures of a row of `kept`, what either is used as.
    */
   uses: ("target" | "depth" | "image" | "sampled" | "copied_from" | "copied_to")[];
@@ -687,7 +695,7 @@ export interface PlanResult {
    */
   kind: "texture" | "buffer";
   /**
-   * The number of the texture that holds it; null of a buffer, which is the result's own.
+   * The number of the texture that holds it; null of a buffer, which is the result's own, and of samples that are not resolved.
    */
   texture: number | null;
   /**
@@ -831,6 +839,23 @@ export interface PlanTarget {
    * Whether anybody needs what is drawn.
    */
   store: boolean;
+  /**
+   * Where the mean of each texel's samples is written behind the step, of a texture with several; null if nobody reads it.
+   */
+  resolve: null | {
+    /**
+     * A texture with one sample, in which others find the result.
+     */
+    texture: number;
+    /**
+     * Its layer.
+     */
+    layer: number;
+    /**
+     * Its mip level.
+     */
+    level: number;
+  };
   /**
    * The result that is there before and is drawn over.
    */
@@ -1096,6 +1121,10 @@ export interface PackagedShader {
    * Where the host divides patches: the levels of the edges and the inside for which the geometries were made.
    */
   levels: number[] | null;
+  /**
+   * Its pipeline in the words of WebGPU; null without texts for it.
+   */
+  webgpu: null | WebGpuPipeline;
 }
 /**
  * Everything a host has to know about one material under one pass and one rig.
@@ -2049,6 +2078,56 @@ export interface ShaderText {
    * Its entry point.
    */
   entry: string;
+}
+/**
+ * A pipeline in the words of WebGPU, but for its texts.
+ */
+export interface WebGpuPipeline {
+  /**
+   * What is bound, group by group; a group that is not used is empty.
+   */
+  groups: Slot[][];
+  /**
+   * The vertex buffers.
+   */
+  buffers: GPUVertexBufferLayout[];
+  /**
+   * What each target is drawn with.
+   */
+  targets: GPUColorTargetState[];
+  /**
+   * How primitives are drawn.
+   */
+  primitive: GPUPrimitiveState;
+  /**
+   * The tests of depths and stencil values, but for the format.
+   */
+  depthStencil: Omit<GPUDepthStencilState, "format">;
+}
+/**
+ * What a shader reads or writes at one place of a group.
+ */
+export interface Slot {
+  /**
+   * What it is.
+   */
+  kind: "block" | "buffer" | "storage_texture" | "texture" | "sampler";
+  /**
+   * The reflection's name for it; of a sampler, that of its texture.
+   */
+  name: string;
+  /**
+   * Its number among those of its kind.
+   */
+  number: number;
+  /**
+   * Its place.
+   */
+  layout: GPUBindGroupLayoutEntry;
+  /**
+   * The state of a sampler.
+   */
+  sampler?: GPUSamplerDescriptor;
 }
 /**
  * What looks at the scene. Both are values of the scene, by their roles.

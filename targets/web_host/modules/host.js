@@ -3,8 +3,8 @@ import { checkVersions, PlanFrame } from "./frame.js";
 import { PROFILE as ES_3_00 } from "./webgl2/programs.js";
 import { WebGl2Renderer } from "./webgl2/renderer.js";
 import { Device } from "./webgpu/device.js";
+import { PROFILE as WGSL } from "./webgpu/pipelines.js";
 import { WebGpuRenderer } from "./webgpu/renderer.js";
-import { PROFILE as WGSL } from "./webgpu/slots.js";
 /** The profile whose texts each of them takes, the better one first. */
 export const PROFILES = { webgpu: WGSL, webgl2: ES_3_00 };
 /** Whether this browser has an API, and a device for it. */

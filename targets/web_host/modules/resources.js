@@ -40,7 +40,7 @@ export class Resources {
     /** What an output shows, or undefined if it is no picture, or was not drawn yet. */
     shown(result, texture) {
         const kept = this.from.plan.kept.find((each) => each.result === result);
-        return this.textures.get(kept?.previous ?? texture ?? -1)?.texture;
+        return this.textures.get(kept?.previous ?? texture ?? -1);
     }
     /** The buffer that a kernel has written, or undefined if it is none, or was not run yet. */
     written(result) {
@@ -50,13 +50,6 @@ export class Resources {
     /** How many bytes the elements of a buffer have; there may be none. */
     bytesIn(buffer) {
         return this.lengths.get(buffer) ?? this.renderer.bytesIn(buffer);
-    }
-    /** Whether a kernel stores to a texture, and is not drawn over it. */
-    isStored(number) {
-        const { plan, shaders } = this.from;
-        const stores = (shader) => Object.keys(shaders[shader].reflection.backends[this.renderer.profile].images).length > 0;
-        return plan.steps.some((step) => step.kind === "run" && step.images.some(({ texture }) => texture === number) &&
-            stores(step.shader));
     }
     /** A number, vector or matrix of the plan. */
     number(value) {
@@ -77,14 +70,13 @@ export class Resources {
     /** A texture of the plan, which is made when it is needed first, and anew for another size. */
     texture(number) {
         if (this.fits(number))
-            return this.textures.get(number).texture;
+            return this.textures.get(number);
         this.free(number);
         const row = this.from.plan.textures[number];
         const [width, height] = this.sizeOf(number);
         const format = formatOf(row.format);
-        const isImage = row.uses.includes("image") && this.isStored(number);
-        const texture = this.renderer.makeTexture({ ...row, format, width, height, isImage });
-        this.textures.set(number, { texture, width, height });
+        const texture = this.renderer.makeTexture({ ...row, format, width, height });
+        this.textures.set(number, texture);
         return texture;
     }
     /** Remember a kernel that is run; returns how many texels, or elements, it computes. */
@@ -134,13 +126,13 @@ export class Resources {
         const made = this.textures.get(texture);
         if (!made)
             return false;
-        const [width, height] = this.sizeOf(texture);
-        return made.width === width && made.height === height;
+        const sides = this.renderer.sizeOf(made);
+        return this.sizeOf(texture).every((side, axis) => side === sides[axis]);
     }
     free(texture) {
         const made = this.textures.get(texture);
         if (made)
-            this.renderer.freeTexture(made.texture);
+            this.renderer.freeTexture(made);
         this.textures.delete(texture);
     }
     forget() {

@@ -4,7 +4,7 @@ import { halved, hasStencil, isDepth, toFloats } from "../bytes.js";
 import type {
   FramePackage, PackagedShader, Picture, Reflection, Sampler,
 } from "../generated/documents.js";
-import { interleaved, type Mesh } from "../geometry.js";
+import type { Mesh } from "../geometry.js";
 import type {
   Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
 } from "../renderer.js";
@@ -13,8 +13,9 @@ import { Context, type Gl } from "./context.js";
 import { PROFILE, linked, type Program } from "./programs.js";
 import { setState } from "./state.js";
 import {
-  attach, bindOf, depthPoint, makePicture, makeSampler, makeTexture, type Texture,
+  attach, bindOf, depthPoint, freeTexture, makePicture, makeSampler, makeTexture, type Texture,
 } from "./textures.js";
+import { interleaved } from "./vertices.js";
 
 type Canvas = HTMLCanvasElement | OffscreenCanvas;
 type Call = DrawCall<Texture, Uint8Array<ArrayBuffer>>;
@@ -67,7 +68,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
 
   freeTexture(texture: Texture): void {
     this.textures.delete(texture);
-    this.gl.deleteTexture(texture.gl);
+    freeTexture(this.gl, texture);
   }
 
   private own(texture: Texture): Texture {
@@ -85,7 +86,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
 
   dispose(): void {
     const { gl } = this;
-    this.textures.forEach((each) => gl.deleteTexture(each.gl));
+    this.textures.forEach((each) => freeTexture(gl, each));
     this.programs.forEach((each) => gl.deleteProgram(each.gl));
     this.samplers.forEach((each) => gl.deleteSampler(each));
     const uploaded = [...this.uploaded.values()].flatMap((each) => [...each.values()]);
@@ -129,12 +130,29 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     gl.blendColor(...blendConstant);
     for (const call of calls) this.drawCall(call, depth, height);
     gl.disable(gl.SCISSOR_TEST);
+    targets.forEach((target, at) => this.resolve(target, points[at], width, height));
     const attached = depth ? [...targets, depth] : targets;
     const dropped = points.filter((_, at) => !attached[at].target.store);
     if (dropped.length) gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
     for (const point of points) {
       gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0);
     }
+  }
+
+  /** Write the means of the samples of a target where others read them. */
+  private resolve(
+    { resolve }: Attachment<Texture>, point: number, width: number, height: number,
+  ): void {
+    if (!resolve) return;
+    const { gl } = this;
+    const { DRAW_FRAMEBUFFER: into, COLOR_ATTACHMENT0: only, COLOR_BUFFER_BIT: colors } = gl;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.screen);
+    gl.readBuffer(point);
+    gl.bindFramebuffer(into, this.source);
+    attach(gl, into, only, resolve.texture, resolve.layer, resolve.level);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, colors, gl.NEAREST);
+    gl.framebufferTexture2D(into, only, gl.TEXTURE_2D, null, 0);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.screen);
   }
 
   /** Attach everything that is drawn to; the depths last. */
@@ -315,8 +333,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
   private depths(texture: Texture, layer: number): Float32Array {
     const { gl } = this;
     const { width, height } = texture;
-    const size = { width, height, layers: 1, levels: 1, dimension: "2d", isImage: false } as const;
-    const colors = makeTexture(this.context, { ...size, format: "rgba32float" });
+    const colors = makeTexture(this.context, { ...FLAT, format: "rgba32float", width, height });
     this.flat(texture, layer, (found) => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
       attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, colors, 0, 0);
@@ -332,14 +349,16 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
   private flat(texture: Texture, layer: number, work: (texture: Texture) => void): void {
     if (texture.dimension === "2d") return work(texture);
     const { format, width, height } = texture;
-    const copy = makeTexture(this.context, {
-      format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false,
-    });
+    const copy = makeTexture(this.context, { ...FLAT, format, width, height });
     this.copyLayer(texture, layer, 0, copy, 0);
     work(copy);
     this.gl.deleteTexture(copy.gl);
   }
 }
+
+const FLAT: Pick<TextureSize, "dimension" | "layers" | "levels" | "samples" | "uses"> = {
+  dimension: "2d", layers: 1, levels: 1, samples: 1, uses: [],
+};
 
 /** What draws each topology, and how many vertices its primitives have. */
 const MODES = { point: ["POINTS", 1], line: ["LINES", 2], triangle: ["TRIANGLES", 3] } as const;

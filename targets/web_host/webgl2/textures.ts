@@ -6,9 +6,10 @@ import type { TextureSize } from "../renderer.js";
 import type { Context, Gl } from "./context.js";
 
 /** `layers` are the slices of a first level, if it has three dimensions. */
-export interface Texture extends Omit<TextureSize, "isImage" | "dimension"> {
+export interface Texture extends Omit<TextureSize, "uses" | "dimension"> {
   dimension: Picture["dimension"];
-  gl: WebGLTexture;
+  /** A renderbuffer where it has several samples: WebGL has no such textures. */
+  gl: WebGLTexture | WebGLRenderbuffer;
   /** The texels of its first level in each direction, as shaders see them. */
   sides: number[];
 }
@@ -49,9 +50,10 @@ export const bindOf = (gl: Gl, dimension: Picture["dimension"]) => gl[BINDS[dime
 
 function allocate(context: Context, made: Omit<Texture, "gl">): Texture {
   const { gl } = context;
-  const { format, dimension, width, height, layers, levels } = made;
+  const { format, dimension, width, height, layers, levels, samples } = made;
   const storage = STORAGE[format];
   if (!storage) throw new Error(`WebGL 2 has no textures of ${format}`);
+  if (samples > 1) return { ...made, gl: renderbuffer(gl, made, constant(gl, storage[0])) };
   const texture = gl.createTexture();
   const bind = bindOf(gl, dimension);
   gl.bindTexture(bind, texture);
@@ -63,14 +65,32 @@ function allocate(context: Context, made: Omit<Texture, "gl">): Texture {
   return { ...made, gl: texture };
 }
 
+function renderbuffer(
+  gl: Gl, { format, width, height, samples }: Omit<Texture, "gl">, storage: number,
+): WebGLRenderbuffer {
+  const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, storage, gl.SAMPLES) as Int32Array;
+  if (!counts.includes(samples)) {
+    throw new Error(`this device has no ${samples} samples of ${format} in WebGL 2`);
+  }
+  const made = gl.createRenderbuffer();
+  gl.bindRenderbuffer(gl.RENDERBUFFER, made);
+  gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, storage, width, height);
+  return made;
+}
+
+export function freeTexture(gl: Gl, { gl: texture, samples }: Texture): void {
+  if (samples > 1) gl.deleteRenderbuffer(texture);
+  else gl.deleteTexture(texture);
+}
+
 /** A texture that is transparent black, as WebGL makes all of them, or as far away as can be. */
 export function makeTexture(context: Context, size: TextureSize): Texture {
-  const { format, dimension, width, height, layers, levels } = size;
+  const { uses: _, ...row } = size;
+  const { format, width, height } = row;
   if (format.endsWith("float") && !isDepth(format)) {
     context.need("EXT_color_buffer_float", `draw to textures of ${format}`);
   }
-  const sides = [width, height];
-  const made = allocate(context, { format, dimension, width, height, layers, levels, sides });
+  const made = allocate(context, { ...row, sides: [width, height] });
   if (isDepth(format)) clearDepths(context.gl, made);
   return made;
 }
@@ -97,10 +117,12 @@ export const depthPoint = (gl: Gl, format: GPUTextureFormat) =>
 
 /** Attach one layer and level of a texture to the framebuffer that is bound. */
 export function attach(
-  gl: Gl, framebuffer: number, point: number, { gl: texture, dimension }: Texture, layer: number,
-  level: number,
+  gl: Gl, framebuffer: number, point: number, { gl: texture, dimension, samples }: Texture,
+  layer: number, level: number,
 ): void {
-  if (dimension === "2d_array" || dimension === "3d") {
+  if (samples > 1) {
+    gl.framebufferRenderbuffer(framebuffer, point, gl.RENDERBUFFER, texture);
+  } else if (dimension === "2d_array" || dimension === "3d") {
     gl.framebufferTextureLayer(framebuffer, point, texture, level, layer);
   } else {
     const face = dimension === "cube" ? gl.TEXTURE_CUBE_MAP_POSITIVE_X + layer : gl.TEXTURE_2D;
@@ -120,7 +142,7 @@ export function makePicture(context: Context, picture: Picture): Texture {
   const hasThree = dimension === "3d" || dimension === "2d_array";
   const sides = hasThree ? [width, height, depth] : [width, height];
   const made = allocate(context, {
-    format, dimension, width, height, layers: depth, levels: levels.length, sides,
+    format, dimension, width, height, layers: depth, levels: levels.length, samples: 1, sides,
   });
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   levels.forEach((level, number) => upload(gl, made, number, bytesOf(level)));

@@ -1,14 +1,16 @@
 // Opens a device of WebGPU, and keeps what it complains about.
 
 // The constants of the specification, which TypeScript's own types lack.
-export const BufferUsage = {
-  MAP_READ: 0x1, COPY_SRC: 0x4, COPY_DST: 0x8, INDEX: 0x10, VERTEX: 0x20, UNIFORM: 0x40,
-  STORAGE: 0x80,
-} as const;
-export const TextureUsage = {
-  COPY_SRC: 0x1, COPY_DST: 0x2, TEXTURE_BINDING: 0x4, STORAGE_BINDING: 0x8, RENDER_ATTACHMENT: 0x10,
-} as const;
-export const MAP_READ = 0x1;
+declare global {
+  const GPUBufferUsage: Constants<
+    "MAP_READ" | "COPY_SRC" | "COPY_DST" | "INDEX" | "VERTEX" | "UNIFORM" | "STORAGE"
+  >;
+  const GPUTextureUsage: Constants<
+    "COPY_SRC" | "COPY_DST" | "TEXTURE_BINDING" | "STORAGE_BINDING" | "RENDER_ATTACHMENT"
+  >;
+  const GPUMapMode: Constants<"READ">;
+}
+type Constants<Name extends string> = { readonly [name in Name]: number };
 
 /** Features that targets and textures of 32 bits need, and stencil values beside such depths. */
 const FEATURES: GPUFeatureName[] = [
@@ -52,7 +54,7 @@ export class Device {
 
   buffer(bytes: Uint8Array<ArrayBuffer> | Uint32Array<ArrayBuffer>, usage: number): GPUBuffer {
     const size = Math.max(bytes.byteLength, 4);
-    const buffer = this.gpu.createBuffer({ size, usage: usage | BufferUsage.COPY_DST });
+    const buffer = this.gpu.createBuffer({ size, usage: usage | GPUBufferUsage.COPY_DST });
     this.gpu.queue.writeBuffer(buffer, 0, bytes);
     return buffer;
   }
@@ -61,13 +63,13 @@ export class Device {
   async bytesOf(
     size: number, copy: (encoder: GPUCommandEncoder, to: GPUBuffer) => void,
   ): Promise<Uint8Array<ArrayBuffer>> {
-    const usage = BufferUsage.COPY_DST | BufferUsage.MAP_READ;
+    const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ;
     const buffer = this.gpu.createBuffer({ size, usage });
     const encoder = this.gpu.createCommandEncoder();
     copy(encoder, buffer);
     this.gpu.queue.submit([encoder.finish()]);
     try {
-      await buffer.mapAsync(MAP_READ);
+      await buffer.mapAsync(GPUMapMode.READ);
       this.check();
       return new Uint8Array(buffer.getMappedRange()).slice();
     } finally {
@@ -78,33 +80,28 @@ export class Device {
 
 /** Small pieces of data in large buffers: the uniform blocks of a frame's draws. */
 export class Arena {
-  private readonly chunks: { buffer: GPUBuffer; bytes: Uint8Array<ArrayBuffer> }[] = [];
+  private readonly chunks: GPUBuffer[] = [];
   private chunk = 0;
   private used = 0;
 
   constructor(
-    private readonly device: Device,
-    private readonly usage: number,
-    private readonly alignment: number,
+    private readonly gpu: GPUDevice,
     private readonly size = 1 << 18,
   ) {}
 
-  /** Where a piece lies, until `begin` is called again. */
-  put(bytes: Uint8Array): GPUBufferBinding {
+  /** Where a piece lies, until `begin` is called again. It is there before what is submitted next. */
+  put(bytes: Uint8Array<ArrayBuffer>): GPUBufferBinding {
     if (this.used + bytes.length > this.size) {
       this.chunk += 1;
       this.used = 0;
     }
-    const { buffer, bytes: whole } = (this.chunks[this.chunk] ??= this.makeChunk());
+    const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
+    const buffer = (this.chunks[this.chunk] ??= this.gpu.createBuffer({ size: this.size, usage }));
     const offset = this.used;
-    whole.set(bytes, offset);
-    this.used = Math.ceil((offset + bytes.length) / this.alignment) * this.alignment;
+    this.gpu.queue.writeBuffer(buffer, offset, bytes);
+    const alignment = this.gpu.limits.minUniformBufferOffsetAlignment;
+    this.used = Math.ceil((offset + bytes.length) / alignment) * alignment;
     return { buffer, offset, size: bytes.length };
-  }
-
-  private makeChunk() {
-    const bytes = new Uint8Array(this.size);
-    return { buffer: this.device.buffer(bytes, this.usage), bytes };
   }
 
   begin(): void {
@@ -112,14 +109,7 @@ export class Arena {
     this.used = 0;
   }
 
-  /** Bring everything to the device, before what reads it is submitted. */
-  flush(): void {
-    for (const { buffer, bytes } of this.chunks.slice(0, this.chunk + 1)) {
-      this.device.gpu.queue.writeBuffer(buffer, 0, bytes);
-    }
-  }
-
   free(): void {
-    this.chunks.forEach(({ buffer }) => buffer.destroy());
+    this.chunks.forEach((buffer) => buffer.destroy());
   }
 }

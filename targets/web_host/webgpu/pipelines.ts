@@ -1,12 +1,10 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 
 import { formatOf } from "../bytes.js";
-import type {
-  FramePackage, PackagedShader, Reflection, ShaderText,
-} from "../generated/documents.js";
+import type { FramePackage, PackagedShader, ShaderText, Slot } from "../generated/documents.js";
 import type { Device } from "./device.js";
-import { PROFILE, slotsOf, type Slot } from "./slots.js";
-import { colorTarget, depthStencil, vertexBuffers } from "./states.js";
+
+export const PROFILE = "wgsl:webgpu";
 
 /** A pipeline, with its bind groups. */
 export interface Pipeline {
@@ -29,26 +27,20 @@ export class Pipelines {
 
   static async of(device: Device, { plan, shaders }: FramePackage): Promise<Pipelines> {
     const found = new Pipelines(device);
-    const wanted = new Map<string, [number, Formats]>();
-    const want = (shader: number, formats: Formats) => {
-      wanted.set(keyOf(shader, formats), [shader, formats]);
-    };
+    const wanted = new Map<string, () => Promise<Pipeline>>();
+    const want = (shader: number, formats: Formats) =>
+      wanted.set(keyOf(shader, formats), () => found.make(shaders[shader], formats));
     const format = ({ texture }: { texture: number }) => formatOf(plan.textures[texture].format);
     for (const step of plan.steps) {
       if (step.kind === "draw") {
-        const depth = step.depth && format(step.depth);
-        const formats = { targets: step.targets.map(format), depth };
+        const formats = { targets: step.targets.map(format), depth: step.depth && format(step.depth) };
         step.draws.forEach(({ uses }) => uses.forEach(({ shader }) => want(shader, formats)));
       } else if (step.kind === "run") {
         const isDrawn = "fragment" in (shaders[step.shader].texts[PROFILE] ?? {});
         want(step.shader, { targets: isDrawn ? step.images.map(format) : [], depth: null });
       }
     }
-    await Promise.all(
-      [...wanted].map(async ([key, [shader, formats]]) => {
-        found.made.set(key, await found.make(shaders[shader], formats));
-      }),
-    );
+    await Promise.all([...wanted].map(async ([key, make]) => found.made.set(key, await make())));
     device.check();
     return found;
   }
@@ -58,43 +50,39 @@ export class Pipelines {
   }
 
   private async make(shader: PackagedShader, formats: Formats): Promise<Pipeline> {
-    const { reflection, texts } = shader;
-    const { compute, vertex, fragment } = texts[PROFILE] ?? {};
-    if (!compute && !vertex) throw new Error(`${reflection.material} has no text for ${PROFILE}`);
+    const { reflection: { material, render_state: state }, texts, webgpu } = shader;
+    if (!webgpu) throw new Error(`${material} has no text for ${PROFILE}`);
+    const { compute, vertex, fragment } = texts[PROFILE];
     const { gpu } = this.device;
-    const groups = slotsOf(shader).map((slots) => {
+    const groups = webgpu.groups.map((slots) => {
       const entries = slots.map(({ layout }) => layout);
       return { slots, layout: gpu.createBindGroupLayout({ entries }) };
     });
     const bindGroupLayouts = groups.map(({ layout }) => layout);
     const layout = gpu.createPipelineLayout({ bindGroupLayouts });
     if (compute) {
-      const stage = await this.stage(reflection, compute);
+      const stage = await this.stage(material, compute);
       return { groups, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
     }
-    const { backends, draw, render_state: state, material } = reflection;
-    const topology = draw?.topology ?? "triangle";
     if (state.fill === "lines") {
       throw new Error(`WebGPU cannot draw the edges of triangles, as ${material} asks`);
     }
-    const [vertices, fragments] = [
-      await this.stage(reflection, vertex), await this.stage(reflection, fragment),
-    ];
+    const vertices = await this.stage(material, vertex);
+    const fragments = await this.stage(material, fragment);
+    const targets = formats.targets.map((format, at) => ({ ...webgpu.targets[at], format }));
+    this.checkBlending(material, targets);
     const render = await gpu.createRenderPipelineAsync({
       layout,
-      vertex: { ...vertices, buffers: vertexBuffers(reflection) },
-      fragment: { ...fragments, targets: this.targets(reflection, formats.targets) },
-      primitive: {
-        topology: `${topology}-list` as GPUPrimitiveTopology,
-        cullMode: state.cull,
-        frontFace: backends[PROFILE].front_face,
-      },
-      ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, topology) }),
+      vertex: { ...vertices, buffers: webgpu.buffers },
+      fragment: { ...fragments, targets },
+      primitive: webgpu.primitive,
+      multisample: { count: state.samples },
+      ...(formats.depth && { depthStencil: { ...webgpu.depthStencil, format: formats.depth } }),
     });
     return { groups, render };
   }
 
-  private async stage({ material }: Reflection, { text, entry }: ShaderText) {
+  private async stage(material: string, { text, entry }: ShaderText) {
     const module = this.device.gpu.createShaderModule({ code: text });
     const { messages } = await module.getCompilationInfo();
     const wrong = messages
@@ -106,16 +94,10 @@ export class Pipelines {
     return { module, entryPoint: entry };
   }
 
-  private targets(
-    { targets, material }: Reflection, formats: GPUTextureFormat[],
-  ): GPUColorTargetState[] {
-    const blends32 = this.device.gpu.features.has("float32-blendable");
-    return formats.map((format, at) => {
-      if (targets[at].blend && format.includes("32float") && !blends32) {
-        throw new Error(`this device cannot blend ${format}, which ${material} draws to`);
-      }
-      return colorTarget(targets[at], format);
-    });
+  private checkBlending(material: string, targets: GPUColorTargetState[]): void {
+    if (this.device.gpu.features.has("float32-blendable")) return;
+    const wrong = targets.find(({ blend, format }) => blend && format.includes("32float"));
+    if (wrong) throw new Error(`this device cannot blend ${wrong.format}, which ${material} draws to`);
   }
 }
 

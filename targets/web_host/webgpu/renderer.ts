@@ -1,16 +1,15 @@
 // Draws frames with WebGPU.
 
 import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
-import type { FramePackage, PackagedShader, Picture } from "../generated/documents.js";
+import type { FramePackage, PackagedShader, Picture, Slot } from "../generated/documents.js";
 import type { Mesh } from "../geometry.js";
 import type {
   Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
 } from "../renderer.js";
 import { Presenter } from "./canvas.js";
-import { Arena, BufferUsage, type Device } from "./device.js";
-import { Pipelines, type Pipeline } from "./pipelines.js";
-import { PROFILE } from "./slots.js";
-import { layerOf, makePicture, makeSampler, makeTexture, type Texture } from "./textures.js";
+import { Arena, type Device } from "./device.js";
+import { PROFILE, Pipelines, type Pipeline } from "./pipelines.js";
+import { layerOf, makePicture, makeTexture, viewOf, type Texture } from "./textures.js";
 
 /** Rows of texels that are copied to a buffer begin at multiples of this. */
 const ROW_ALIGNMENT = 256;
@@ -40,8 +39,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     shaders: PackagedShader[],
   ) {
     this.shaders = shaders;
-    const { minUniformBufferOffsetAlignment } = device.gpu.limits;
-    this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
+    this.arena = new Arena(device.gpu);
   }
 
   static async open(device: Device, from: FramePackage, canvas: Canvas | null) {
@@ -62,7 +60,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   makeBuffer(bytes: Uint8Array<ArrayBuffer>): GPUBuffer {
-    const buffer = this.device.buffer(bytes, BufferUsage.STORAGE | BufferUsage.COPY_SRC);
+    const buffer = this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
     this.owned.add(buffer);
     return buffer;
   }
@@ -104,7 +102,6 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   end(): void {
-    this.arena.flush();
     this.device.gpu.queue.submit([this.encoder.finish()]);
   }
 
@@ -113,11 +110,14 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     { viewport, scissor, blendConstant }: DrawSettings,
   ): void {
     const pass = this.encoder.beginRenderPass({
-      colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
+      colorAttachments: targets.map(({ target, texture, layer, clear, resolve }) => ({
         view: layerOf(texture.gpu, layer, target.level),
         clearValue: clear,
         loadOp: target.load,
         storeOp: storeOp(target),
+        ...(resolve && {
+          resolveTarget: layerOf(resolve.texture.gpu, resolve.layer, resolve.level),
+        }),
       })),
       ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
     });
@@ -164,25 +164,25 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     bound: Bound<Texture, GPUBuffer>, images: Texture[],
   ): void {
     const blocks = bound.values.blocks();
-    const given = {
-      ...bound,
-      images,
-      block: (name: string) => this.arena.put(blocks.get(name)!),
-      sampler: (texture: string) => this.sampler(bound.shader, texture),
+    const resource = ({ kind, name, number, layout, sampler }: Slot): GPUBindingResource => {
+      if (kind === "block") return this.arena.put(blocks.get(name)!);
+      if (kind === "sampler") return this.sampler(sampler!);
+      if (kind === "storage_texture") return viewOf(images[number], "2d");
+      const found = kind === "buffer" ? bound.buffers.get(name) : bound.textures.get(name);
+      if (!found) throw new Error(`nobody gives ${bound.values.name} its \`${name}\``);
+      return "gpu" in found ? viewOf(found, layout.texture!.viewDimension) : { buffer: found };
     };
     groups.forEach(({ layout, slots }, group) => {
-      const entries = slots.map(({ layout: { binding }, resource }) => ({
-        binding, resource: resource(given),
-      }));
+      const entries = slots.map((slot) => {
+        return { binding: slot.layout.binding, resource: resource(slot) };
+      });
       pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
     });
   }
 
-  private sampler(shader: number, texture: string): GPUSampler {
-    const { samplers } = this.shaders[shader].reflection;
-    const { state } = samplers.find((each) => each.texture === texture)!;
+  private sampler(state: GPUSamplerDescriptor): GPUSampler {
     const key = JSON.stringify(state);
-    const found = this.samplers.get(key) ?? makeSampler(this.device, state);
+    const found = this.samplers.get(key) ?? this.device.gpu.createSampler(state);
     this.samplers.set(key, found);
     return found;
   }
@@ -210,8 +210,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     };
     const streams = [mesh.vertices, mesh.instances].filter(({ length }) => length);
     const made = {
-      vertices: streams.map((bytes) => buffer(bytes, BufferUsage.VERTEX)),
-      indices: mesh.indices && buffer(mesh.indices, BufferUsage.INDEX),
+      vertices: streams.map((bytes) => buffer(bytes, GPUBufferUsage.VERTEX)),
+      indices: mesh.indices && buffer(mesh.indices, GPUBufferUsage.INDEX),
     };
     this.uploaded.set(mesh, made);
     return made;

@@ -1,9 +1,9 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
 
 import { bytesOf, halved, hasStencil, isDepth, lanesOf } from "../bytes.js";
-import type { Picture, Sampler } from "../generated/documents.js";
+import type { Picture } from "../generated/documents.js";
 import type { TextureSize } from "../renderer.js";
-import { BufferUsage, TextureUsage, type Device } from "./device.js";
+import type { Device } from "./device.js";
 
 export interface Texture {
   gpu: GPUTexture;
@@ -11,19 +11,20 @@ export interface Texture {
   sides: number[];
 }
 
-const WRAPS: Record<string, GPUAddressMode> = {
-  repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat",
-};
+/** What kernels can store to. */
+const STORABLE = /^(rgba8unorm|rgba16float|(r|rg|rgba)32float)$/;
 
 export function makeTexture({ gpu }: Device, size: TextureSize): Texture {
-  const { format, width, height, layers, levels, isImage } = size;
+  const { format, width, height, layers, levels, samples, uses } = size;
   const texture = gpu.createTexture({
     format,
     size: [width, height, layers],
     mipLevelCount: levels,
+    sampleCount: samples,
     usage:
-      TextureUsage.TEXTURE_BINDING | TextureUsage.COPY_SRC | TextureUsage.COPY_DST |
-      TextureUsage.RENDER_ATTACHMENT | (isImage ? TextureUsage.STORAGE_BINDING : 0),
+      GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_SRC | GPUTextureUsage.COPY_DST |
+      GPUTextureUsage.RENDER_ATTACHMENT |
+      (uses.includes("image") && STORABLE.test(format) ? GPUTextureUsage.STORAGE_BINDING : 0),
   });
   // WebGPU makes every texture zero; depths begin as far away as can be.
   if (isDepth(format)) clearDepths(gpu, texture);
@@ -38,22 +39,8 @@ export function layerOf(texture: GPUTexture, layer: number, level: number): GPUT
 }
 
 /** The view by which a shader reads a whole texture. */
-export function viewOf({ gpu }: Texture, dimension: GPUTextureViewDimension): GPUTextureView {
+export function viewOf({ gpu }: Texture, dimension?: GPUTextureViewDimension): GPUTextureView {
   return gpu.createView({ dimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
-}
-
-export function makeSampler({ gpu }: Device, state: Sampler["state"]): GPUSampler {
-  const { filter, mip, wrap, compare } = state;
-  return gpu.createSampler({
-    addressModeU: WRAPS[wrap],
-    addressModeV: WRAPS[wrap],
-    addressModeW: WRAPS[wrap],
-    magFilter: filter as GPUFilterMode,
-    minFilter: filter as GPUFilterMode,
-    // A sampler cannot ignore mip levels, but it can stay on the first one.
-    ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip as GPUMipmapFilterMode }),
-    ...(compare && { compare: compare.replace("_", "-") as GPUCompareFunction }),
-  });
 }
 
 export function makePicture(device: Device, picture: Picture): Texture {
@@ -68,8 +55,8 @@ export function makePicture(device: Device, picture: Picture): Texture {
     size: [width, height, depth],
     mipLevelCount: levels.length,
     usage:
-      TextureUsage.TEXTURE_BINDING |
-      (isDepth(format) ? TextureUsage.RENDER_ATTACHMENT : TextureUsage.COPY_DST),
+      GPUTextureUsage.TEXTURE_BINDING |
+      (isDepth(format) ? GPUTextureUsage.RENDER_ATTACHMENT : GPUTextureUsage.COPY_DST),
   });
   const isSolid = dimension === "3d";
   levels.forEach((level, number) => {
@@ -139,7 +126,7 @@ function drawDepths(
     fragment: { module, targets: [] },
     depthStencil: { format: texture.format, depthWriteEnabled: true, depthCompare: "always" },
   });
-  const depths = device.buffer(bytes, BufferUsage.STORAGE);
+  const depths = device.buffer(bytes, GPUBufferUsage.STORAGE);
   const group = gpu.createBindGroup({
     layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource: { buffer: depths } }],
   });

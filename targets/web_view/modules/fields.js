@@ -20,7 +20,7 @@ const makers = {
     color: (control, label, changed) => colorField(control, label, changed),
     checkbox: (_control, label, changed) => checkbox({ label }, changed),
     checkboxes: (control, label, changed) => checkboxes(control, label, changed),
-    texture: (control) => textureField(control),
+    texture: () => { throw new Error("textures have fields of their own"); },
 };
 function naming({ label, word }) {
     return word ? { "aria-label": word, "aria-describedby": label } : { "aria-labelledby": label };
@@ -166,7 +166,7 @@ function matrixField(control, label, changed) {
     };
     return { element, show };
 }
-// --- colours, switches, textures -----------------------------------------------------------------
+// --- colours, switches ---------------------------------------------------------------------------
 /** A colour; with a strength where it may be brighter than any picker's, and with an alpha where it
  * has one. */
 function colorField(control, label, changed) {
@@ -214,16 +214,6 @@ function checkboxes(control, label, changed) {
     const show = (given) => {
         values = given ?? fields.map(() => false);
         fields.forEach((field, lane) => field.show(values[lane]));
-    };
-    return { element, show };
-}
-/** Textures are set on the command line. */
-function textureField(control) {
-    const element = make("p", { class: "texture" });
-    const show = () => {
-        const set = make("code", {}, `--set ${control.name}=FILE`);
-        const now = control.is_given ? "A picture" : `All ${String(control.value)}`;
-        element.replaceChildren(`${now}; another by `, set);
     };
     return { element, show };
 }

@@ -1,29 +1,33 @@
 // The controls beside the picture, in sections, with what somebody has set.
 import { make } from "./elements.js";
 import { fieldOf } from "./fields.js";
+import { isTexture, textureField } from "./pictures.js";
 export class Panel {
     root;
-    file;
     changed;
     animated;
+    pictures;
     rows = new Map();
     kept = {};
     built = "";
     subject = "";
+    /** How large the file of a picture may be. */
+    mostBytes = 0;
     /** The numbers that run with the time, each with what it is exactly. */
     timed = new Map();
-    /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
-    constructor(root, file, changed, animated) {
+    /** `changed` is told of every value that is set. */
+    constructor(root, changed, animated, pictures) {
         this.root = root;
-        this.file = file;
         this.changed = changed;
         this.animated = animated;
+        this.pictures = pictures;
     }
-    /** Show the controls of a subject; values that were set stay, where the control still takes
-     * them. Returns these values. */
-    show(subject, controls) {
+    /** Show the controls of a subject, by its name among all that there is; values that were set
+     * stay, where the control still takes them. Returns these values. */
+    show(subject, controls, mostBytes) {
+        this.mostBytes = mostBytes;
         if (subject !== this.subject)
-            this.kept = load(`${this.file}/${subject}`);
+            this.kept = load(subject);
         this.subject = subject;
         const known = JSON.stringify(controls);
         if (known !== this.built)
@@ -59,16 +63,41 @@ export class Panel {
         }
     }
     resetAll() {
-        for (const row of this.rows.values())
-            if (this.kept[row.control.name])
+        for (const row of this.rows.values()) {
+            if (this.kept[row.control.name] || row.control.picture)
                 this.reset(row);
+        }
+    }
+    /** The names of all textures. */
+    get textures() {
+        return [...this.rows.values()].filter(({ control }) => isTexture(control))
+            .map(({ control }) => control.name);
+    }
+    /** Give a texture the picture of a file; its row says what is wrong with that. */
+    async give(name, file) {
+        const row = this.rows.get(name);
+        if (!row || !isTexture(row.control))
+            return;
+        row.element.querySelector(".wrong")?.remove();
+        row.element.setAttribute("aria-busy", "true");
+        try {
+            await this.pictures.give(row.control, file, this.mostBytes);
+        }
+        catch (error) {
+            const said = error.message;
+            row.element.append(make("p", { class: "wrong", role: "alert" }, said));
+        }
+        finally {
+            row.element.removeAttribute("aria-busy");
+        }
     }
     /** What was set, as options of the command line. */
     get options() {
-        return Object.entries(this.kept)
+        const values = Object.entries(this.kept)
             .filter(([name]) => this.rows.has(name))
-            .map(([name, { value }]) => `--set '${name}=${written(value)}'`)
-            .join(" ");
+            .map(([name, { value }]) => [name, written(value)]);
+        const pictures = [...this.rows.values()].flatMap(({ control: { name, picture } }) => picture ? [[name, `${picture.is_srgb ? "srgb:" : ""}${picture.file}`]] : []);
+        return [...values, ...pictures].map(([name, text]) => `--set '${name}=${text}'`).join(" ");
     }
     // --- building ----------------------------------------------------------------------------------
     build(controls) {
@@ -109,7 +138,9 @@ export class Panel {
             type: "button", class: "reset", title: "Back to the default",
             "aria-label": `${control.name}: back to the default`,
         }, "↺");
-        const field = fieldOf(control, id, (value) => this.set(row, value));
+        const field = isTexture(control)
+            ? this.textureField(control, id)
+            : fieldOf(control, id, (value) => this.set(row, value));
         const head = make("div", { class: "head" }, label);
         if (control.is_timed)
             head.append(this.clock(control.name));
@@ -124,6 +155,12 @@ export class Panel {
         reset.addEventListener("click", () => this.reset(row));
         this.rows.set(control.name, row);
         return row;
+    }
+    /** It shows what the control says, and is made anew with it. */
+    textureField(control, label) {
+        const give = (file) => this.give(control.name, file);
+        const element = textureField(control, label, this.pictures, give);
+        return { element, show: () => { } };
     }
     /** A button that lets a number run with the time. */
     clock(name) {
@@ -149,19 +186,23 @@ export class Panel {
         const { name, type } = row.control;
         this.kept[name] = { type, value };
         row.reset.hidden = false;
-        save(`${this.file}/${this.subject}`, this.kept);
+        save(this.subject, this.kept);
         this.changed(name, value);
         this.hideUncounted();
     }
     reset(row) {
+        if (isTexture(row.control)) {
+            this.pictures.drop(row.control.name);
+            return;
+        }
         delete this.kept[row.control.name];
-        save(`${this.file}/${this.subject}`, this.kept);
+        save(this.subject, this.kept);
         this.refresh(row);
         this.changed(row.control.name, row.control.value);
     }
     refresh(row, value) {
         row.field.show(value ?? row.control.value);
-        row.reset.hidden = value === undefined;
+        row.reset.hidden = value === undefined && !row.control.picture;
         this.hideUncounted();
     }
     /** Of an array of lights, show those that shine. */

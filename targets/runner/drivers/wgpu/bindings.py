@@ -10,8 +10,8 @@ import wgpu
 from ..draw_job import Draw
 from ..kernel_job import Dispatch
 from ..slots import BlockSlot, BufferSlot, ImageSlot
+from ..webgpu import Bound, Groups
 from .device import Gpu
-from .pipeline import Bound, Groups
 from .textures import make_sampler, make_view
 
 

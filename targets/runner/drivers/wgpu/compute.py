@@ -9,10 +9,10 @@ import wgpu
 from ..checks import check_groups
 from ..kernel_job import Dispatch, KernelJob, Sides, Written
 from ..slots import ImageSlot
+from ..webgpu import COMPUTED, Groups, bound, layout_entries
 from .bindings import bind_groups, make_storage
 from .device import Gpu, explained
 from .drawing import read_texels
-from .pipeline import Groups, bound, layout_entries
 
 MOST_GROUPS = "max-compute-workgroups-per-dimension"
 
@@ -23,9 +23,7 @@ def compute_job(gpu: Gpu, job: KernelJob) -> list[Written]:
         check_groups(job, [int(gpu.device.limits[MOST_GROUPS])] * 3)
         groups = bound(job.pipeline)
         layouts = [
-            gpu.device.create_bind_group_layout(
-                entries=layout_entries(group, wgpu.ShaderStage.COMPUTE)
-            )
+            gpu.device.create_bind_group_layout(entries=layout_entries(group, COMPUTED))
             for group in groups
         ]
         (code,) = job.pipeline.stages.values()

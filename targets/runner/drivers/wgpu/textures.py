@@ -11,26 +11,13 @@ from ..checks import level_size
 from ..device import DriverError
 from ..slots import TextureSlot
 from ..texels import TEXELS, Image
+from ..webgpu import DEPTH, VIEWS, sampler
 from .device import Gpu
-from .pipeline import DEPTH, VIEWS
-
-ADDRESS_MODES = {"repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirror-repeat"}
 
 
 def make_sampler(gpu: Gpu, slot: TextureSlot) -> Any:
     """The sampler of a texture."""
-    wrap = ADDRESS_MODES[slot.wrap]
-    return gpu.device.create_sampler(
-        address_mode_u=wrap,
-        address_mode_v=wrap,
-        address_mode_w=wrap,
-        mag_filter=slot.filter,
-        min_filter=slot.filter,
-        mipmap_filter="nearest" if slot.mip == "none" else slot.mip,
-        # A sampler cannot ignore mip levels, but it can stay on the first one.
-        lod_max_clamp=0.0 if slot.mip == "none" else 32.0,
-        compare=slot.compare and slot.compare.replace("_", "-"),
-    )
+    return gpu.device.create_sampler(**sampler(slot))
 
 
 def make_view(gpu: Gpu, image: Image) -> Any:

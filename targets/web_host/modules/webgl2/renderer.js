@@ -1,11 +1,11 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
 import { halved, hasStencil, isDepth, toFloats } from "../bytes.js";
-import { interleaved } from "../geometry.js";
 import { Presenter } from "./canvas.js";
 import { Context } from "./context.js";
 import { PROFILE, linked } from "./programs.js";
 import { setState } from "./state.js";
-import { attach, bindOf, depthPoint, makePicture, makeSampler, makeTexture, } from "./textures.js";
+import { attach, bindOf, depthPoint, freeTexture, makePicture, makeSampler, makeTexture, } from "./textures.js";
+import { interleaved } from "./vertices.js";
 export class WebGl2Renderer {
     context;
     shaders;
@@ -43,7 +43,7 @@ export class WebGl2Renderer {
     }
     freeTexture(texture) {
         this.textures.delete(texture);
-        this.gl.deleteTexture(texture.gl);
+        freeTexture(this.gl, texture);
     }
     own(texture) {
         this.textures.add(texture);
@@ -58,7 +58,7 @@ export class WebGl2Renderer {
     sizeOf = ({ sides }) => sides;
     dispose() {
         const { gl } = this;
-        this.textures.forEach((each) => gl.deleteTexture(each.gl));
+        this.textures.forEach((each) => freeTexture(gl, each));
         this.programs.forEach((each) => gl.deleteProgram(each.gl));
         this.samplers.forEach((each) => gl.deleteSampler(each));
         const uploaded = [...this.uploaded.values()].flatMap((each) => [...each.values()]);
@@ -97,6 +97,7 @@ export class WebGl2Renderer {
         for (const call of calls)
             this.drawCall(call, depth, height);
         gl.disable(gl.SCISSOR_TEST);
+        targets.forEach((target, at) => this.resolve(target, points[at], width, height));
         const attached = depth ? [...targets, depth] : targets;
         const dropped = points.filter((_, at) => !attached[at].target.store);
         if (dropped.length)
@@ -104,6 +105,20 @@ export class WebGl2Renderer {
         for (const point of points) {
             gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0);
         }
+    }
+    /** Write the means of the samples of a target where others read them. */
+    resolve({ resolve }, point, width, height) {
+        if (!resolve)
+            return;
+        const { gl } = this;
+        const { DRAW_FRAMEBUFFER: into, COLOR_ATTACHMENT0: only, COLOR_BUFFER_BIT: colors } = gl;
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.screen);
+        gl.readBuffer(point);
+        gl.bindFramebuffer(into, this.source);
+        attach(gl, into, only, resolve.texture, resolve.layer, resolve.level);
+        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, colors, gl.NEAREST);
+        gl.framebufferTexture2D(into, only, gl.TEXTURE_2D, null, 0);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.screen);
     }
     /** Attach everything that is drawn to; the depths last. */
     attachAll(targets, depth) {
@@ -278,8 +293,7 @@ export class WebGl2Renderer {
     depths(texture, layer) {
         const { gl } = this;
         const { width, height } = texture;
-        const size = { width, height, layers: 1, levels: 1, dimension: "2d", isImage: false };
-        const colors = makeTexture(this.context, { ...size, format: "rgba32float" });
+        const colors = makeTexture(this.context, { ...FLAT, format: "rgba32float", width, height });
         this.flat(texture, layer, (found) => {
             gl.bindFramebuffer(gl.FRAMEBUFFER, this.source);
             attach(gl, gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, colors, 0, 0);
@@ -295,14 +309,15 @@ export class WebGl2Renderer {
         if (texture.dimension === "2d")
             return work(texture);
         const { format, width, height } = texture;
-        const copy = makeTexture(this.context, {
-            format, width, height, layers: 1, levels: 1, dimension: "2d", isImage: false,
-        });
+        const copy = makeTexture(this.context, { ...FLAT, format, width, height });
         this.copyLayer(texture, layer, 0, copy, 0);
         work(copy);
         this.gl.deleteTexture(copy.gl);
     }
 }
+const FLAT = {
+    dimension: "2d", layers: 1, levels: 1, samples: 1, uses: [],
+};
 /** What draws each topology, and how many vertices its primitives have. */
 const MODES = { point: ["POINTS", 1], line: ["LINES", 2], triangle: ["TRIANGLES", 3] };
 const topologyOf = ({ draw }) => (draw?.topology ?? "triangle");

@@ -31,10 +31,12 @@ const constant = (gl, name) => gl[name];
 export const bindOf = (gl, dimension) => gl[BINDS[dimension]];
 function allocate(context, made) {
     const { gl } = context;
-    const { format, dimension, width, height, layers, levels } = made;
+    const { format, dimension, width, height, layers, levels, samples } = made;
     const storage = STORAGE[format];
     if (!storage)
         throw new Error(`WebGL 2 has no textures of ${format}`);
+    if (samples > 1)
+        return { ...made, gl: renderbuffer(gl, made, constant(gl, storage[0])) };
     const texture = gl.createTexture();
     const bind = bindOf(gl, dimension);
     gl.bindTexture(bind, texture);
@@ -46,14 +48,30 @@ function allocate(context, made) {
     }
     return { ...made, gl: texture };
 }
+function renderbuffer(gl, { format, width, height, samples }, storage) {
+    const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, storage, gl.SAMPLES);
+    if (!counts.includes(samples)) {
+        throw new Error(`this device has no ${samples} samples of ${format} in WebGL 2`);
+    }
+    const made = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, made);
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, storage, width, height);
+    return made;
+}
+export function freeTexture(gl, { gl: texture, samples }) {
+    if (samples > 1)
+        gl.deleteRenderbuffer(texture);
+    else
+        gl.deleteTexture(texture);
+}
 /** A texture that is transparent black, as WebGL makes all of them, or as far away as can be. */
 export function makeTexture(context, size) {
-    const { format, dimension, width, height, layers, levels } = size;
+    const { uses: _, ...row } = size;
+    const { format, width, height } = row;
     if (format.endsWith("float") && !isDepth(format)) {
         context.need("EXT_color_buffer_float", `draw to textures of ${format}`);
     }
-    const sides = [width, height];
-    const made = allocate(context, { format, dimension, width, height, layers, levels, sides });
+    const made = allocate(context, { ...row, sides: [width, height] });
     if (isDepth(format))
         clearDepths(context.gl, made);
     return made;
@@ -78,8 +96,11 @@ function clearDepths(gl, texture) {
 /** Where depths are attached to a framebuffer. */
 export const depthPoint = (gl, format) => hasStencil(format) ? gl.DEPTH_STENCIL_ATTACHMENT : gl.DEPTH_ATTACHMENT;
 /** Attach one layer and level of a texture to the framebuffer that is bound. */
-export function attach(gl, framebuffer, point, { gl: texture, dimension }, layer, level) {
-    if (dimension === "2d_array" || dimension === "3d") {
+export function attach(gl, framebuffer, point, { gl: texture, dimension, samples }, layer, level) {
+    if (samples > 1) {
+        gl.framebufferRenderbuffer(framebuffer, point, gl.RENDERBUFFER, texture);
+    }
+    else if (dimension === "2d_array" || dimension === "3d") {
         gl.framebufferTextureLayer(framebuffer, point, texture, level, layer);
     }
     else {
@@ -99,7 +120,7 @@ export function makePicture(context, picture) {
     const hasThree = dimension === "3d" || dimension === "2d_array";
     const sides = hasThree ? [width, height, depth] : [width, height];
     const made = allocate(context, {
-        format, dimension, width, height, layers: depth, levels: levels.length, sides,
+        format, dimension, width, height, layers: depth, levels: levels.length, samples: 1, sides,
     });
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     levels.forEach((level, number) => upload(gl, made, number, bytesOf(level)));

@@ -1,13 +1,4 @@
 // Opens a device of WebGPU, and keeps what it complains about.
-// The constants of the specification, which TypeScript's own types lack.
-export const BufferUsage = {
-    MAP_READ: 0x1, COPY_SRC: 0x4, COPY_DST: 0x8, INDEX: 0x10, VERTEX: 0x20, UNIFORM: 0x40,
-    STORAGE: 0x80,
-};
-export const TextureUsage = {
-    COPY_SRC: 0x1, COPY_DST: 0x2, TEXTURE_BINDING: 0x4, STORAGE_BINDING: 0x8, RENDER_ATTACHMENT: 0x10,
-};
-export const MAP_READ = 0x1;
 /** Features that targets and textures of 32 bits need, and stencil values beside such depths. */
 const FEATURES = [
     "float32-blendable", "float32-filterable", "depth32float-stencil8",
@@ -47,19 +38,19 @@ export class Device {
     }
     buffer(bytes, usage) {
         const size = Math.max(bytes.byteLength, 4);
-        const buffer = this.gpu.createBuffer({ size, usage: usage | BufferUsage.COPY_DST });
+        const buffer = this.gpu.createBuffer({ size, usage: usage | GPUBufferUsage.COPY_DST });
         this.gpu.queue.writeBuffer(buffer, 0, bytes);
         return buffer;
     }
     /** The bytes that are copied to a buffer which the host can read. */
     async bytesOf(size, copy) {
-        const usage = BufferUsage.COPY_DST | BufferUsage.MAP_READ;
+        const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ;
         const buffer = this.gpu.createBuffer({ size, usage });
         const encoder = this.gpu.createCommandEncoder();
         copy(encoder, buffer);
         this.gpu.queue.submit([encoder.finish()]);
         try {
-            await buffer.mapAsync(MAP_READ);
+            await buffer.mapAsync(GPUMapMode.READ);
             this.check();
             return new Uint8Array(buffer.getMappedRange()).slice();
         }
@@ -70,46 +61,34 @@ export class Device {
 }
 /** Small pieces of data in large buffers: the uniform blocks of a frame's draws. */
 export class Arena {
-    device;
-    usage;
-    alignment;
+    gpu;
     size;
     chunks = [];
     chunk = 0;
     used = 0;
-    constructor(device, usage, alignment, size = 1 << 18) {
-        this.device = device;
-        this.usage = usage;
-        this.alignment = alignment;
+    constructor(gpu, size = 1 << 18) {
+        this.gpu = gpu;
         this.size = size;
     }
-    /** Where a piece lies, until `begin` is called again. */
+    /** Where a piece lies, until `begin` is called again. It is there before what is submitted next. */
     put(bytes) {
         if (this.used + bytes.length > this.size) {
             this.chunk += 1;
             this.used = 0;
         }
-        const { buffer, bytes: whole } = (this.chunks[this.chunk] ??= this.makeChunk());
+        const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
+        const buffer = (this.chunks[this.chunk] ??= this.gpu.createBuffer({ size: this.size, usage }));
         const offset = this.used;
-        whole.set(bytes, offset);
-        this.used = Math.ceil((offset + bytes.length) / this.alignment) * this.alignment;
+        this.gpu.queue.writeBuffer(buffer, offset, bytes);
+        const alignment = this.gpu.limits.minUniformBufferOffsetAlignment;
+        this.used = Math.ceil((offset + bytes.length) / alignment) * alignment;
         return { buffer, offset, size: bytes.length };
-    }
-    makeChunk() {
-        const bytes = new Uint8Array(this.size);
-        return { buffer: this.device.buffer(bytes, this.usage), bytes };
     }
     begin() {
         this.chunk = 0;
         this.used = 0;
     }
-    /** Bring everything to the device, before what reads it is submitted. */
-    flush() {
-        for (const { buffer, bytes } of this.chunks.slice(0, this.chunk + 1)) {
-            this.device.gpu.queue.writeBuffer(buffer, 0, bytes);
-        }
-    }
     free() {
-        this.chunks.forEach(({ buffer }) => buffer.destroy());
+        this.chunks.forEach((buffer) => buffer.destroy());
     }
 }

@@ -1,7 +1,6 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 import { formatOf } from "../bytes.js";
-import { PROFILE, slotsOf } from "./slots.js";
-import { colorTarget, depthStencil, vertexBuffers } from "./states.js";
+export const PROFILE = "wgsl:webgpu";
 /** All pipelines of a frame, by shader and formats. */
 export class Pipelines {
     device;
@@ -12,14 +11,11 @@ export class Pipelines {
     static async of(device, { plan, shaders }) {
         const found = new Pipelines(device);
         const wanted = new Map();
-        const want = (shader, formats) => {
-            wanted.set(keyOf(shader, formats), [shader, formats]);
-        };
+        const want = (shader, formats) => wanted.set(keyOf(shader, formats), () => found.make(shaders[shader], formats));
         const format = ({ texture }) => formatOf(plan.textures[texture].format);
         for (const step of plan.steps) {
             if (step.kind === "draw") {
-                const depth = step.depth && format(step.depth);
-                const formats = { targets: step.targets.map(format), depth };
+                const formats = { targets: step.targets.map(format), depth: step.depth && format(step.depth) };
                 step.draws.forEach(({ uses }) => uses.forEach(({ shader }) => want(shader, formats)));
             }
             else if (step.kind === "run") {
@@ -27,9 +23,7 @@ export class Pipelines {
                 want(step.shader, { targets: isDrawn ? step.images.map(format) : [], depth: null });
             }
         }
-        await Promise.all([...wanted].map(async ([key, [shader, formats]]) => {
-            found.made.set(key, await found.make(shaders[shader], formats));
-        }));
+        await Promise.all([...wanted].map(async ([key, make]) => found.made.set(key, await make())));
         device.check();
         return found;
     }
@@ -37,43 +31,39 @@ export class Pipelines {
         return this.made.get(keyOf(shader, { targets, depth }));
     }
     async make(shader, formats) {
-        const { reflection, texts } = shader;
-        const { compute, vertex, fragment } = texts[PROFILE] ?? {};
-        if (!compute && !vertex)
-            throw new Error(`${reflection.material} has no text for ${PROFILE}`);
+        const { reflection: { material, render_state: state }, texts, webgpu } = shader;
+        if (!webgpu)
+            throw new Error(`${material} has no text for ${PROFILE}`);
+        const { compute, vertex, fragment } = texts[PROFILE];
         const { gpu } = this.device;
-        const groups = slotsOf(shader).map((slots) => {
+        const groups = webgpu.groups.map((slots) => {
             const entries = slots.map(({ layout }) => layout);
             return { slots, layout: gpu.createBindGroupLayout({ entries }) };
         });
         const bindGroupLayouts = groups.map(({ layout }) => layout);
         const layout = gpu.createPipelineLayout({ bindGroupLayouts });
         if (compute) {
-            const stage = await this.stage(reflection, compute);
+            const stage = await this.stage(material, compute);
             return { groups, compute: await gpu.createComputePipelineAsync({ layout, compute: stage }) };
         }
-        const { backends, draw, render_state: state, material } = reflection;
-        const topology = draw?.topology ?? "triangle";
         if (state.fill === "lines") {
             throw new Error(`WebGPU cannot draw the edges of triangles, as ${material} asks`);
         }
-        const [vertices, fragments] = [
-            await this.stage(reflection, vertex), await this.stage(reflection, fragment),
-        ];
+        const vertices = await this.stage(material, vertex);
+        const fragments = await this.stage(material, fragment);
+        const targets = formats.targets.map((format, at) => ({ ...webgpu.targets[at], format }));
+        this.checkBlending(material, targets);
         const render = await gpu.createRenderPipelineAsync({
             layout,
-            vertex: { ...vertices, buffers: vertexBuffers(reflection) },
-            fragment: { ...fragments, targets: this.targets(reflection, formats.targets) },
-            primitive: {
-                topology: `${topology}-list`,
-                cullMode: state.cull,
-                frontFace: backends[PROFILE].front_face,
-            },
-            ...(formats.depth && { depthStencil: depthStencil(state, formats.depth, topology) }),
+            vertex: { ...vertices, buffers: webgpu.buffers },
+            fragment: { ...fragments, targets },
+            primitive: webgpu.primitive,
+            multisample: { count: state.samples },
+            ...(formats.depth && { depthStencil: { ...webgpu.depthStencil, format: formats.depth } }),
         });
         return { groups, render };
     }
-    async stage({ material }, { text, entry }) {
+    async stage(material, { text, entry }) {
         const module = this.device.gpu.createShaderModule({ code: text });
         const { messages } = await module.getCompilationInfo();
         const wrong = messages
@@ -84,14 +74,12 @@ export class Pipelines {
         }
         return { module, entryPoint: entry };
     }
-    targets({ targets, material }, formats) {
-        const blends32 = this.device.gpu.features.has("float32-blendable");
-        return formats.map((format, at) => {
-            if (targets[at].blend && format.includes("32float") && !blends32) {
-                throw new Error(`this device cannot blend ${format}, which ${material} draws to`);
-            }
-            return colorTarget(targets[at], format);
-        });
+    checkBlending(material, targets) {
+        if (this.device.gpu.features.has("float32-blendable"))
+            return;
+        const wrong = targets.find(({ blend, format }) => blend && format.includes("32float"));
+        if (wrong)
+            throw new Error(`this device cannot blend ${wrong.format}, which ${material} draws to`);
     }
 }
 const keyOf = (shader, { targets, depth }) => [shader, ...targets, depth].join(" ");

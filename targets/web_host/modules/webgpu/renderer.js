@@ -1,10 +1,9 @@
 // Draws frames with WebGPU.
 import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
 import { Presenter } from "./canvas.js";
-import { Arena, BufferUsage } from "./device.js";
-import { Pipelines } from "./pipelines.js";
-import { PROFILE } from "./slots.js";
-import { layerOf, makePicture, makeSampler, makeTexture } from "./textures.js";
+import { Arena } from "./device.js";
+import { PROFILE, Pipelines } from "./pipelines.js";
+import { layerOf, makePicture, makeTexture, viewOf } from "./textures.js";
 /** Rows of texels that are copied to a buffer begin at multiples of this. */
 const ROW_ALIGNMENT = 256;
 export class WebGpuRenderer {
@@ -23,8 +22,7 @@ export class WebGpuRenderer {
         this.pipelines = pipelines;
         this.presenter = presenter;
         this.shaders = shaders;
-        const { minUniformBufferOffsetAlignment } = device.gpu.limits;
-        this.arena = new Arena(device, BufferUsage.UNIFORM, minUniformBufferOffsetAlignment);
+        this.arena = new Arena(device.gpu);
     }
     static async open(device, from, canvas) {
         const pipelines = await Pipelines.of(device, from);
@@ -40,7 +38,7 @@ export class WebGpuRenderer {
         return this.own(makePicture(this.device, picture));
     }
     makeBuffer(bytes) {
-        const buffer = this.device.buffer(bytes, BufferUsage.STORAGE | BufferUsage.COPY_SRC);
+        const buffer = this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
         this.owned.add(buffer);
         return buffer;
     }
@@ -74,16 +72,18 @@ export class WebGpuRenderer {
         this.encoder = this.device.gpu.createCommandEncoder();
     }
     end() {
-        this.arena.flush();
         this.device.gpu.queue.submit([this.encoder.finish()]);
     }
     draw(targets, depth, calls, { viewport, scissor, blendConstant }) {
         const pass = this.encoder.beginRenderPass({
-            colorAttachments: targets.map(({ target, texture, layer, clear }) => ({
+            colorAttachments: targets.map(({ target, texture, layer, clear, resolve }) => ({
                 view: layerOf(texture.gpu, layer, target.level),
                 clearValue: clear,
                 loadOp: target.load,
                 storeOp: storeOp(target),
+                ...(resolve && {
+                    resolveTarget: layerOf(resolve.texture.gpu, resolve.layer, resolve.level),
+                }),
             })),
             ...(depth && { depthStencilAttachment: depthAttachment(depth) }),
         });
@@ -124,24 +124,28 @@ export class WebGpuRenderer {
     }
     bind(pass, { groups }, bound, images) {
         const blocks = bound.values.blocks();
-        const given = {
-            ...bound,
-            images,
-            block: (name) => this.arena.put(blocks.get(name)),
-            sampler: (texture) => this.sampler(bound.shader, texture),
+        const resource = ({ kind, name, number, layout, sampler }) => {
+            if (kind === "block")
+                return this.arena.put(blocks.get(name));
+            if (kind === "sampler")
+                return this.sampler(sampler);
+            if (kind === "storage_texture")
+                return viewOf(images[number], "2d");
+            const found = kind === "buffer" ? bound.buffers.get(name) : bound.textures.get(name);
+            if (!found)
+                throw new Error(`nobody gives ${bound.values.name} its \`${name}\``);
+            return "gpu" in found ? viewOf(found, layout.texture.viewDimension) : { buffer: found };
         };
         groups.forEach(({ layout, slots }, group) => {
-            const entries = slots.map(({ layout: { binding }, resource }) => ({
-                binding, resource: resource(given),
-            }));
+            const entries = slots.map((slot) => {
+                return { binding: slot.layout.binding, resource: resource(slot) };
+            });
             pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
         });
     }
-    sampler(shader, texture) {
-        const { samplers } = this.shaders[shader].reflection;
-        const { state } = samplers.find((each) => each.texture === texture);
+    sampler(state) {
         const key = JSON.stringify(state);
-        const found = this.samplers.get(key) ?? makeSampler(this.device, state);
+        const found = this.samplers.get(key) ?? this.device.gpu.createSampler(state);
         this.samplers.set(key, found);
         return found;
     }
@@ -170,8 +174,8 @@ export class WebGpuRenderer {
         };
         const streams = [mesh.vertices, mesh.instances].filter(({ length }) => length);
         const made = {
-            vertices: streams.map((bytes) => buffer(bytes, BufferUsage.VERTEX)),
-            indices: mesh.indices && buffer(mesh.indices, BufferUsage.INDEX),
+            vertices: streams.map((bytes) => buffer(bytes, GPUBufferUsage.VERTEX)),
+            indices: mesh.indices && buffer(mesh.indices, GPUBufferUsage.INDEX),
         };
         this.uploaded.set(mesh, made);
         return made;

@@ -1,17 +1,17 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
 import { bytesOf, halved, hasStencil, isDepth, lanesOf } from "../bytes.js";
-import { BufferUsage, TextureUsage } from "./device.js";
-const WRAPS = {
-    repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat",
-};
+/** What kernels can store to. */
+const STORABLE = /^(rgba8unorm|rgba16float|(r|rg|rgba)32float)$/;
 export function makeTexture({ gpu }, size) {
-    const { format, width, height, layers, levels, isImage } = size;
+    const { format, width, height, layers, levels, samples, uses } = size;
     const texture = gpu.createTexture({
         format,
         size: [width, height, layers],
         mipLevelCount: levels,
-        usage: TextureUsage.TEXTURE_BINDING | TextureUsage.COPY_SRC | TextureUsage.COPY_DST |
-            TextureUsage.RENDER_ATTACHMENT | (isImage ? TextureUsage.STORAGE_BINDING : 0),
+        sampleCount: samples,
+        usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_SRC | GPUTextureUsage.COPY_DST |
+            GPUTextureUsage.RENDER_ATTACHMENT |
+            (uses.includes("image") && STORABLE.test(format) ? GPUTextureUsage.STORAGE_BINDING : 0),
     });
     // WebGPU makes every texture zero; depths begin as far away as can be.
     if (isDepth(format))
@@ -28,19 +28,6 @@ export function layerOf(texture, layer, level) {
 export function viewOf({ gpu }, dimension) {
     return gpu.createView({ dimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
 }
-export function makeSampler({ gpu }, state) {
-    const { filter, mip, wrap, compare } = state;
-    return gpu.createSampler({
-        addressModeU: WRAPS[wrap],
-        addressModeV: WRAPS[wrap],
-        addressModeW: WRAPS[wrap],
-        magFilter: filter,
-        minFilter: filter,
-        // A sampler cannot ignore mip levels, but it can stay on the first one.
-        ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
-        ...(compare && { compare: compare.replace("_", "-") }),
-    });
-}
 export function makePicture(device, picture) {
     const { dimension, width, height, depth, levels } = picture;
     const format = picture.format;
@@ -52,8 +39,8 @@ export function makePicture(device, picture) {
         dimension: dimension === "3d" ? "3d" : "2d",
         size: [width, height, depth],
         mipLevelCount: levels.length,
-        usage: TextureUsage.TEXTURE_BINDING |
-            (isDepth(format) ? TextureUsage.RENDER_ATTACHMENT : TextureUsage.COPY_DST),
+        usage: GPUTextureUsage.TEXTURE_BINDING |
+            (isDepth(format) ? GPUTextureUsage.RENDER_ATTACHMENT : GPUTextureUsage.COPY_DST),
     });
     const isSolid = dimension === "3d";
     levels.forEach((level, number) => {
@@ -111,7 +98,7 @@ function drawDepths(device, texture, bytes, level, [width, height, layers]) {
         fragment: { module, targets: [] },
         depthStencil: { format: texture.format, depthWriteEnabled: true, depthCompare: "always" },
     });
-    const depths = device.buffer(bytes, BufferUsage.STORAGE);
+    const depths = device.buffer(bytes, GPUBufferUsage.STORAGE);
     const group = gpu.createBindGroup({
         layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource: { buffer: depths } }],
     });

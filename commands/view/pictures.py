@@ -1,0 +1,134 @@
+"""The pictures that people give a page of ``burnish view``: files that its browser sends.
+
+The server keeps the files in memory for as long as it runs, and knows each by a digest of what is
+in it. ``documents.py`` makes textures of them.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from hashlib import blake2b
+from pathlib import PurePath
+from threading import Lock
+from typing import TYPE_CHECKING, NamedTuple, get_args
+
+if TYPE_CHECKING:
+    from ...targets.runner.drivers.texels import Dimension
+    from ...targets.runner.textures.kinds import Kind
+    from ...targets.runner.textures.texture import Texture
+
+MOST_BYTES = 64 * 2**20
+"""Of a file."""
+MOST_KEPT = 512 * 2**20
+"""Bytes of all files together; those that were asked for longest ago go first."""
+MOST_TEXELS = 96 * 2**20
+"""Bytes of a texture with all its levels. A page gets it as text, which is a third longer."""
+_MOST_TEXTURES = 8
+"""So many are kept as they were made of files, since each change of the source asks for them."""
+_SRGB = "srgb:"
+
+FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
+"""Of files without floats. Pillow knows others, which run programs or are no pictures."""
+
+
+class Kept(NamedTuple):
+    """A file that was given."""
+
+    name: str
+    data: bytes
+    is_float: bool
+
+
+class Wanted(NamedTuple):
+    """What a texture of a shader has to be."""
+
+    dimension: Dimension
+    sample: Kind
+
+
+def wanted_of(dimension: str, sample: str) -> Wanted | None:
+    """What a page says that a texture has to be, if there can be such a texture."""
+    from ...targets.runner.drivers.texels import Dimension
+    from ...targets.runner.textures.kinds import Kind
+
+    dimensions: dict[str, Dimension] = {each: each for each in get_args(Dimension)}
+    samples: dict[str, Kind] = {each: each for each in get_args(Kind)}
+    if dimension not in dimensions or sample not in samples:
+        return None
+    return Wanted(dimensions[dimension], samples[sample])
+
+
+class Pictures:
+    """The files that were given. Threads may share it."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._files: OrderedDict[str, Kept] = OrderedDict()
+        self._textures: OrderedDict[tuple[str, Wanted], Texture] = OrderedDict()
+
+    def keep(self, name: str, data: bytes, wanted: Wanted) -> str:
+        """Keep a file that was given for some texture; returns the word by which pages ask for it.
+
+        Raises ``PictureError`` for a file that makes no such texture.
+        """
+        kept = Kept(name, data, _is_float(name))
+        texture = _texture(kept, wanted, srgb=False)
+        if (size := sum(map(len, texture.levels))) > MOST_TEXELS:
+            from ...targets.runner.textures.kinds import PictureError
+
+            raise PictureError(
+                f"{name} makes a texture of {size >> 20} MB, and the page takes {MOST_TEXELS >> 20}"
+            )
+        word = blake2b(name.encode() + b"\0" + data, digest_size=16).hexdigest()
+        with self._lock:
+            self._files[word] = kept
+            self._files.move_to_end(word)
+            while sum(len(each.data) for each in self._files.values()) > MOST_KEPT:
+                self._files.popitem(last=False)
+        return word
+
+    def get(self, asked: str) -> Kept | None:
+        """The file that a page asks for, if it is still here."""
+        with self._lock:
+            word = asked.removeprefix(_SRGB)
+            if word in self._files:
+                self._files.move_to_end(word)
+            return self._files.get(word)
+
+    def is_srgb(self, asked: str, wanted: Wanted) -> bool:
+        """Whether the colours that a page asks for are sRGB. Floats never are."""
+        kept = self.get(asked)
+        is_color = wanted.sample == "float" and kept is not None and not kept.is_float
+        return is_color and asked.startswith(_SRGB)
+
+    def texture(self, asked: str, wanted: Wanted) -> Texture | None:
+        """The texture that a page asks for: by the word for a file, behind ``srgb:`` if its colours
+        are. ``None`` if the file is not here any more. Raises ``PictureError``."""
+        kept = self.get(asked)
+        if kept is None:
+            return None
+        key = asked, wanted
+        with self._lock:
+            found = self._textures.get(key)
+        if found is None:
+            found = _texture(kept, wanted, srgb=self.is_srgb(asked, wanted))
+        with self._lock:
+            self._textures[key] = found
+            self._textures.move_to_end(key)
+            if len(self._textures) > _MOST_TEXTURES:
+                self._textures.popitem(last=False)
+        return found
+
+
+def _is_float(name: str) -> bool:
+    from ...targets.runner.textures.high_range import format_of
+
+    return format_of(PurePath(name)) is not None
+
+
+def _texture(kept: Kept, wanted: Wanted, *, srgb: bool) -> Texture:
+    from ...targets.runner.textures.files import picture_given
+    from ...targets.runner.textures.texture import Texture
+
+    array = picture_given(kept.data, kept.name, FORMATS, *wanted)
+    return Texture.of_array(array, srgb=srgb, dimension=wanted.dimension, sample=wanted.sample)

@@ -1,0 +1,64 @@
+"""Explains a pixel of a frame: which step has made it, and what carries the error to it.
+
+``explaining.py`` calls it for ``burnish conform --explain``. All that the step's own shader does is
+explained as it is for materials.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ..runner.frames.following import BEFORE, Carried, Made
+from ..runner.frames.host import FrameSubject
+from .cases import SIZE
+from .error_words import lines, short, table
+from .frames import FramePlan
+from .rows import Row
+from .seen import Pixel, PixelError, Seen, chosen, leading_of, results_of, values_lines
+
+
+def frame_lines(
+    subject: FrameSubject, rows: Sequence[Row], pixel: Pixel, case: str | None
+) -> Iterator[str]:
+    """What there is to say of one pixel of a frame, whose rows these are. Raises ``PixelError``."""
+    plan = FramePlan(subject.name, subject, SIZE)
+    seen = chosen(list(_seen(plan, rows)), pixel, case, "output")
+    row, level = seen.leading, seen.result.comparison.level
+    assert row.device is not None
+    made = plan.made(seen.name, row.route, row.device, level, pixel)
+    x, y = pixel
+    if made is None:
+        raise PixelError(f"no step draws the pixel {x},{y} of `{seen.name}`")
+    yield f"pixel {x},{y} of `{seen.name}`, by the rules of {row.route.name}"
+    yield ""
+    yield from values_lines(seen, pixel, 0)
+    yield ""
+    yield from made_lines(made)
+
+
+def made_lines(made: Made) -> Iterator[str]:
+    """How a pixel came about, as lines of text."""
+    yield f"the step `{made.step}` has made it, and its bounds are {short(made.apart)} apart"
+    if made.carried:
+        yield from ("", "how far apart they would be without the error of:")
+        rows = [(short(one.apart), _words(one)) for one in made.carried]
+        if len(rows) > 1:
+            rows.append((short(made.alone), "all of these"))
+        yield from table(rows)
+    if made.explanation is not None:
+        yield ""
+        yield f"what `{made.step}` makes of what it reads:"
+        yield from lines(made.explanation)
+
+
+def _words(carried: Carried) -> str:
+    if carried.result == BEFORE:
+        return BEFORE
+    return f"`{carried.name}`, which is `{carried.result}`"
+
+
+def _seen(plan: FramePlan, rows: Sequence[Row]) -> Iterator[Seen]:
+    """The cases that any of these rows has drawn."""
+    for case in plan.cases():
+        if results := results_of(case, rows):
+            yield Seen(case, results, leading_of(results, rows))

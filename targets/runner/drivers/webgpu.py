@@ -1,0 +1,199 @@
+"""A pipeline in the words of WebGPU: descriptors of its state, and what is bound where.
+
+The driver of wgpu makes pipelines with them, and packages of frames have them for web pages. Keys
+are written with underscores, as Python's library for WebGPU has them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .checks import lane_count
+from .pipeline import Pipeline, VertexInput
+from .render_state import BlendEquation, RenderTarget, StencilSide
+from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
+
+DEPTH = "depth32float"
+FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
+"""What not every device can blend."""
+VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
+
+DRAWN, COMPUTED = 0x3, 0x4
+"""The bits of GPUShaderStage: of both stages that draw, and of kernels."""
+_LANES = {"r": 0x1, "g": 0x2, "b": 0x4, "a": 0x8}
+"""The bits of GPUColorWrite."""
+_ADDRESS_MODES = {"repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirror-repeat"}
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """What is bound at one place: a block, a buffer, an image, a texture, or the sampler of a
+    texture."""
+
+    slot: BlockSlot | BufferSlot | ImageSlot | TextureSlot
+    number: int
+    """The slot's place in the pipeline's blocks, buffers, images or textures."""
+    is_sampler: bool = False
+
+
+Groups = list[dict[int, Bound]]
+"""What is bound, by group and binding."""
+
+
+@dataclass(frozen=True, slots=True)
+class Buffer:
+    """A vertex buffer: all attributes that advance at the same time."""
+
+    step: str
+    stride: int
+    members: tuple[tuple[int, VertexInput, int], ...]
+    """The number of each attribute, the attribute, and its offset."""
+
+
+def primitive(pipeline: Pipeline) -> Mapping[str, Any]:
+    """What vertices are, and which triangles are drawn."""
+    return {
+        "topology": f"{pipeline.primitive}-list",
+        "cull_mode": pipeline.cull,
+        "front_face": pipeline.front_face,
+    }
+
+
+def depth_stencil(pipeline: Pipeline) -> Mapping[str, Any]:
+    """The tests of depths and of stencil values, but for the format. The words of a pipeline are
+    WebGPU's, with other dashes."""
+    state: dict[str, Any] = {
+        "depth_write_enabled": pipeline.depth_write,
+        "depth_compare": _word(pipeline.depth_compare),
+    }
+    if pipeline.has_bias:
+        bias = pipeline.depth_bias
+        state |= {
+            "depth_bias": bias.constant,
+            "depth_bias_slope_scale": bias.slope,
+            "depth_bias_clamp": bias.clamp,
+        }
+    if (stencil := pipeline.stencil) is not None:
+        state |= {
+            "stencil_front": _stencil_side(stencil.front),
+            "stencil_back": _stencil_side(stencil.back),
+            "stencil_read_mask": stencil.read_mask,
+            "stencil_write_mask": stencil.write_mask,
+        }
+    return state
+
+
+def _word(text: str) -> str:
+    return text.replace("_", "-")
+
+
+def _stencil_side(side: StencilSide) -> Mapping[str, str]:
+    return {
+        "compare": _word(side.compare),
+        "fail_op": _word(side.fail),
+        "depth_fail_op": _word(side.depth_fail),
+        "pass_op": _word(side.passed),
+    }
+
+
+def color_target(target: RenderTarget) -> Mapping[str, Any]:
+    """How a target is blended, and which of its lanes are written."""
+    mask = sum(bit for lane, bit in _LANES.items() if target.writes(lane))
+    state = {"format": target.format, "write_mask": mask}
+    if (blend := target.blend) is None:
+        return state
+    return {**state, "blend": {"color": _equation(blend.color), "alpha": _equation(blend.alpha)}}
+
+
+def _equation(equation: BlendEquation) -> Mapping[str, str]:
+    return {
+        "operation": _word(equation.operation),
+        "src_factor": _word(equation.source),
+        "dst_factor": _word(equation.destination),
+    }
+
+
+def sampler(slot: TextureSlot) -> Mapping[str, Any]:
+    """The sampler of a texture."""
+    wrap = _ADDRESS_MODES[slot.wrap]
+    state: dict[str, Any] = {
+        "address_mode_u": wrap,
+        "address_mode_v": wrap,
+        "address_mode_w": wrap,
+        "mag_filter": slot.filter,
+        "min_filter": slot.filter,
+        "mipmap_filter": "nearest" if slot.mip == "none" else slot.mip,
+        # A sampler cannot ignore mip levels, but it can stay on the first one.
+        "lod_max_clamp": 0.0 if slot.mip == "none" else 32.0,
+    }
+    return state if slot.compare is None else {**state, "compare": _word(slot.compare)}
+
+
+def vertex_buffers(inputs: Sequence[VertexInput]) -> list[Buffer]:
+    """One buffer for the attributes of vertices and one for those of instances.
+
+    WebGPU guarantees 16 attributes, but only 8 buffers.
+    """
+    found = []
+    for step in ("vertex", "instance"):
+        offset, members = 0, []
+        for number, each in enumerate(inputs):
+            if each.step == step:
+                members.append((number, each, offset))
+                offset += 4 * lane_count(each.format)
+        if members:
+            found.append(Buffer(step, offset, tuple(members)))
+    return found
+
+
+def buffer_layout(buffer: Buffer) -> Mapping[str, Any]:
+    attributes = [
+        {"format": each.format, "offset": offset, "shader_location": each.location}
+        for _, each, offset in buffer.members
+    ]
+    return {"array_stride": buffer.stride, "step_mode": buffer.step, "attributes": attributes}
+
+
+def bound(pipeline: Pipeline) -> Groups:
+    """What is bound where, with an empty group for each unused number."""
+    groups: Groups = []
+
+    def add(group: int | None, binding: int | None, what: Bound) -> None:
+        assert group is not None
+        assert binding is not None
+        groups.extend({} for _ in range(len(groups), group + 1))
+        groups[group][binding] = what
+
+    for number, block in enumerate(pipeline.blocks):
+        add(block.place.group, block.place.binding, Bound(block, number))
+    for number, buffer in enumerate(pipeline.buffers):
+        add(buffer.place.group, buffer.place.binding, Bound(buffer, number))
+    for number, image in enumerate(pipeline.images):
+        add(image.place.group, image.place.binding, Bound(image, number))
+    for number, slot in enumerate(pipeline.textures):
+        add(slot.texture.group, slot.texture.binding, Bound(slot, number))
+        if slot.sampler is not None:
+            add(slot.sampler.group, slot.sampler.binding, Bound(slot, number, is_sampler=True))
+    return groups
+
+
+def layout_entries(group: Mapping[int, Bound], visibility: int) -> list[Mapping[str, Any]]:
+    """An explicit layout: ``auto`` would leave out what the shaders do not use."""
+    return [{"binding": at, "visibility": visibility, **_entry(what)} for at, what in group.items()]
+
+
+def _entry(what: Bound) -> Mapping[str, Any]:
+    slot = what.slot
+    if isinstance(slot, BlockSlot):
+        # A block that is larger in the shader than here is an error.
+        return {"buffer": {"type": "uniform", "min_binding_size": slot.size}}
+    if isinstance(slot, BufferSlot):
+        kind = "storage" if slot.written else "read-only-storage"
+        return {"buffer": {"type": kind, "min_binding_size": slot.stride}}
+    if isinstance(slot, ImageSlot):
+        return {"storage_texture": {"access": "write-only", "format": slot.format}}
+    if what.is_sampler:
+        return {"sampler": {"type": slot.sampling}}
+    return {"texture": {"view_dimension": VIEWS[slot.dimension], "sample_type": slot.sample}}

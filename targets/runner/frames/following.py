@@ -1,0 +1,237 @@
+"""Draws a frame with the reference, and finds out how one pixel of an output came about.
+
+``conform --explain`` asks for it. The pixel is what the last step has left there that drew to its
+texture, as copies of the texture have it as well. To say which of the things that this step reads
+carry the error, the step is drawn once more for each of them, as if its texels or elements were
+exact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ....compiler.ir.shader import Shader
+from ....compiler.ir.stages import TARGET
+from ....compiler.reference.attribution import Explanation, UncoveredError, explain
+from ....compiler.reference.storage_buffers import Contents
+from ....frozen import changed
+from .by_reference import ReferenceFrames
+from .drawn import DEPTHS, Drawn, attachments
+from .host import FrameDraw, Row
+
+BEFORE = "what was there before"
+"""Stands for what a step finds in its own textures."""
+
+
+@dataclass(frozen=True, slots=True)
+class Carried:
+    """Something that a step reads which other steps have made."""
+
+    name: str
+    """What the step's shader calls it; empty for ``BEFORE``."""
+    result: str
+    """What has made it: ``step.target``."""
+    apart: float
+    """How far the pixel's bounds would be apart if it were exact."""
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """How a pixel came about."""
+
+    step: str
+    apart: float
+    """How far its bounds are apart, in the lane where they are farthest."""
+    carried: tuple[Carried, ...]
+    """What the step reads, that which carries most first."""
+    alone: float
+    """How far they would be apart if all that it reads were exact."""
+    explanation: Explanation | None
+    """Why the shader makes errors; ``None`` where the step has only cleared the pixel, and for
+    depths, which no shader of fragments computes."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Layer:
+    """One layer of a step, as it was drawn."""
+
+    step: Row
+    draws: list[FrameDraw]
+    layer: int
+    before: Mapping[int, Drawn]
+    """What was in the textures to which it draws."""
+
+
+@dataclass(slots=True)
+class FollowedFrames(ReferenceFrames):
+    """Frames of which one pixel of a texture is followed, with the rounding of a device."""
+
+    texture: int = 0
+    """What the output shows, before the frame ends."""
+    layer: int = 0
+    pixel: tuple[int, int] = (0, 0)
+    """Its column and its row in the first level."""
+    made: dict[int, Made] = field(default_factory=dict)
+    """By texture: how the pixel came about that it has now."""
+
+    @property
+    def found(self) -> Made | None:
+        """How the pixel of the last frame came about; ``None`` if no step has made it."""
+        previous = {row["texture"]: row["previous"] for row in self.host.plan["kept"]}
+        return self.made.get(previous.get(self.texture, self.texture))
+
+    def _step(self, step: Row, is_first: bool) -> None:
+        ReferenceFrames._step(self, step, is_first)
+        if step["kind"] == "copy" and step["from"]["texture"] in self.made:
+            self.made[step["to"]["texture"]] = self.made[step["from"]["texture"]]
+
+    def _exchange(self, row: Row) -> None:
+        ReferenceFrames._exchange(self, row)
+        one, other = row["texture"], row["previous"]
+        swapped = {one: other, other: one}
+        self.made = {swapped.get(number, number): made for number, made in self.made.items()}
+
+    def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
+        followed = list(self._followed(step, layer))
+        before = {}
+        if followed:
+            places = [place for target in attachments(step) for place in _places(target)]
+            before = {at["texture"]: self.textures[at["texture"]].copy() for at in places}
+        ReferenceFrames._draw_layer(self, step, draws, layer)
+        for target in followed:
+            self._follow(_Layer(step, draws, layer, before), target)
+
+    def _followed(self, step: Row, layer: int) -> Iterator[Row]:
+        """What a step draws to that has the pixel."""
+        wanted = self._same_textures()
+        for target in attachments(step):
+            for place in _places(target):
+                at = layer if place["layer"] is None else place["layer"]
+                if place["texture"] in wanted and (at, place["level"]) == (self.layer, 0):
+                    yield target
+
+    def _same_textures(self) -> set[int]:
+        """The textures whose contents may become those of the followed one."""
+        plan, found = self.host.plan, {self.texture}
+        for row in plan["kept"]:
+            if row["texture"] == self.texture:
+                found.add(row["previous"])
+        for step in reversed(plan["steps"]):
+            if step["kind"] == "copy" and step["to"]["texture"] in found:
+                found.add(step["from"]["texture"])
+        return found
+
+    # --- one step --------------------------------------------------------------------------------
+
+    def _follow(self, drawn: _Layer, target: Row) -> None:
+        """Note how a step has made the pixel, unless it has left that as it was."""
+        place = _places(target)[-1]["texture"]
+        explanation = self._explanation(drawn, target)
+        is_depth = self.textures[place].format.startswith(DEPTHS)
+        draws_over = target["load"] == "load"
+        if explanation is None and draws_over and not is_depth:
+            return
+        read = {
+            read.result: name for draw in drawn.draws for name, read in draw.reads.items()
+        }  # fmt: skip
+        if draws_over:
+            read[BEFORE] = ""
+        whole = self._apart(place)
+        carried = [
+            Carried(name, made, self._apart_without(drawn, place, {made}))
+            for made, name in read.items()
+        ]
+        self.made[place] = Made(
+            drawn.step["name"], whole, tuple(sorted(carried, key=lambda one: one.apart)),
+            self._apart_without(drawn, place, read), explanation,
+        )  # fmt: skip
+
+    def _apart(self, texture: int) -> float:
+        """How far the pixel's bounds are apart in a texture."""
+        x, y = self.pixel
+        _, low, high = self.textures[texture].levels[0][:, self.layer, y, x]
+        apart = high - low
+        return float(np.where(np.isnan(apart), np.inf, apart).max())
+
+    def _apart_without(self, drawn: _Layer, texture: int, exact: Collection[str]) -> float:
+        """How far they would be apart if these results were exact."""
+        textures, buffers, counted = self.textures, self.buffers, self.counted
+        reads = [read for draw in drawn.draws for read in draw.reads.values()]
+        over = _exact if BEFORE in exact else Drawn.copy
+        self.textures = {
+            **textures,
+            **{
+                read.texture: _exact(textures[read.texture])
+                for read in reads
+                if read.texture is not None and read.result in exact
+            },
+            **{number: over(one) for number, one in drawn.before.items()},
+        }
+        self.buffers = {
+            name: Contents(contents.data) if name in exact else contents
+            for name, contents in buffers.items()
+        }
+        try:
+            ReferenceFrames._draw_layer(self, drawn.step, drawn.draws, drawn.layer)
+            return self._apart(texture)
+        finally:
+            self.textures, self.buffers, self.counted = textures, buffers, counted
+
+    def _explanation(self, drawn: _Layer, target: Row) -> Explanation | None:
+        """Why the shader of that draw makes errors which the pixel shows."""
+        targets = drawn.step["targets"]
+        if target not in targets or self.errors is None:
+            return None
+        x, y = self.pixel
+        found = []
+        for draw in drawn.draws:
+            made = self._drawn_of(draw, drawn.layer)
+            shader = _with_target(made.shader, targets.index(target))
+            rules = self._rules_of(drawn.step, shader)
+            with suppress(UncoveredError):
+                found.append(explain(
+                    shader, _as_stored(made.values), made.texels, made.geometry, rules,
+                    self.errors, x, y,
+                ))  # fmt: skip
+        texture = self.textures[_places(target)[-1]["texture"]]
+        value = texture.levels[0][0, self.layer, y, x]
+
+        def off(one: Explanation) -> float:
+            return float(np.abs(value[: len(one.value)] - one.value).max())
+
+        # Of blended draws, none may fit better than the others: then the last one counts.
+        return min(reversed(found), key=off, default=None)
+
+
+def _places(target: Row) -> list[Row]:
+    """Where a target of a step is kept: its samples and, where there are any, their means."""
+    return [place for place in (target, target["resolve"]) if place is not None]
+
+
+def _as_stored(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values with the elements of buffers as they are stored, without bounds."""
+    return {
+        name: Contents(value.data) if isinstance(value, Contents) else value
+        for name, value in values.items()
+    }
+
+
+def _exact(drawn: Drawn) -> Drawn:
+    """A texture with the same values, which no device rounds."""
+    made = drawn.copy()
+    for level, undecided in zip(made.levels, made.undecided, strict=True):
+        level[1:] = level[0]
+        undecided[:] = False
+    return made
+
+
+def _with_target(shader: Shader, number: int) -> Shader:
+    """A shader that delivers one of its targets only."""
+    wanted = shader.results_of(TARGET)[number]
+    results = (one for one in shader.results if one.kind != TARGET or one is wanted)
+    return changed(shader, results=tuple(results))
