@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from ....frozen import changed, frozen
-from ....stdlib.builtins.facts import Fact
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Rule
 from ...diagnostics.fixes import fix_it
@@ -354,7 +353,7 @@ class _Expanding:
     def _counted(self, row: SystemInput) -> Node:
         """The number of a strip, or of a vertex in it."""
         number = self._input(row)
-        self._ctx.ranges.assume(number, Fact(0.0, float(MOST_VERTICES - 1), kind="int"))
+        self._ctx.ranges.assume_counting(number, MOST_VERTICES)
         return number
 
     def _number(self, value: int) -> Node:
