@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -23,8 +23,9 @@ from ..bounds import Bounded, Bounds, Errors, exact, given, hull, joined, rememb
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
+from ..texture_reads import Reader
 from .quads import Barycentric
-from .sampler import TextureReader
+from .sampler import PlainReader, TextureReader
 from .scene import Bools, Floats, Geometry, Ints, RasterRules, Texels
 from .texels import Image
 from .watch import Found, Watch
@@ -40,10 +41,6 @@ DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 _VERTICES = 1 << 14
 """How many vertices are evaluated at once, so that a large mesh needs no more memory than others.
 """
-
-
-class _Reader(Protocol):
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,8 +169,8 @@ class StageEvaluator:
 
     # --- leaves -----------------------------------------------------------------------------------
 
-    def _reader(self, reader: _Reader) -> _Reader:
-        return reader if self.has_bounds else _Plain(reader)
+    def _reader(self, reader: Reader) -> Reader:
+        return reader if self.has_bounds else PlainReader(reader)
 
     def _given(self, lanes: Lanes) -> Lanes:
         """Floats from outside, which are exact unless they have bounds already."""
@@ -198,17 +195,6 @@ class _Watch(Watch):
         if builtin in DERIVATIVE_AXES:
             return tuple(difference_taken(lane, builtin, self._rules) for lane in value)
         return value
-
-
-class _Plain:
-    """A reader of a texture for an evaluation without bounds."""
-
-    def __init__(self, reader: _Reader) -> None:
-        self._reader = reader
-
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        lanes = self._reader.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
-        return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
 
 
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:

@@ -1,21 +1,26 @@
 // Draws one picture of a job: its resources, the state, and reading it back.
 
 import { bytes, Refusal } from "./answers.mjs";
-import { clear, deleteScreen, makeScreen, readTarget, setBlending } from "./webgl2_screen.mjs";
+import {
+  clear, deleteScreen, makeScreen, readTarget, resolve, setBlending,
+} from "./webgl2_screen.mjs";
 import { bindSampler, bindTexture, COMPARES } from "./webgl2_textures.mjs";
 
 /** The picture of a draw: the format and the texels of each target. */
 export function drawPicture(gl, extensions, program, job, draw) {
   const size = [draw.width, draw.height];
+  const resolved = job.samples > 1 ? makeScreen(gl, job, size, true) : null;
   const screen = makeScreen(gl, job, size);
   try {
     clear(gl, job, draw);
     setState(gl, extensions, job);
     setBlending(gl, extensions, job.targets, draw.blend_constant);
     drawMesh(gl, program, job, draw);
+    if (resolved) resolve(gl, job, screen, resolved, size);
     return job.targets.map(({ format }, at) => readTarget(gl, at, format, size));
   } finally {
     deleteScreen(gl, screen);
+    if (resolved) deleteScreen(gl, resolved);
   }
 }
 

@@ -40,18 +40,19 @@ const OPERATIONS = {
   max: "MAX",
 };
 
-/** A framebuffer, which is bound, and its renderbuffers. */
-export function makeScreen(gl, { targets, stencil }, size) {
+/** A framebuffer, which is bound, and its renderbuffers. Their texels have as many samples as those
+ * of the job, or one to which others are resolved. */
+export function makeScreen(gl, { targets, stencil, samples }, size, isResolved = false) {
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  const count = isResolved ? 1 : samples;
   const buffers = targets.map(({ format }, at) =>
-    attach(gl, gl.COLOR_ATTACHMENT0 + at, gl[STORAGE[format]], size),
+    attach(gl, gl.COLOR_ATTACHMENT0 + at, STORAGE[format], size, count),
   );
-  buffers.push(
-    stencil
-      ? attach(gl, gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH32F_STENCIL8, size)
-      : attach(gl, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F, size),
-  );
+  const [point, depths] = stencil
+    ? [gl.DEPTH_STENCIL_ATTACHMENT, "DEPTH32F_STENCIL8"]
+    : [gl.DEPTH_ATTACHMENT, "DEPTH_COMPONENT32F"];
+  if (!isResolved) buffers.push(attach(gl, point, depths, size, count));
   gl.drawBuffers(targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at));
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
     const formats = targets.map(({ format }) => format).join(", ");
@@ -61,10 +62,17 @@ export function makeScreen(gl, { targets, stencil }, size) {
   return { framebuffer, buffers };
 }
 
-function attach(gl, attachment, storage, size) {
+function attach(gl, attachment, storage, size, samples) {
+  const format = gl[storage];
+  const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, format, gl.SAMPLES);
+  if (samples > 1 && !counts.includes(samples)) {
+    throw new Refusal(`WebGL has no ${samples} samples of ${storage} here`);
+  }
   const buffer = gl.createRenderbuffer();
   gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-  gl.renderbufferStorage(gl.RENDERBUFFER, storage, ...size);
+  // WebGL counts none where there is one.
+  const stored = samples > 1 ? samples : 0;
+  gl.renderbufferStorageMultisample(gl.RENDERBUFFER, stored, format, ...size);
   gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
   return buffer;
 }
@@ -72,6 +80,21 @@ function attach(gl, attachment, storage, size) {
 export function deleteScreen(gl, { framebuffer, buffers }) {
   buffers.forEach((buffer) => gl.deleteRenderbuffer(buffer));
   gl.deleteFramebuffer(framebuffer);
+}
+
+/** Write the mean of each pixel's samples to another screen, which is bound then. */
+export function resolve(gl, { targets }, from, to, [width, height]) {
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from.framebuffer);
+  gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to.framebuffer);
+  targets.forEach((_, at) => {
+    const point = gl.COLOR_ATTACHMENT0 + at;
+    gl.readBuffer(point);
+    gl.drawBuffers([...Array(at).fill(gl.NONE), point]);
+    gl.blitFramebuffer(
+      0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST,
+    );
+  });
+  gl.bindFramebuffer(gl.FRAMEBUFFER, to.framebuffer);
 }
 
 /** Clear everything; what is cleared obeys the masks. */

@@ -17,10 +17,13 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   const keep = (resource) => (resources.push(resource), resource);
   try {
     const size = [draw.width, draw.height];
-    const screen = job.targets.map(({ format }) => keep(makeTarget(device, format, size)));
-    const depth = keep(makeTarget(device, depthFormat(job), size));
+    const targets = (samples) =>
+      job.targets.map(({ format }) => keep(makeTarget(device, format, size, samples)));
+    const screen = targets(1);
+    const drawn = job.samples > 1 ? targets(job.samples) : screen;
+    const depth = keep(makeTarget(device, depthFormat(job), size, job.samples));
     const encoder = device.createCommandEncoder();
-    const pass = encoder.beginRenderPass(passDescriptor(job, screen, depth, draw));
+    const pass = encoder.beginRenderPass(passDescriptor(job, drawn, screen, depth, draw));
     pass.setPipeline(pipeline);
     pass.setBlendConstant(draw.blend_constant);
     if (job.stencil) pass.setStencilReference(job.stencil.reference);
@@ -42,21 +45,25 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   }
 }
 
-function makeTarget(device, format, size) {
+function makeTarget(device, format, size, sampleCount) {
   return device.createTexture({
     format,
     size,
+    sampleCount,
     usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
   });
 }
 
-function passDescriptor(job, screen, depth, draw) {
+/** What is drawn to, and to what its samples are resolved, if it is not the same. */
+function passDescriptor(job, drawn, screen, depth, draw) {
   return {
-    colorAttachments: screen.map((target, at) => ({
+    colorAttachments: drawn.map((target, at) => ({
       view: target.createView(),
       clearValue: draw.clear[at],
       loadOp: "clear",
-      storeOp: "store",
+      ...(target === screen[at]
+        ? { storeOp: "store" }
+        : { storeOp: "discard", resolveTarget: screen[at].createView() }),
     })),
     depthStencilAttachment: {
       view: depth.createView(),

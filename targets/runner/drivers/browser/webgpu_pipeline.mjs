@@ -41,6 +41,7 @@ export async function makePipeline(device, job) {
       cullMode: job.cull,
       frontFace: job.front_face,
     },
+    multisample: { count: job.samples },
     depthStencil: depthStencilState(device, job),
   });
   return { pipeline, layouts };

@@ -34,19 +34,22 @@ def draw_job(gpu: Gpu, job: Job) -> list[Picture]:
 
 def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
     targets = [_target(gpu, target.format, draw) for target in pipeline.targets]
+    drawn_to = targets
+    if pipeline.samples > 1:
+        drawn_to = [_target(gpu, each.format, draw, pipeline.samples) for each in pipeline.targets]
     encoder = gpu.device.create_command_encoder()
     drawn = encoder.begin_render_pass(
         color_attachments=[
             {
-                "view": target.create_view(),
+                "view": each.create_view(),
                 "clear_value": clear,
                 "load_op": "clear",
-                "store_op": "store",
+                **(_STORED if each is target else _resolved(target)),
             }
-            for target, clear in zip(targets, draw.clear, strict=True)
+            for each, target, clear in zip(drawn_to, targets, draw.clear, strict=True)
         ],
         depth_stencil_attachment={
-            "view": _target(gpu, pipeline.depth_format, draw).create_view(),
+            "view": _target(gpu, pipeline.depth_format, draw, pipeline.samples).create_view(),
             "depth_clear_value": draw.clear_depth,
             "depth_load_op": "clear",
             "depth_store_op": "discard",
@@ -71,12 +74,20 @@ def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
     return Picture(draw.width, draw.height, tuple(lanes))
 
 
-def _target(gpu: Gpu, format: str, draw: Draw) -> Any:
+_STORED = {"store_op": "store"}
+
+
+def _resolved(target: Any) -> dict[str, Any]:
+    """Nothing is kept of several samples but their mean, in another texture."""
+    return {"store_op": "discard", "resolve_target": target.create_view()}
+
+
+def _target(gpu: Gpu, format: str, draw: Draw, samples: int = 1) -> Any:
     usage = wgpu.TextureUsage.RENDER_ATTACHMENT
     if not format.startswith(DEPTH):
         usage |= wgpu.TextureUsage.COPY_SRC
     size = (draw.width, draw.height, 1)
-    return gpu.device.create_texture(format=format, size=size, usage=usage)
+    return gpu.device.create_texture(format=format, size=size, usage=usage, sample_count=samples)
 
 
 def _mesh(gpu: Gpu, drawn: Any, buffers: Sequence[Buffer], draw: Draw) -> None:

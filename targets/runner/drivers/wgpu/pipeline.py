@@ -56,6 +56,7 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
             "targets": [_target(gpu, target) for target in pipeline.targets],
         },
         primitive=primitive(pipeline),
+        multisample={"count": pipeline.samples},
         depth_stencil=_depth_stencil(gpu, pipeline),
     )
     return Made(handle, groups, layouts, buffers)
