@@ -79,7 +79,7 @@ class Studio(ExitStack):
         for size in (SMALL, whole)[: 1 + (self.drawn <= LARGE_PICTURES)]:
             cases.SIZE = size
             subjects = [(place, material)]
-            (found,) = conform(subjects, [row], self._runner, self._toolchain)
+            (found,) = conform(subjects, [row], self._runner, self._toolchain, brief=True)
             cases.SIZE = whole
             if found.status in NOTICED:
                 return f"{place}: {found.status}"
