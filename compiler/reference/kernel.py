@@ -91,10 +91,8 @@ def computed(
     stores, scatters = shader.results_of(STORE), scattered(shader.results)
     joins = [part for row in scatters for part in (row.value, row.place, row.condition)]
     roots = [*(result.value for result in stores), *joins]
-    watch = _Watch(
-        Found.of(roots), groups, count, unguarded_is_nan=rules.unguarded_is_nan,
-        rounds=errors is not None,
-    )  # fmt: skip
+    known = Found.of(roots, textures.values(), rules)
+    watch = _Watch(known, (count,), rules, groups, rounds=errors is not None)
     # Of plain arrays it is NumPy, which mypy does not see.
     evaluator = Evaluator(leaves, cast("Namespace", groups), watch)
     with np.errstate(all="ignore"):
@@ -121,9 +119,10 @@ class _Watch(Watch):
     """Observes all invocations at once, and what their work groups join."""
 
     def __init__(
-        self, found: Found, groups: Groups, count: int, *, unguarded_is_nan: bool, rounds: bool
-    ) -> None:
-        super().__init__(found, (count,), unguarded_is_nan=unguarded_is_nan, rounds=rounds)
+        self, found: Found, shape: tuple[int, ...], rules: RasterRules, groups: Groups,
+        *, rounds: bool,
+    ) -> None:  # fmt: skip
+        super().__init__(found, shape, rules, rounds=rounds)
         self._groups = groups
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
