@@ -38,7 +38,7 @@ _MESH = """({reflection, geometry}) => {
   return {
     attributes: Object.fromEntries(streams.flat()),
     indices: indices && [...new Uint32Array(indices.buffer)],
-    elements: Object.fromEntries(elements.map(([name, bytes]) => [name, [...bytes]])),
+    elements: Object.fromEntries(elements.map(({ name, bytes }) => [name, [...bytes]])),
     count,
     instances: instance_count,
   };
