@@ -96,8 +96,9 @@ def computed(
     # Of plain arrays it is NumPy, which mypy does not see.
     evaluator = Evaluator(leaves, cast("Namespace", groups), watch)
     with np.errstate(all="ignore"):
-        values_of = {node.id: _of_all(evaluator.value(node), count) for node in roots}
-        watch.end(tuple(lane for lanes in values_of.values() for lane in lanes))
+        lanes = evaluator.values(roots)
+        values_of = {node.id: _of_all(each, count) for node, each in zip(roots, lanes, strict=True)}
+        watch.end(tuple(lane for each in values_of.values() for lane in each))
         found: list[Lane] = []
         for result in stores:
             assert result.store is not None
