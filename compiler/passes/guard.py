@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 
-from ...frozen import frozen
+from ...frozen import fresh, frozen, record
 from ...stdlib.builtins import BUILTINS, Builtin
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
@@ -22,7 +22,7 @@ from ..ir.shader import Notes
 from ..ir.types import Type
 from .expand_builtins import Expanding
 from .path_conditions import PathConditions, PathRefinement
-from .remarks import Outcome
+from .remarks import Outcome, Remark
 from .simplify import Simplifier
 
 
@@ -45,6 +45,23 @@ class Guard:
 
 def _interval(fact: Fact) -> str:
     return f"[{fact.lo:g}, {fact.hi:g}]"
+
+
+@record
+class Decisions:
+    """What was decided about guards in several parts of a program."""
+
+    kept: dict[int, Guard] = fresh(factory=dict)
+    """By the id of the ``call`` that was expanded."""
+    remarks: dict[Hashable, Remark] = fresh(factory=dict)
+    undecided: bool = False
+    """Whether any call was left to the profiles."""
+
+    def add(self, guarding: Guarding) -> None:
+        """Take over what was decided in one part."""
+        self.kept.update(guarding.kept)
+        self.remarks.update(guarding.remarks)
+        self.undecided = self.undecided or guarding.undecided
 
 
 class Guarding(Expanding):

@@ -14,11 +14,12 @@ from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Result, Shader
 from ..ir.stages import EXTENT, LENGTH
+from .apart import Apart
 from .checkpoint import verified, verified_results
 from .corners_in_buffer import MOST_INPUTS, corners_in_buffer
 from .expand_builtins import expand_builtins
 from .fuse import fuse
-from .guard import Guard, Guarding
+from .guard import Decisions, Guard, Guarding
 from .hoist import Derived, hoist
 from .inline import inline
 from .lift_lambdas import lift_lambdas
@@ -110,10 +111,11 @@ def stage(shader: Shader, options: Options) -> Staged:
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
-    roots = _simplified(graph, roots, notes, simplifier)
-    roots, guarding = _guarded(graph, roots, notes, ranges)
+    apart = Apart.of(results, shader.placing)
+    roots = _simplified(graph, roots, notes, simplifier, apart)
+    roots, decisions = _guarded(graph, roots, notes, ranges, apart)
     evidence = Evidence(
-        (*simplifier.remarks.values(), *guarding.remarks.values()), ranges, notes.copy()
+        (*simplifier.remarks.values(), *decisions.remarks.values()), ranges, notes.copy()
     )
     roots = verified("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
@@ -121,18 +123,19 @@ def stage(shader: Shader, options: Options) -> Staged:
         declared = (info.parameter.name for info in shader.parameters)
         roots, derived = hoist(graph, roots, notes, ranges, declared)
         verified("hoist", "guarded", roots)
-    roots = verified("move_to_corners", "guarded", move_to_corners(graph, roots, notes))
+    roots = apart.each(roots, lambda some, _: move_to_corners(graph, some, notes))
+    verified("move_to_corners", "guarded", roots)
     roots = verified("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
     roots = verified("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     roots = verified("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
     results = tuple(changed(r, value=v) for r, v in zip(results, roots, strict=True))
-    made = partial(_form, derived=derived, ranges=ranges if guarding.undecided else None)
+    made = partial(_form, derived=derived, ranges=ranges if decisions.undecided else None)
     shader = changed(shader, results=results)
     form = made(whole_texels(shader))
     if form.program.input_locations > MOST_INPUTS:
         form = made(corners_in_buffer(shader))
     drawn = made(full_screen(shader)) if writes_images(shader) else None
-    guards = tuple(guarding.kept.values())
+    guards = tuple(decisions.kept.values())
     return Staged(form.shader, form.program, derived, guards, evidence, form.undecided, drawn)
 
 
@@ -153,16 +156,28 @@ def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -
     return Form(shader, program, undecided)
 
 
-def _simplified(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
+def _simplified(
+    graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier, apart: Apart
+) -> Roots:
     """Simplify, fuse sums over lights, and write out what is used once."""
     roots = verified("simplify", "flat", simplifier.simplified(roots))
-    roots = verified("fuse", "flat", fuse(graph, roots, notes, simplifier))
-    return verified("inline", "flat", inline(graph, roots, notes, simplifier))
+    fused = apart.each(roots, lambda some, _: fuse(graph, some, notes, simplifier))
+    roots = verified("fuse", "flat", fused)
+    inlined = apart.each(roots, lambda some, _: inline(graph, some, notes, simplifier))
+    return verified("inline", "flat", inlined)
 
 
-def _guarded(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) -> tuple[Roots, Guarding]:
+def _guarded(
+    graph: Graph, roots: Roots, notes: Notes, ranges: Ranges, apart: Apart
+) -> tuple[Roots, Decisions]:
     roots = verified("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
-    guarding = Guarding(graph, ranges, notes, PathConditions(roots, ranges))
-    roots = verified("guard", "guarded", guarding.simplified(roots))
-    roots = verified("inline", "guarded", inline(graph, roots, notes, guarding))
-    return roots, guarding
+    decisions = Decisions()
+
+    def guarded(some: Roots, using: Roots) -> Roots:
+        guarding = Guarding(graph, ranges, notes, PathConditions(using, ranges))
+        made = verified("guard", "guarded", guarding.simplified(some))
+        made = inline(graph, made, notes, guarding)
+        decisions.add(guarding)
+        return made
+
+    return verified("inline", "guarded", apart.each(roots, guarded)), decisions

@@ -1,11 +1,13 @@
-"""The array library with which kernels are evaluated whose work groups join values.
+"""The array libraries with which kernels are evaluated whose work groups join values.
 
-``kernel.py`` makes one for each run. Its arrays have an element for each invocation; so many of
-these, one after the other, are a work group. The last group may have fewer.
+``kernel.py`` makes one for each run: with bounds, or with plain arrays. Its arrays have an element
+for each invocation; so many of these, one after the other, are a work group. The last group may
+have fewer.
 """
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Any
 
 import numpy as np
@@ -13,14 +15,13 @@ from numpy.typing import NDArray
 
 from .bounds import Bounded, Bounds, Errors
 from .bounds.bounded import as_bounded
-from .namespace import Binary, WorkGroups
+from .namespace import Binary, Lane, WorkGroups
 
 
-class InGroups(Bounds, WorkGroups):
-    """Lanes with bounds, one for each of ``count`` invocations in groups of ``size``."""
+class Groups(WorkGroups):
+    """Joins what ``count`` invocations have, in groups of ``size``."""
 
-    def __init__(self, errors: Errors, count: int, size: int) -> None:
-        super().__init__(errors)
+    def __init__(self, count: int, size: int) -> None:
         self._count, self._size = count, size
         self._index = np.arange(count)
         self._place = self._index % size
@@ -28,7 +29,15 @@ class InGroups(Bounds, WorkGroups):
         self._present = np.minimum(count - first, size)
         """How many invocations the group of each one has."""
 
-    def all_joined(self, join: Binary, x: Any) -> Bounded:
+    @abstractmethod
+    def where(self, condition: Any, x: Any, y: Any, /) -> Lane:
+        """The choice of the array library."""
+
+    @abstractmethod
+    def _of_each(self, x: Lane) -> Lane:
+        """The lane with an element for each invocation, also where all have the same."""
+
+    def all_joined(self, join: Binary, x: Lane) -> Lane:
         """Pairs are joined, the second half of a group with the first one, until one is left."""
         found = self._of_each(x)
         reach = _power_of_two(self._size) // 2
@@ -39,7 +48,7 @@ class InGroups(Bounds, WorkGroups):
             reach //= 2
         return found.take(self._index - self._place, 0)
 
-    def joined_through(self, join: Binary, x: Any) -> Bounded:
+    def joined_through(self, join: Binary, x: Lane) -> Lane:
         """What is before is joined from a distance of 1, then of 2, of 4 … (Hillis and Steele)."""
         found = self._of_each(x)
         reach = 1
@@ -49,11 +58,12 @@ class InGroups(Bounds, WorkGroups):
             reach *= 2
         return found
 
-    def at_the_one_before(self, x: Any, first: Any) -> Bounded:
+    def at_the_one_before(self, x: Lane, first: Lane) -> Lane:
         """A shift by one invocation."""
-        before = self._of_each(x).take(np.maximum(self._index - 1, 0), 0)
-        found: Bounded = self.where(self._place > 0, before, np.full_like(before.value, first))
-        return found
+        found = self._of_each(x)
+        before = found.take(np.maximum(self._index - 1, 0), 0)
+        at_first = np.full_like(found.value if isinstance(found, Bounded) else found, first)
+        return self.where(self._place > 0, before, at_first)
 
     def anywhere(self, condition: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Whether a condition holds anywhere in the group of each invocation."""
@@ -61,9 +71,29 @@ class InGroups(Bounds, WorkGroups):
         found: NDArray[np.bool_] = np.bincount(group, condition)[group] > 0
         return found
 
+
+class InGroups(Bounds, Groups):
+    """Lanes with bounds."""
+
+    def __init__(self, errors: Errors, count: int, size: int) -> None:
+        Bounds.__init__(self, errors)
+        Groups.__init__(self, count, size)
+
     def _of_each(self, x: Any) -> Bounded:
-        """The lane with an element for each invocation, also where all have the same."""
         return as_bounded(x).spread((self._count,))
+
+
+class PlainInGroups(Groups):
+    """Plain arrays: all that is not of groups are NumPy's functions."""
+
+    def where(self, condition: Any, x: Any, y: Any, /) -> Lane:
+        return np.where(condition, x, y)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(np, name)
+
+    def _of_each(self, x: Any) -> NDArray[Any]:
+        return np.broadcast_to(x, (self._count,))
 
 
 def _power_of_two(number: int) -> int:

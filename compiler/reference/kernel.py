@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,13 +23,14 @@ from ..ir.stages import COMPUTED, STORE
 from .bounds import Bounded, Errors, exact
 from .evaluate import Evaluator
 from .held_values import HeldValues, as_rounded
-from .in_groups import InGroups
-from .namespace import Lanes
-from .picture.sampler import TextureReader
+from .in_groups import Groups, InGroups, PlainInGroups
+from .namespace import Lanes, Namespace
+from .picture.sampler import PlainReader, TextureReader
 from .picture.scene import RasterRules, Texels
 from .picture.texels import Image
 from .picture.watch import Found, Watch
 from .scattering import joined
+from .texture_reads import Reader
 
 Array = NDArray[Any]
 
@@ -56,20 +57,22 @@ def computed(
     textures: Mapping[str, Texels],
     count: int,
     lengths: Mapping[str, int],
-    errors: Errors,
+    errors: Errors | None,
     rules: RasterRules,
 ) -> Sequence[Lane]:
     """The lanes of every part that the kernel writes, in the order of its results.
 
     ``values`` are those of parameters and buffers by name, ``count`` is how many invocations there
-    are, and ``lengths`` says how many elements each buffer has that is written. Raises
-    ``ValueError`` for a shader that is no kernel, and where a value is missing.
+    are, and ``lengths`` says how many elements each buffer has that is written. Without ``errors``,
+    nothing is rounded, and both ends of a lane are its value. Raises ``ValueError`` for a shader
+    that is no kernel, and where a value is missing.
     """
     if shader.chain != COMPUTED:
         raise ValueError(f"{shader.name} is no kernel.")
-    index = exact(np.arange(count, dtype=np.int64))
-    held = HeldValues(values, as_rounded)
-    readers: dict[Resource, TextureReader] = {}
+    numbers = np.arange(count, dtype=np.int64)
+    index = numbers if errors is None else exact(numbers)
+    held = HeldValues(values, None if errors is None else as_rounded)
+    readers: dict[Resource, Reader] = {}
 
     def leaves(node: Node) -> Lanes | None:
         if node.op == "input":
@@ -77,20 +80,25 @@ def computed(
         if isinstance(node.data, Resource):
             if node.data not in readers:
                 image = Image(textures[node.data.name], node.data, rules)
-                readers[node.data] = TextureReader(image)
+                reader = TextureReader(image)
+                readers[node.data] = PlainReader(reader) if errors is None else reader
             return (readers[node.data],)
         return held.value(node)
 
     assert shader.work_group is not None
-    groups = InGroups(errors, count, invocations(shader.work_group))
+    size = invocations(shader.work_group)
+    groups = PlainInGroups(count, size) if errors is None else InGroups(errors, count, size)
     stores, scatters = shader.results_of(STORE), scattered(shader.results)
     joins = [part for row in scatters for part in (row.value, row.place, row.condition)]
     roots = [*(result.value for result in stores), *joins]
-    watch = _Watch(Found.of(roots), groups, count, unguarded_is_nan=rules.unguarded_is_nan)
-    evaluator = Evaluator(leaves, groups, watch)
+    known = Found.of(roots, textures.values(), rules)
+    watch = _Watch(known, (count,), rules, groups, rounds=errors is not None)
+    # Of plain arrays it is NumPy, which mypy does not see.
+    evaluator = Evaluator(leaves, cast("Namespace", groups), watch)
     with np.errstate(all="ignore"):
-        values_of = {node.id: _of_all(evaluator.value(node), count) for node in roots}
-        watch.end(tuple(lane for lanes in values_of.values() for lane in lanes))
+        lanes = evaluator.values(roots)
+        values_of = {node.id: _of_all(each, count) for node, each in zip(roots, lanes, strict=True)}
+        watch.end(tuple(lane for each in values_of.values() for lane in each))
         found: list[Lane] = []
         for result in stores:
             assert result.store is not None
@@ -112,9 +120,10 @@ class _Watch(Watch):
     """Observes all invocations at once, and what their work groups join."""
 
     def __init__(
-        self, found: Found, groups: InGroups, count: int, *, unguarded_is_nan: bool
-    ) -> None:
-        super().__init__(found, (count,), unguarded_is_nan=unguarded_is_nan, rounds=True)
+        self, found: Found, shape: tuple[int, ...], rules: RasterRules, groups: Groups,
+        *, rounds: bool,
+    ) -> None:  # fmt: skip
+        super().__init__(found, shape, rules, rounds=rounds)
         self._groups = groups
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:

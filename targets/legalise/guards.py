@@ -16,6 +16,7 @@ from ...compiler.ir.program import Program
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.rewrite import rewrite
 from ...compiler.ir.shader import Notes
+from ...compiler.passes.apart import Apart
 from ...compiler.passes.checkpoint import verified
 from ...compiler.passes.guard import Guard, Guarding
 from ...compiler.passes.inline import inline
@@ -37,7 +38,8 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     given = Roots([result.value for result in undecided.results])
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
-    roots = inline(graph, roots, notes, deciding)
+    apart = Apart.of(undecided.results, shader.placing)
+    roots = apart.each(roots, lambda some, _: inline(graph, some, notes, deciding))
     # Calls that only these guards make dear are copied here, with the loops in them.
     roots = rename_variables(graph, roots, notes.follow)
     roots = verified("guards of a profile", "stored", roots)

@@ -26,9 +26,6 @@ Floats = NDArray[np.float64]
 _INTEGERS = {STORED[kind]: ends for kind, ends in WHOLE.items()}
 """The least and the largest integer that is stored so."""
 
-ANY = Errors(("vulkan",))
-"""Bounds come with the values, also where nobody asks for those of a device."""
-
 
 def elements_by_reference(
     shader: Shader,
@@ -41,13 +38,13 @@ def elements_by_reference(
     """The elements of each result of a kernel, by name.
 
     ``textures`` are what it reads, if not those of the instance, and ``buffers`` what it reads that
-    other kernels have written. Raises ``MissingValuesError``.
+    other kernels have written. With ``errors`` they have bounds. Raises ``MissingValuesError``.
     """
     counts = instance.result_counts()
     lanes = computed(
         shader, values_for(shader, instance, buffers),
         texels_of(instance) if textures is None else textures,
-        instance.extent(), counts, errors or ANY, rules or RasterRules(1, 1),
+        instance.extent(), counts, errors, rules or RasterRules(1, 1),
     )  # fmt: skip
     return {name: _contents(count, _of(name, lanes)) for name, count in counts.items()}
 

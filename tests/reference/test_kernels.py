@@ -6,29 +6,32 @@ import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.kernel import computed
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.storage_buffers import Contents
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.reference import values_for
-from burnish.targets.runner.reference_kernels import ANY, elements_by_reference
+from burnish.targets.runner.reference_kernels import elements_by_reference
 
+BOTH = pytest.mark.parametrize("errors", [None, Errors(("vulkan",))], ids=["plain", "bounds"])
 RULES = RasterRules(1, 1, unguarded_is_nan=True)
 ROOT = "unguarded(sqrt(float(index - 2)))"
 """Nothing is defined of it in the first two of eight invocations."""
 
 
-def undecided(text: str) -> list[list[int]]:
+def undecided(text: str, errors: Errors | None) -> list[list[int]]:
     """Of each result of a kernel, the elements of which nothing is defined."""
     kernel = burnish.compile(f"kernel K {{ {text} }}", ("wgsl",))["K"]
     instance = Instance(kernel.reflection)
     lanes = computed(
         kernel.shader, values_for(kernel.shader, instance), {}, instance.extent(),
-        instance.result_counts(), ANY, RULES,
+        instance.result_counts(), errors, RULES,
     )  # fmt: skip
     return [np.flatnonzero(lane.undecided).tolist() for lane in lanes]
 
 
+@BOTH
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
@@ -47,9 +50,9 @@ def undecided(text: str) -> list[list[int]]:
     ],
 )
 def test_nothing_is_defined_where_a_promise_is_broken_or_a_domain_left(
-    text: str, wanted: list[int]
+    text: str, wanted: list[int], errors: Errors | None
 ) -> None:
-    assert all(found == wanted for found in undecided(text))
+    assert all(found == wanted for found in undecided(text, errors))
 
 
 READS = """
@@ -60,6 +63,7 @@ kernel K {{
 """
 
 
+@BOTH
 @pytest.mark.parametrize(
     ("element", "value", "wanted"),
     [
@@ -71,7 +75,7 @@ kernel K {{
     ],
 )
 def test_what_is_read_of_undefined_elements_is_undefined(
-    element: str, value: str, wanted: list[int]
+    element: str, value: str, wanted: list[int], errors: Errors | None
 ) -> None:
     text = READS.format(element=element, value=value)
     kernel = burnish.compile(text, ("wgsl",))["K"]
@@ -81,6 +85,6 @@ def test_what_is_read_of_undefined_elements_is_undefined(
     contents = Contents(bytes(4 * len(numbers)), np.stack([numbers] * 3))
     instance.set_bytes("given", contents.data)
     held = {"given": contents}
-    (found,) = elements_by_reference(kernel.shader, instance, {}, held, RULES).values()
+    (found,) = elements_by_reference(kernel.shader, instance, {}, held, RULES, errors).values()
     assert found.ends is not None
     assert np.flatnonzero(np.isnan(found.ends[0])).tolist() == wanted

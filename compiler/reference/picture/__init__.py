@@ -6,18 +6,21 @@ imports it.
 """
 
 from . import formats
-from .canvas import Canvas
+from .canvas import NOWHERE, Canvas
+from .copies import Places
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
 from .resolve import expected_on, samples_on
 from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
 
 __all__ = [
+    "NOWHERE",
     "Canvas",
     "Counted",
     "Expected",
     "Geometry",
     "Hulls",
+    "Places",
     "RasterRules",
     "Texels",
     "draw",

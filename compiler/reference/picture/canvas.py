@@ -17,6 +17,7 @@ from ...ir.shader import RenderTarget
 from ...ir.types import Type, width
 from .comparing import compared
 from .compositing import composed
+from .copies import Places
 from .coverage import Fragments
 from .formats import clamped, rounded
 from .scene import Bools, Counted, Floats, Ints
@@ -29,6 +30,8 @@ _MISSING = (0.0, 0.0, 0.0, 1.0)
 
 Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
+NOWHERE = -1
+"""The place of what no face has drawn."""
 _AT_ONCE = 1 << 16
 """How many samples are drawn at once, so that a large picture needs no more memory than others."""
 
@@ -68,11 +71,13 @@ class Canvas:
         has_depth: bool = True,
         depth: float = 1.0,
         blend_constant: Sequence[float] = BLACK,
+        places: Places | None = None,
     ) -> None:
         """``samples`` says how many there are in the picture, and ``written`` are the render
         targets with the types of the values that are written to them. If the device ``rounds``,
         its values lie between those of their formats. Without depths, what is drawn later is in
-        front; ``depth`` is what they are at first."""
+        front; ``depth`` is what they are at first. ``places`` have numbers for faces whose depths
+        may be there."""
         self.rounds = rounds
         self.has_depth = has_depth
         self._lanes = [width(type_) for _, type_ in written]
@@ -86,10 +91,9 @@ class Canvas:
         self.depth = np.full(samples, float(np.float32(depth)))
         self.depth_off = np.zeros(samples)
         """By how much a device's depth may differ."""
-        self.places = 0
-        """How many places of faces have been drawn at: whoever draws next begins to count here."""
-        self._place = np.full(samples, -1)
-        """The number of the place of the face that was drawn last (``copies.py``)."""
+        self.places = places or Places()
+        self.place = np.full(samples, NOWHERE)
+        """The number of the place of the face whose depth is there."""
         self._may_hide = np.ones(samples)
         """The nearest depth that a device may have where it is unsure whether a fragment was
         drawn."""
@@ -160,7 +164,8 @@ class Canvas:
         at, fragment = sample[members], shades.of_sample[members]
         before, new = self.depth[at], depth[members]
         margin = off[members] + self.depth_off[at]
-        same = place[members] == self._place[at]
+        same = place[members] == self.place[at]
+        new = np.where(same, before, new)
         nearer = Outcomes(*self._tested(test, new, before, margin, same))
         through = self.stencil.tested(stencil, at)
         there = Outcomes(~shades.discarded[fragment], shades.undecided[fragment])
@@ -182,7 +187,7 @@ class Canvas:
         if test.write:
             self.depth[at] = depth[drawn]
             self.depth_off[at] = off[drawn]
-            self._place[at] = place[drawn]
+            self.place[at] = place[drawn]
         self.layers[at] += 1
         for number, (target, colours) in enumerate(zip(self.targets, shades.colours, strict=True)):
             target[:, at] = self.mixed(number, colours[:, fragment], target[:, at])
@@ -219,6 +224,15 @@ class Canvas:
             return np.full(len(new), passes), np.zeros(len(new), np.bool_)
         close: Bools = (np.abs(new - before) <= margin) & ~same
         return compared(test.compare, new, before), close
+
+    def may_pass(self, test: DepthState, sample: Ints, depth: Floats, off: Floats) -> Bools:
+        """Which fragments the depth test may let through on some device, as far as that is known
+        of what is there now."""
+        nowhere = np.zeros(len(sample), np.bool_)
+        before, margin = self.depth[sample], off + self.depth_off[sample]
+        passes, close = self._tested(test, depth, before, margin, nowhere)
+        unsure: Bools = self.undecided[sample] | self.shaky[sample]
+        return passes | close | unsure
 
     def _passes_in_any_case(self, test: DepthState, farthest: Floats, at: Ints) -> Bools:
         """Which fragments the depth test lets through, whatever was drawn of what is unsure.

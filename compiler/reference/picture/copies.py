@@ -1,9 +1,10 @@
-"""Tells which faces are at exactly the same place on every device: copies in several instances.
+"""Tells which faces are at exactly the same place on every device: copies, and what is drawn twice.
 
 If the places of vertices do not depend on the instance, all instances lie in each other. A shader
 computes the same from the same operands, so the depths of a face and of its copy in another
-instance are equal, bit by bit, and the one that is drawn first hides the others. ``drawing.py``
-asks for this, because equal depths of two other faces are undecided.
+instance are equal, bit by bit, and the one that is drawn first hides the others. Two shaders do so
+only if their positions are invariant (``placing.py``). ``drawing.py`` asks for this, because equal
+depths of two other faces are undecided.
 """
 
 from __future__ import annotations
@@ -20,18 +21,35 @@ from .faces import Faces
 from .scene import Geometry, Ints
 
 
-def place_numbers(shader: Shader, geometry: Geometry, faces: Faces) -> Ints:
-    """A number for each face, which it shares with its copies."""
+class Places:
+    """Gives numbers to the places of faces, in all draws whose depths may meet."""
+
+    def __init__(self) -> None:
+        self._count = 0
+        self._first: dict[bytes, int] = {}
+        """The first number of each draw, by what its faces are placed by."""
+
+    def numbers(
+        self, shader: Shader, geometry: Geometry, faces: Faces, placing: bytes | None
+    ) -> Ints:
+        """Numbers for the faces of a draw: those of another one that has the same ``placing``."""
+        own = _place_numbers(shader, geometry, faces)
+        shared = None if isinstance(faces, EdgeFaces) else placing
+        first = self._count if shared is None else self._first.setdefault(shared, self._count)
+        self._count = max(self._count, first + int(own.max(initial=-1)) + 1)
+        return own + first
+
+
+def _place_numbers(shader: Shader, geometry: Geometry, faces: Faces) -> Ints:
+    """A number for each face of a draw, which it shares with its copies."""
     if isinstance(faces, EdgeFaces) and not _shows_triangles(shader):
         # Two triangles have an edge in common, which shows the same for both.
         _, shared = np.unique(faces.between, axis=0, return_inverse=True)
         return np.asarray(shared.ravel())
     if geometry.instance_count == 1 or _moves_instances(shader):
-        return np.arange(len(faces.corners))
-    each = geometry.vertex_count // geometry.instance_count
-    _, numbers = np.unique(faces.corners % each, axis=0, return_inverse=True)
-    found: Ints = numbers.ravel()
-    return found
+        return faces.primitive
+    copies: Ints = faces.primitive % (len(geometry.triangles) // geometry.instance_count)
+    return copies
 
 
 def _moves_instances(shader: Shader) -> bool:

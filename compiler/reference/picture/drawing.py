@@ -15,11 +15,11 @@ from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .assembly import faces_of
 from .canvas import BLACK, Canvas, Shades, nearest, with_missing
-from .copies import place_numbers
 from .coverage import Coverage, Fragments, coverage_of, has_level_edges, joined
 from .faces import Faces
 from .hulls import Hulls
 from .lines import LineFaces
+from .placing import placing_of
 from .quads import Barycentric, Quads, depths_of, out_of_range, quads_of
 from .resolve import expected_on
 from .scene import (
@@ -126,8 +126,8 @@ class _Drawing:
             self._vertices.off,
             shader.render_state,
         )
-        self._places = place_numbers(shader, geometry, self._faces) + canvas.places
-        canvas.places = int(self._places.max(initial=canvas.places - 1)) + 1
+        placing = placing_of(shader, values, textures, geometry, rules)
+        self._places = canvas.places.numbers(shader, geometry, self._faces, placing)
         self._lanes = [width(type_) for _, type_ in written_by(shader)]
         self._depth = shader.render_state.depth
         self._stencil = shader.render_state.stencil
@@ -161,9 +161,9 @@ class _Drawing:
         canvas = self._canvas
         coverage = coverage_of(self._faces, self._rules)
         fragments, sure = coverage.fragments, coverage.certain
-        seen, doubtful = self._let_through(fragments), coverage.doubtful
+        seen = self._let_through(fragments)
         fragments, sure = fragments.only(seen), sure[seen]
-        doubtful = doubtful.only(self._let_through(doubtful))
+        doubtful = self._not_behind(coverage.doubtful.only(self._let_through(coverage.doubtful)))
         if self._depth.is_biased:
             # APIs leave open what becomes of depths that a bias moves out of their range.
             beyond = sure & out_of_range(self._faces, fragments, self._rules)
@@ -207,6 +207,14 @@ class _Drawing:
             return np.ones(len(fragments.sample), np.bool_)
         test = self._test_of(fragments)
         return self._canvas.stencil.tested(test, fragments.sample).may_hold
+
+    def _not_behind(self, doubtful: Fragments) -> Fragments:
+        """The doubtful fragments that may be seen before what there was when the draw began, as
+        long as that is still there then."""
+        if self._depth.write and self._depth.compare != "equal":
+            return doubtful
+        depth, off = depths_of(self._faces, doubtful, self._rules)
+        return doubtful.only(self._canvas.may_pass(self._depth, doubtful.sample, depth, off))
 
     def _not_hidden(self, doubtful: Fragments, certain: Fragments, farthest: Floats) -> Fragments:
         """The doubtful fragments that are not behind others which every device draws.

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..bounds import Bounded, as_bounded, exact, remembered
 from ..namespace import Lane, Lanes
+from ..texture_reads import Reader
 from . import levels
 from .choices import Choice, Part, hull_of_choices, sure, with_hull
 from .cube import may_be_nowhere, met
@@ -222,3 +223,14 @@ def _plain(lane: Bounded) -> Lane:
     if not lane.is_exact:
         return lane
     return lane.value if np.ndim(lane.value) else int(lane.value)
+
+
+class PlainReader:
+    """A reader of a texture for an evaluation without bounds."""
+
+    def __init__(self, reader: Reader) -> None:
+        self._reader = reader
+
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        lanes = self._reader.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
+        return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -23,8 +23,9 @@ from ..bounds import Bounded, Bounds, Errors, exact, given, hull, joined, rememb
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
+from ..texture_reads import Reader
 from .quads import Barycentric
-from .sampler import TextureReader
+from .sampler import PlainReader, TextureReader
 from .scene import Bools, Floats, Geometry, Ints, RasterRules, Texels
 from .texels import Image
 from .watch import Found, Watch
@@ -40,10 +41,6 @@ DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 _VERTICES = 1 << 14
 """How many vertices are evaluated at once, so that a large mesh needs no more memory than others.
 """
-
-
-class _Reader(Protocol):
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,8 +97,9 @@ class StageEvaluator:
         self.side = 2 if _compares(nodes, rules) else 1
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
-        self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
-        self.found = Found.of((*self._targets, self._position))
+        texels = {resource: _texels(textures, resource) for resource in read}
+        self._images = {r: Image(each, r, rules) for r, each in texels.items()}
+        self.found = Found.of((*self._targets, self._position), texels.values(), rules)
         """Where nothing is defined, as far as it is known."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
@@ -166,14 +164,14 @@ class StageEvaluator:
         discards = (self._discard,) if self._discard else ()
         found = evaluator.values((*discards, *self._targets))
         discarded: Any = found.pop(0)[0] if discards else False
-        targets = tuple(found)
-        watch.end((*(lane for target in targets for lane in target), discarded))
+        watch.end((*(lane for target in found for lane in target), discarded))
+        targets = tuple(map(watch.as_defined, found))
         return Shaded(targets, discarded, watch.undecided)
 
     # --- leaves -----------------------------------------------------------------------------------
 
-    def _reader(self, reader: _Reader) -> _Reader:
-        return reader if self.has_bounds else _Plain(reader)
+    def _reader(self, reader: Reader) -> Reader:
+        return reader if self.has_bounds else PlainReader(reader)
 
     def _given(self, lanes: Lanes) -> Lanes:
         """Floats from outside, which are exact unless they have bounds already."""
@@ -186,9 +184,7 @@ class _Watch(Watch):
     """Observes derivatives, too, and other operations that compare neighbours."""
 
     def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
-        self._rules = stages.rules
-        is_nan = self._rules.unguarded_is_nan
-        super().__init__(stages.found, shape, unguarded_is_nan=is_nan, rounds=stages.has_bounds)
+        super().__init__(stages.found, shape, stages.rules, rounds=stages.has_bounds)
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         value = super().__call__(node, operands, value)
@@ -198,17 +194,6 @@ class _Watch(Watch):
         if builtin in DERIVATIVE_AXES:
             return tuple(difference_taken(lane, builtin, self._rules) for lane in value)
         return value
-
-
-class _Plain:
-    """A reader of a texture for an evaluation without bounds."""
-
-    def __init__(self, reader: _Reader) -> None:
-        self._reader = reader
-
-    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        lanes = self._reader.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
-        return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
 
 
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:

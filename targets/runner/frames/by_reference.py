@@ -21,6 +21,7 @@ from ....compiler.reference.picture import (
     Counted,
     Geometry,
     Hulls,
+    Places,
     RasterRules,
     Texels,
     draw_onto,
@@ -61,6 +62,7 @@ class ReferenceFrames:
     frames: int = 0
     """How many have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
+    places: Places = field(default_factory=Places)
     buffers: dict[str, Contents] = field(default_factory=dict)
     """By the name of the result."""
     counted: Counted = frozenset()
@@ -145,7 +147,7 @@ class ReferenceFrames:
             rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
             depth=1.0 if depth is None else self.host.clear_of(depth)[0],
-            blend_constant=self.host.state_of(step).blend_constant,
+            blend_constant=self.host.state_of(step).blend_constant, places=self.places,
         )  # fmt: skip
         hulls = Hulls(canvas)
         load(canvas, hulls, step, layer, self.textures)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ....compiler.ir.image_sizes import halved
 from ....compiler.reference.picture import (
+    NOWHERE,
     Canvas,
     Hulls,
     RasterRules,
@@ -49,6 +50,9 @@ class Drawn:
     """Of each level (layers, height, width): the values beside depths; empty if there are none."""
     stencil_unsure: list[Bools]
     """Likewise: where a device may have another one."""
+    faces: list[NDArray[np.int64]]
+    """Of each level of depths (layers, height, width): of which face each is, by the number of its
+    place; empty if there are none."""
 
     @classmethod
     def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
@@ -63,7 +67,9 @@ class Drawn:
         beside = undecided if row["format"].endswith(STENCILS) else []
         stencil = [np.zeros(level.shape, np.int64) for level in beside]
         unsure = [level.copy() for level in beside]
-        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure)
+        deep = undecided if row["format"].startswith(DEPTHS) else []
+        faces = [np.full(level.shape, NOWHERE) for level in deep]
+        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure, faces)
 
     @property
     def lanes(self) -> int:
@@ -77,7 +83,11 @@ class Drawn:
             tuple(level[end, 0] if flat else level[end] for level in self.levels)
             for end in range(_ENDS)
         )
-        return Texels(value, self.format.endswith("srgb"), low, high)
+        has_undefined = any(
+            bool((np.isnan(level[0]).any(axis=-1) & undecided).any())
+            for level, undecided in zip(self.levels, self.undecided, strict=True)
+        )
+        return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)
 
     def copy(self) -> Drawn:
         """The same contents in a texture of its own."""
@@ -110,6 +120,8 @@ def load(canvas: Canvas, hulls: Hulls, step: Row, layer: int, textures: Textures
         value, low, high = there = _samples(depth, layer, textures)[..., 0]
         canvas.depth[:] = value
         canvas.depth_off[:] = np.maximum(high - value, value - low)
+        texture, at, level = _place(depth, layer)
+        canvas.place[:] = textures[texture].faces[level][at].ravel()
         hulls.depth[:] = there[1:]
         _load_stencil(canvas, depth, layer, textures)
     for target in attachments(step):
@@ -157,7 +169,10 @@ def store(
             np.where(undecided, *ends)
             for ends in zip(hulls.depth, (value - off, value + off), strict=True)
         )
-        _keep(_place(step["depth"], layer), (value, low, high), undecided, textures)
+        texture, at, level = place = _place(step["depth"], layer)
+        _keep(place, (value, low, high), undecided, textures)
+        faces = textures[texture].faces[level]
+        faces[at] = canvas.place.reshape(faces[at].shape)
         _keep_stencil(step["depth"], layer, canvas, textures)
 
 

@@ -35,6 +35,9 @@ from burnish.compiler.reference.picture import (
     faces,
     filtering,
     levels,
+    quads,
+    resolve,
+    samples,
     stencil,
     texels,
 )
@@ -174,6 +177,7 @@ perspective = Barycentric.perspective
 snapped = faces.snapped
 level = levels.of_steps
 wrapped = texels._wrapped
+locations = samples.locations
 load = texels.Image.load
 
 
@@ -195,6 +199,10 @@ def _upside_down(positions: Any, rules: Any) -> Any:
 def _linear(place: Any, *about: Any, **named: Any) -> Any:
     place._perspective = place._linear
     return perspective(place, *about, **named)
+
+
+def _from_below(rules: Any) -> Any:
+    return locations(replace(rules, bottom_up=not rules.bottom_up))
 
 
 def _turned_over(positions: Any, triangles: Any, rules: Any, off: Any, _front: Any) -> Any:
@@ -294,6 +302,14 @@ _PICTURE = [
                    compositing.FACTORS["src_alpha"])),
     Planted("the smaller alpha", "pipeline: Stained", HLSL,
             edited(compositing, "CHOICES", "max", np.minimum)),
+    Planted("samples in one half", "pipeline: Sampled", GLSL,
+            edited(samples, "_STANDARD", 4, [*samples._STANDARD[4][::2]] * 2)),
+    Planted("samples turned over", "pipeline: Sampled", GLSL,
+            replaced(coverage, "locations", _from_below)),
+    Planted("depths of samples at the centre", "pipeline: Sampled", GLSL,
+            replaced(quads, "location_of_depth", lambda _sample, _rules: samples.CENTRE)),
+    Planted("one sample for all", "pipeline: Sampled", WGSL,
+            replaced(resolve, "_mean", lambda of_pixel, *_, **_how: of_pixel[..., 0, :])),
     Planted("mirrors that repeat", "textures: Wraps", GLSL,
             replaced(texels, "_wrapped", _repeated)),
     Planted("a level too small", "textures: Levels", HLSL,

@@ -1,0 +1,52 @@
+"""Makes passes do the same to positions, whatever else a shader computes.
+
+Positions that have to be invariant are computed in the same way in all shaders only if no pass
+decides about them by what other results need: whether a body is called often enough to be a
+function, or whether a value is used where nothing is known of it. So passes that decide in such a
+way look at these results apart from all others. What both need is still one node, where both come
+to the same. ``pipeline.py`` makes an ``Apart`` for each shader.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence, Set
+
+from ...frozen import frozen
+from ..ir.node import Node, Roots
+from ..ir.shader import Result
+
+Change = Callable[[Roots, Roots], Sequence[Node]]
+"""What a pass makes of values. It also gets all values that may use them."""
+
+
+@frozen
+class Apart:
+    """The numbers of results that are looked at by themselves, and of all others."""
+
+    placing: tuple[int, ...]
+    others: tuple[int, ...]
+
+    @classmethod
+    def of(cls, results: Iterable[Result], placing: Set[str]) -> Apart:
+        """Those of the kinds ``placing`` apart from all others."""
+        kinds = [result.kind in placing for result in results]
+        apart = tuple(number for number, is_placing in enumerate(kinds) if is_placing)
+        return cls(apart, tuple(number for number in range(len(kinds)) if number not in apart))
+
+    def each(self, roots: Roots, change: Change) -> Roots:
+        """The values of all results, changed apart.
+
+        Positions do not know of others that use the same values; but these know of positions, as
+        what is only safe for some uses must not be shared with more.
+        """
+        if not self.placing:
+            return _as_roots(change(roots, roots))
+        own, others = ([roots[number] for number in which] for which in (self.placing, self.others))
+        positions = Roots(own)
+        made = dict(zip(self.placing, change(positions, positions), strict=True))
+        made.update(zip(self.others, change(Roots(others), roots), strict=True))
+        return Roots([made[number] for number in range(len(roots))])
+
+
+def _as_roots(values: Sequence[Node]) -> Roots:
+    return values if isinstance(values, Roots) else Roots(values)

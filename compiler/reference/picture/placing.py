@@ -1,0 +1,135 @@
+"""A digest of everything by which a device places the faces of a draw, and finds their depths.
+
+Two shaders with invariant positions place the same vertices at the same places, to the last bit, if
+both do the same with the same numbers. ``copies.py`` asks for this, so that depths of two draws are
+known to be equal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from hashlib import blake2b
+from typing import Any
+
+import numpy as np
+
+from ....frozen import changed
+from ...ir.leaves import Attribute, Buffer, Parameter, Resource
+from ...ir.node import Binder, Formal, Node, formals_of
+from ...ir.operations import INPUT
+from ...ir.shader import Shader
+from ...ir.stages import CLIP_POSITION
+from ..namespace import Lanes
+from ..storage_buffers import Contents
+from .scene import Geometry, RasterRules, Texels
+
+
+def placing_of(
+    shader: Shader,
+    values: Mapping[str, Lanes],
+    textures: Mapping[str, Texels],
+    geometry: Geometry,
+    rules: RasterRules,
+) -> bytes | None:
+    """The digest; ``None`` where a device may place what is drawn otherwise than another draw that
+    has the same."""
+    held = _Held(values, textures, geometry)
+    nodes = list(_in_order([result.value for result in shader.results_of(CLIP_POSITION)]))
+    if not shader.render_state.is_invariant or any(map(held.is_rounded, nodes)):
+        return None
+    depth = shader.render_state.depth
+    bias = depth.bias, depth.slope_bias, depth.bias_clamp
+    screen = rules.width, rules.height, rules.port, rules.samples
+    counts = geometry.vertex_count, geometry.instance_count, geometry.triangles.shape
+    found = blake2b(repr((bias, screen, counts, shader.render_state.fill)).encode())
+    found.update(geometry.triangles.tobytes())
+    for part in _written(nodes, held):
+        found.update(part)
+    return found.digest()
+
+
+def _in_order(roots: Sequence[Node]) -> Iterator[Node]:
+    """All that is computed for ``roots``, in the order in which it is needed. So it does not hang
+    on what else a graph has."""
+    seen: set[Node] = set()
+    pending = list(roots)[::-1]
+    while pending:
+        node = pending.pop()
+        if node in seen:
+            continue
+        missing = [operand for operand in node.operands if operand not in seen]
+        if missing:
+            pending += [node, *missing[::-1]]
+        else:
+            seen.add(node)
+            yield node
+
+
+def _written(nodes: Sequence[Node], held: _Held) -> Iterator[bytes]:
+    """The operations and their operands by number, and what the leaves hold."""
+    numbers: dict[Node, int] = {}
+    variables: dict[Formal, int] = {}
+    for number, node in enumerate(nodes):
+        numbers[node] = number
+        own = (node.data,) if isinstance(node.data, Formal) else formals_of(node)
+        bound = [variables.setdefault(formal, len(variables)) for formal in own]
+        operands = [numbers[operand] for operand in node.operands]
+        yield repr((node.op, str(node.type), bound, operands)).encode()
+        yield from held.data_of(node)
+
+
+class _Held:
+    """What the leaves of a draw hold, as bytes."""
+
+    def __init__(
+        self, values: Mapping[str, Lanes], textures: Mapping[str, Texels], geometry: Geometry
+    ) -> None:
+        self._values = values
+        self._textures = textures
+        self._geometry = geometry
+
+    def is_rounded(self, node: Node) -> bool:
+        """Whether a node is a texture or a buffer that the device itself has written. Another one
+        may have other numbers there, though here they are the same."""
+        match node.data:
+            case Resource():
+                return bool(self._textures[node.data.name].low)
+            case Buffer():
+                contents: Any = self._values[node.data.name]
+                return contents.ends is not None
+        return False
+
+    def data_of(self, node: Node) -> Iterator[bytes]:
+        """What a node is besides an operation; of a leaf, what the device finds there."""
+        match node.data:
+            case Parameter():
+                yield from _of_value(self._values[node.data.name])
+            case Attribute():
+                yield from _of_value(self._geometry.attributes[node.data.name])
+            case Resource():
+                yield repr(changed(node.data, name="")).encode()
+                texels = self._textures[node.data.name]
+                yield from _of_value((texels.levels, texels.is_srgb))
+            case Buffer():
+                yield from _of_value(self._values[node.data.name])
+            case Binder():
+                yield repr(changed(node.data, formals=None)).encode()
+            case Formal():
+                pass
+            case _:
+                yield (INPUT.data(node).name if node.op == "input" else repr(node.data)).encode()
+
+
+def _of_value(value: Any) -> Iterator[bytes]:
+    if isinstance(value, Contents):
+        yield value.data
+    elif isinstance(value, tuple | list):
+        yield b"("
+        for part in value:
+            yield from _of_value(part)
+        yield b")"
+    elif isinstance(value, np.ndarray):
+        yield repr((value.shape, str(value.dtype))).encode()
+        yield np.ascontiguousarray(value).tobytes()
+    else:
+        yield repr(value).encode()
