@@ -20,7 +20,7 @@ from ..terminal import FAILED
 if TYPE_CHECKING:
     from ...targets.runner.routes import Route
     from ...targets.toolchain.workers import Pool
-    from .catalogue import Listed
+    from ..catalogue import Listed
     from .entry import Entry
 
 TIME_LIMIT = 600.0
@@ -94,8 +94,8 @@ def gallery(**chosen: object) -> None:
 
 def _make(request: Request) -> None:
     from ...targets.runner.routes import select
+    from ..catalogue import catalogue, title_of
     from ..output import obstacle, unwritable
-    from .catalogue import catalogue, title_of
     from .pages import pages
 
     begun = monotonic()

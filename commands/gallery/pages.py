@@ -19,7 +19,7 @@ from markupsafe import Markup
 
 from ...targets.conformance.rows import STATUSES
 from ...targets.runner.routes import Route
-from .catalogue import Group, Listed
+from ..catalogue import Group, Listed
 from .entry import Entry, Figure, Verdict
 from .highlighting import burnish_text, shader_text
 

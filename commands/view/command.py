@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import webbrowser
+from pathlib import Path
 from threading import Thread
 from typing import Any
 
@@ -11,7 +12,6 @@ import click
 
 from ..failures import fail, needed, told
 from ..options import (
-    file_argument,
     hoist_option,
     instances_option,
     mesh_option,
@@ -25,7 +25,7 @@ from .request import Request
 
 
 @click.command()
-@file_argument
+@click.argument("file", metavar="FILE|FOLDER", type=click.Path(path_type=Path))
 @mesh_option
 @scene_option
 @instances_option
@@ -43,7 +43,8 @@ from .request import Request
 @search_option
 @hoist_option
 def view(port: int, no_browser: bool, **chosen: Any) -> None:
-    """Show FILE in a web page, and draw again whenever it is saved.
+    """Show FILE in a web page, and draw again whenever it is saved; or any file of FOLDER, of which
+    the page has a list.
 
     The page draws with WebGPU, or with WebGL 2 in browsers that have no WebGPU. Turn the camera by
     dragging, move it with Shift or the right button, come closer by the wheel. Each parameter is a
@@ -57,12 +58,13 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
     \b
     Example:
         burnish view plastic.burnish
+        burnish view materials
         burnish view deferred.burnish --mesh torus --set exposure=2
         burnish view gltf_material.burnish --scene helmet.glb
         burnish view plastic.burnish --port 8000 --no-browser
     """
     request = Request(**chosen)
-    if not request.file.is_file():
+    if not (request.file.is_file() or request.file.is_dir()):
         fail(f"there is no file `{request.file}`")
     with told():
         _serve(request, port, opens=not no_browser)
@@ -82,6 +84,8 @@ def _serve(request: Request, port: int, *, opens: bool) -> None:
             f"port {port} cannot be used: {os.strerror(error.errno or 0)}\n"
             "  = help: name another one, or leave `--port` out to get one that is free"
         )
+    if server.is_empty:
+        fail(f"there is nothing in the folder `{request.file}` that could be drawn")
     click.echo(f"{request.file} is shown at {server.address}")
     click.echo("Only this computer can open it. Ctrl-C ends it.")
     if opens:

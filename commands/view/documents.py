@@ -46,8 +46,10 @@ _SIZE = (512, 512)
 class Documents:
     """The documents of a file as it is now. Threads may share it."""
 
-    def __init__(self, request: Request, pictures: Pictures) -> None:
+    def __init__(self, request: Request, name: str, pictures: Pictures) -> None:
+        """``request`` is about one file, which pages know by its ``name``."""
         self._request = request
+        self._name = name
         self._pictures = pictures
         self._lock = Lock()
         self._changes = 0
@@ -78,6 +80,7 @@ class Documents:
 
     def get(self, choice: Choice) -> bytes:
         """The document of a choice, as JSON."""
+        choice = choice._replace(file=None)  # It is this one.
         with self._lock:
             if choice not in self._made:
                 document = {"version": self.version, **self._document(choice)}
@@ -120,7 +123,7 @@ class Documents:
     def _head(self) -> dict[str, Any]:
         """What every document has."""
         return {
-            "file": self._request.file.name,
+            "file": self._name,
             **self._listed,
             "meshes": [],
             "most_bytes": MOST_BYTES,
@@ -173,6 +176,7 @@ class Documents:
         pass_ = choice.pass_ if choice.pass_ in declared.passes else None
         own = declared.passes if subject in declared.materials and not declared.frames else ()
         return Choice(
+            None,
             subject,
             _first(rig, request.rig, *declared.rigs),
             None if subject in declared.frames else _first(pass_, request.pass_, *own),
@@ -263,10 +267,10 @@ def choice_of(query: Mapping[str, str]) -> Choice:
         for key, asked in query.items()
         if key.startswith(_PICTURE)
     }
+    file, subject, rig = query.get("file"), query.get("subject"), query.get("rig")
     return Choice(
-        query.get("subject"), query.get("rig"), query.get("pass"), query.get("mesh"),
-        profile if profile in PROFILES else PROFILES[0],
-        tuple(sorted(pictures.items())),
+        file, subject, rig, query.get("pass"), query.get("mesh"),
+        profile if profile in PROFILES else PROFILES[0], tuple(sorted(pictures.items())),
     )  # fmt: skip
 
 

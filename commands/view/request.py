@@ -10,6 +10,7 @@ class Request(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     file: Path
+    """Or a folder."""
     mesh: str
     scene: Path | None
     instances: int
@@ -25,6 +26,8 @@ class Choice(NamedTuple):
     """What one page shows of the file. Where it says nothing, the command line decides, or else
     the file's first one."""
 
+    file: str | None = None
+    """The name of one of a folder's files."""
     subject: str | None = None
     rig: str | None = None
     pass_: str | None = None

@@ -1,7 +1,7 @@
 """The server of ``burnish view``: the page, what it draws, and word of every change.
 
-It listens on this computer only. All that it sends it has in memory, by names that it knows: no
-request becomes the path of a file.
+It listens on this computer only. All that it sends are the page and documents, by names that it
+knows: no request becomes the path of a file.
 """
 
 from __future__ import annotations
@@ -11,44 +11,50 @@ import json
 import socket
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
-from threading import Event, Thread
 
 import uvicorn
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request as HttpRequest
-from starlette.responses import PlainTextResponse, Response, StreamingResponse
+from starlette.responses import JSONResponse, PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from ...targets.runner.textures.kinds import PictureError
 from ..failures import lacking
-from ..watch import states
-from .documents import Documents, choice_of
+from .documents import choice_of
 from .files import page_files
 from .guarding import Guarded
 from .pictures import MOST_BYTES, Pictures, wanted_of
-from .request import Choice, Request
+from .request import Request
+from .watching import Watched
 
 HOST = "127.0.0.1"
 """The loopback interface: no other computer reaches it."""
 _PATIENCE = 2
 """How many seconds requests may still take when the server ends."""
+_Queue = asyncio.Queue[tuple[str, str] | None]
 _PULSE = 15.0
 """After how many seconds a page is told something, so that nobody takes it for dead."""
 
 
 class Server:
-    """Shows a file until it is interrupted."""
+    """Shows a file, or those of a folder, until it is interrupted."""
 
     def __init__(self, request: Request, port: int = 0) -> None:
         """Bind the port, or any that is free. Raises ``OSError`` if it cannot be had."""
-        self._request = request
         self._pictures = Pictures()
-        self._documents = Documents(request, self._pictures)
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._watched = Watched(request, self._pictures, self._changed)
         self._socket = socket.create_server((HOST, port))
         self._port: int = self._socket.getsockname()[1]
-        self._pages: set[asyncio.Queue[str | None]] = set()
-        """For each open page what it is still to be told: versions, and at last nothing more."""
+        self._pages: set[_Queue] = set()
+        """For each open page what it is still to be told: files with their versions, and at last
+        nothing more."""
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is nothing to show."""
+        return self._watched.folder.first() is None
 
     @property
     def address(self) -> str:
@@ -68,6 +74,7 @@ class Server:
     def _application(self) -> Guarded:
         routes = [
             Route("/document", self._document),
+            Route("/files", self._files),
             Route("/changes", self._changes),
             Route("/picture", self._picture, methods=["POST"]),
             *(_route(path, *file) for path, file in page_files().items()),
@@ -76,8 +83,13 @@ class Server:
 
     async def _document(self, request: HttpRequest) -> Response:
         choice = choice_of(request.query_params)
-        content = await run_in_threadpool(self._documents.get, choice)
+        content = await run_in_threadpool(self._watched.document, choice)
+        if content is None:
+            return PlainTextResponse("nothing in the folder can be drawn", 404)
         return Response(content, media_type="application/json")
+
+    async def _files(self, _request: HttpRequest) -> Response:
+        return JSONResponse(await run_in_threadpool(self._watched.folder.listing))
 
     async def _picture(self, request: HttpRequest) -> Response:
         """Keep the picture that is sent, for a texture as the query says."""
@@ -104,15 +116,18 @@ class Server:
         return StreamingResponse(self._told(), media_type="text/event-stream")
 
     async def _told(self) -> AsyncIterator[str]:
-        """The version now and after each change, as server-sent events."""
-        queue: asyncio.Queue[str | None] = asyncio.Queue()
-        queue.put_nowait(self._documents.version)
+        """The versions of files, now and after each change, as server-sent events."""
+        queue: _Queue = asyncio.Queue()
+        for told in self._watched.versions.items():
+            queue.put_nowait(told)
         self._pages.add(queue)
+        self._watched.is_seen = True
         try:
             while event := await _next_event(queue):
                 yield event
         finally:
             self._pages.discard(queue)
+            self._watched.is_seen = bool(self._pages)
 
     def _end_pages(self) -> None:
         for queue in self._pages:
@@ -122,40 +137,35 @@ class Server:
 
     @asynccontextmanager
     async def _watching(self, _application: Starlette) -> AsyncIterator[None]:
-        """Watch the file in a thread for as long as the server runs."""
-        loop, stop = asyncio.get_running_loop(), Event()
-        thread = Thread(target=self._watch, args=(loop, stop), daemon=True)
-        thread.start()
+        """Watch files for as long as the server runs."""
+        self._loop = asyncio.get_running_loop()
+        self._watched.begin()
         try:
             yield
         finally:
-            stop.set()
-            await run_in_threadpool(thread.join, _PATIENCE)
+            await run_in_threadpool(self._watched.end)
 
-    def _watch(self, loop: asyncio.AbstractEventLoop, stop: Event) -> None:
-        request = self._request
-        changes = states(request.file, request.search_path, self._documents.others, stop)
-        next(changes)
-        self._documents.get(Choice())  # Ready when the browser is, and the terminal knows.
-        for _ in changes:
-            self._documents.forget()
+    def _changed(self, name: str, version: str) -> None:
+        """Tell pages of a change; called by the thread that watches the file."""
+        if self._loop is not None:
             with suppress(RuntimeError):  # The loop has ended, and nobody is left to be told.
-                loop.call_soon_threadsafe(self._tell, self._documents.version)
-            if not self._pages:
-                self._documents.get(Choice())
+                self._loop.call_soon_threadsafe(self._tell, name, version)
 
-    def _tell(self, version: str) -> None:
+    def _tell(self, name: str, version: str) -> None:
         for queue in self._pages:
-            queue.put_nowait(version)
+            queue.put_nowait((name, version))
 
 
-async def _next_event(queue: asyncio.Queue[str | None]) -> str:
+async def _next_event(queue: _Queue) -> str:
     """What a page is told next; empty if that is nothing more."""
     try:
-        version = await asyncio.wait_for(queue.get(), _PULSE)
+        told = await asyncio.wait_for(queue.get(), _PULSE)
     except TimeoutError:
         return ": still here\n\n"
-    return "" if version is None else f"data: {json.dumps({'version': version})}\n\n"
+    if told is None:
+        return ""
+    name, version = told
+    return f"data: {json.dumps({'file': name, 'version': version})}\n\n"
 
 
 class _Ending(uvicorn.Server):

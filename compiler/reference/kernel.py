@@ -91,15 +91,14 @@ def computed(
     stores, scatters = shader.results_of(STORE), scattered(shader.results)
     joins = [part for row in scatters for part in (row.value, row.place, row.condition)]
     roots = [*(result.value for result in stores), *joins]
-    watch = _Watch(
-        Found.of(roots), groups, count, unguarded_is_nan=rules.unguarded_is_nan,
-        rounds=errors is not None,
-    )  # fmt: skip
+    known = Found.of(roots, textures.values(), rules)
+    watch = _Watch(known, (count,), rules, groups, rounds=errors is not None)
     # Of plain arrays it is NumPy, which mypy does not see.
     evaluator = Evaluator(leaves, cast("Namespace", groups), watch)
     with np.errstate(all="ignore"):
-        values_of = {node.id: _of_all(evaluator.value(node), count) for node in roots}
-        watch.end(tuple(lane for lanes in values_of.values() for lane in lanes))
+        lanes = evaluator.values(roots)
+        values_of = {node.id: _of_all(each, count) for node, each in zip(roots, lanes, strict=True)}
+        watch.end(tuple(lane for each in values_of.values() for lane in each))
         found: list[Lane] = []
         for result in stores:
             assert result.store is not None
@@ -121,9 +120,10 @@ class _Watch(Watch):
     """Observes all invocations at once, and what their work groups join."""
 
     def __init__(
-        self, found: Found, groups: Groups, count: int, *, unguarded_is_nan: bool, rounds: bool
-    ) -> None:
-        super().__init__(found, (count,), unguarded_is_nan=unguarded_is_nan, rounds=rounds)
+        self, found: Found, shape: tuple[int, ...], rules: RasterRules, groups: Groups,
+        *, rounds: bool,
+    ) -> None:  # fmt: skip
+        super().__init__(found, shape, rules, rounds=rounds)
         self._groups = groups
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:

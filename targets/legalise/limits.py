@@ -11,8 +11,9 @@ from collections.abc import Iterator
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import OF_GROUPS
-from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
+from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
 from ...compiler.ir.stages import CAPTURE, CONTROL, TARGET, VERTEX
+from ...compiler.ir.statements import Region
 from ...compiler.ir.types import Struct, Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen

@@ -104,7 +104,9 @@ export class BufferView {
 
   private list(): void {
     const { layout, count } = this.elements!;
-    const head = layout.columns.map(({ name, type }) => make("th", { title: type }, name || layout.type));
+    const head = layout.columns.map(({ name, type }) =>
+      make("th", { title: type }, name || layout.type),
+    );
     const rows = Array.from({ length: Math.min(count, LISTED) }, (_, number) =>
       make("tr", {}, make("th", {}, String(number)),
         ...layout.columns.map((column) => make("td", {}, this.elements!.text(column, number)))),

@@ -193,7 +193,7 @@ function drawPoints(paper: Paper, elements: Elements, column: Column, orbit: Orb
   const place = (number: number): [number, number] | null => {
     const at = column.places.map((_, lane) => elements.get(column, lane, number));
     const [x, y, , w] = [0, 1, 2, 3].map((row) =>
-      matrix[0][row] * at[0] + matrix[1][row] * at[1] + matrix[2][row] * (at[2] ?? 0) + matrix[3][row],
+      matrix[3][row] + at.reduce((sum, lane, axis) => sum + matrix[axis][row] * lane, 0),
     );
     if (!(w > 0)) return null;
     return [(0.5 + (0.5 * x * height) / width / w) * width, (0.5 - (0.5 * y) / w) * height];

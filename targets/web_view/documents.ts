@@ -30,6 +30,8 @@ export interface Control {
 
 /** What a page shows of the file. */
 export interface Choice {
+  /** One of a folder's files. */
+  file: string | null;
   subject: string | null;
   rig: string | null;
   pass: string | null;
@@ -77,11 +79,28 @@ export async function fetchDocument(
   return (await answer.json()) as Document;
 }
 
-/** Calls `changed` with the file's version, now and after each change; `connected` is told whether
- * the server is there. */
-export function listen(changed: (version: string) => void, connected: (is: boolean) => void): void {
+/** Files of a folder under one heading. */
+export interface Group {
+  title: string;
+  files: { name: string; what: string; subjects: string[] }[];
+}
+
+/** The files of the folder that is shown; none, if it is a single file. */
+export async function fetchFiles(): Promise<Group[]> {
+  const answer = await fetch("/files");
+  return answer.ok ? ((await answer.json()) as Group[]) : [];
+}
+
+/** Calls `changed` with a file and its version, now and after each change; `connected` is told
+ * whether the server is there. */
+export function listen(
+  changed: (file: string, version: string) => void, connected: (is: boolean) => void,
+): void {
   const source = new EventSource("/changes");
   source.onopen = () => connected(true);
   source.onerror = () => connected(false);
-  source.onmessage = (event) => changed((JSON.parse(event.data) as { version: string }).version);
+  source.onmessage = (event) => {
+    const { file, version } = JSON.parse(event.data) as { file: string; version: string };
+    changed(file, version);
+  };
 }

@@ -258,7 +258,9 @@ function checkbox(named: Naming, changed: Changed<boolean>): Field<boolean> {
   return { element, show: (value) => { element.checked = Boolean(value); } };
 }
 
-function checkboxes(control: Control, label: string, changed: Changed<boolean[]>): Field<boolean[]> {
+function checkboxes(
+  control: Control, label: string, changed: Changed<boolean[]>,
+): Field<boolean[]> {
   let values: boolean[] = [];
   const fields = LANES.slice(0, control.lanes).map((word, lane) =>
     checkbox({ label, word }, (value) => {

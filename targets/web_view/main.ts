@@ -8,6 +8,7 @@ import {
 import { BufferView } from "./buffers.js";
 import { takeDrops } from "./drops.js";
 import { element, make } from "./elements.js";
+import { FileList } from "./files.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
@@ -27,7 +28,9 @@ const outputs = element("output", HTMLSelectElement);
 const play = element("play", HTMLButtonElement);
 
 /** What the page shows; its address says it too, so that a bookmark leads to the same. */
-const choice: Choice = { subject: null, rig: null, pass: null, mesh: null, output: null };
+const choice: Choice = {
+  file: null, subject: null, rig: null, pass: null, mesh: null, output: null,
+};
 let shown: Drawable | null = null;
 /** Why the source cannot be drawn, and why the picture cannot. */
 const problems = { source: "", picture: "" };
@@ -65,13 +68,13 @@ function view(api: Api): void {
     problems.source = found.error ?? "";
     if (found.error === undefined) {
       panel ??= new Panel(
-        element("controls", HTMLElement), found.file,
+        element("controls", HTMLElement),
         (name, value) => screen.set(name, value), () => screen.request(), pictures,
       );
       const before = shown;
       shown = found;
       Object.assign(choice, found.chosen);
-      const values = panel.show(found.chosen.subject ?? "", found.controls, found.most_bytes);
+      const values = panel.show(nameOf(found), found.controls, found.most_bytes);
       fillOutputs(found);
       showTextsOf(found.package);
       try {
@@ -80,12 +83,14 @@ function view(api: Api): void {
       } catch (error) {
         problems.picture = (error as Error).message;
       }
-      if (before?.chosen.subject !== found.chosen.subject) describe(found);
+      if (!before || nameOf(before) !== nameOf(found)) describe(found);
       element("time", HTMLElement).hidden = !(
         screen.evolves || found.controls.some((control) => control.is_timed)
       );
     }
     tellProblems();
+    files.show(found.file);
+    document.body.dataset.file = found.file;
     document.body.dataset.version = found.version;
     document.body.dataset.ready = problems.source || problems.picture ? "no" : "yes";
   }
@@ -102,7 +107,7 @@ function view(api: Api): void {
         again = false;
         const found = await fetchDocument(choice, PROFILES[api], pictures.query);
         if (found.error === undefined) {
-          again ||= pictures.enter(`${found.file}/${found.chosen.subject}`);
+          again ||= pictures.enter(nameOf(found));
         }
         if (!again) await showDocument(found);
       }
@@ -115,13 +120,23 @@ function view(api: Api): void {
   }
 
   listen(
-    (version) => {
-      if (version !== document.body.dataset.version) void load();
+    (file, version) => {
+      const own = document.body.dataset;
+      const isOther = own.file === file ? version !== own.version
+        : serverOf(version) !== serverOf(own.version ?? "");
+      if (isOther) void load();
     },
     (isConnected) => { element("gone", HTMLElement).hidden = isConnected; },
   );
   follow(canvas, () => screen.orbit, () => screen.request());
   takeDrops(() => panel, notify);
+  const files = new FileList((name) => {
+    Object.assign(choice, { file: name, subject: null, rig: null, pass: null, output: null });
+    remember();
+    void load();
+  });
+  void files.load();
+  void load();
 
   for (const [name, select] of Object.entries(selects)) {
     select.addEventListener("change", () => {
@@ -160,7 +175,9 @@ function view(api: Api): void {
   for (const [id, act] of Object.entries(acts)) {
     element(id, HTMLButtonElement).addEventListener("click", act);
   }
-  const keys: Record<string, string> = { h: "home", " ": "play", ".": "step", r: "restart", s: "save" };
+  const keys: Record<string, string> = {
+    h: "home", " ": "play", ".": "step", r: "restart", s: "save",
+  };
   element("stage", HTMLElement).addEventListener("keydown", (event) => {
     const isPicture = event.target instanceof HTMLCanvasElement;
     const name = keys[event.key.toLowerCase()];
@@ -169,6 +186,12 @@ function view(api: Api): void {
     acts[name]!();
   });
 }
+
+/** The name of what is shown, among all that there is. */
+const nameOf = ({ file, chosen }: Drawable) => `${file}/${chosen.subject}`;
+
+/** What the versions of one server have in common. */
+const serverOf = (version: string) => version.split(".")[0];
 
 /** Say something for a few seconds. */
 function notify(text: string): void {
@@ -187,9 +210,10 @@ function remember(): void {
 
 /** Say how large the picture is, and how fast it was drawn; null for what is no picture. */
 function tellStatus(status: Status | null): void {
-  const times = status && status.magnified !== 1 ? ` at ${Number(status.magnified.toPrecision(2))}×` : "";
+  const magnified = Number(status?.magnified.toPrecision(2));
+  const size = status ? `${status.width} × ${status.height}` : "";
   element("size", HTMLElement).textContent =
-    status ? `${status.width} × ${status.height}${times}` : "";
+    size && size + (magnified === 1 ? "" : ` at ${magnified}×`);
   const rate = status?.rate ?? null;
   element("rate", HTMLElement).textContent = rate === null ? "" : `${Math.round(rate)} fps`;
   canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);

@@ -29,20 +29,19 @@ export class Panel {
   /** The numbers that run with the time, each with what it is exactly. */
   private timed = new Map<string, number>();
 
-  /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
+  /** `changed` is told of every value that is set. */
   constructor(
     private readonly root: HTMLElement,
-    private readonly file: string,
     private readonly changed: (name: string, value: Value) => void,
     private readonly animated: () => void,
     private readonly pictures: Pictures,
   ) {}
 
-  /** Show the controls of a subject; values that were set stay, where the control still takes
-   * them. Returns these values. */
+  /** Show the controls of a subject, by its name among all that there is; values that were set
+   * stay, where the control still takes them. Returns these values. */
   show(subject: string, controls: Control[], mostBytes: number): Map<string, Value> {
     this.mostBytes = mostBytes;
-    if (subject !== this.subject) this.kept = load(`${this.file}/${subject}`);
+    if (subject !== this.subject) this.kept = load(subject);
     this.subject = subject;
     const known = JSON.stringify(controls);
     if (known !== this.built) this.build(controls);
@@ -207,7 +206,7 @@ export class Panel {
     const { name, type } = row.control;
     this.kept[name] = { type, value };
     row.reset.hidden = false;
-    save(`${this.file}/${this.subject}`, this.kept);
+    save(this.subject, this.kept);
     this.changed(name, value);
     this.hideUncounted();
   }
@@ -218,7 +217,7 @@ export class Panel {
       return;
     }
     delete this.kept[row.control.name];
-    save(`${this.file}/${this.subject}`, this.kept);
+    save(this.subject, this.kept);
     this.refresh(row);
     this.changed(row.control.name, row.control.value);
   }

@@ -11,7 +11,8 @@ const KINDS = "image/png,image/jpeg,image/webp,image/*,.hdr,.exr";
 /** What of a texture's control this module reads. */
 export type TextureControl = Control & { dimension: string; sample: string };
 
-export const isTexture = (control: Control): control is TextureControl => control.kind === "texture";
+export const isTexture = (control: Control): control is TextureControl =>
+  control.kind === "texture";
 
 /** The pictures of what is shown, and for as long as the tab is open, those of all else. */
 export class Pictures {
@@ -42,7 +43,8 @@ export class Pictures {
   /** Give a texture the picture of a file. An error says why that cannot be. */
   async give(control: TextureControl, file: File, mostBytes: number): Promise<void> {
     if (file.size > mostBytes) {
-      throw new Error(`${file.name} has ${megabytes(file.size)}, and may have ${megabytes(mostBytes)}`);
+      const [size, most] = [megabytes(file.size), megabytes(mostBytes)];
+      throw new Error(`${file.name} has ${size}, and may have ${most}`);
     }
     const { dimension, sample } = control;
     const query = new URLSearchParams({ name: file.name, dimension, sample });
@@ -106,7 +108,8 @@ export function textureField(
   const given = control.is_given ? "A picture" : `All ${String(control.value)}`;
   const look = pictures.look(name);
   const shown = look ? make("img", { src: look, alt: "", class: "look" }) : "";
-  const line = make("div", { class: "pick" }, shown, make("span", { class: "file" }, picture?.file ?? given), button);
+  const called = make("span", { class: "file" }, picture?.file ?? given);
+  const line = make("div", { class: "pick" }, shown, called, button);
   const element = make("div", { class: "texture" }, line, chooser);
   if (picture && !picture.is_float && control.sample === "float") {
     const box = make("input", { type: "checkbox", checked: picture.is_srgb });

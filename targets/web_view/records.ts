@@ -1,7 +1,6 @@
 // The elements of a buffer as numbers, by the rows of the reflection that say how they lie.
 
-import type { FramePackage } from "../web_host/host.js";
-import type { Placed, Reflection } from "../web_host/types.js";
+import type { Capture, FramePackage, Member } from "../web_host/generated/documents.js";
 
 /** A number, vector, matrix or list of numbers that each element has. */
 export interface Column {
@@ -10,15 +9,6 @@ export interface Column {
   kind: "float" | "int" | "uint" | "bool";
   /** How many bytes behind the beginning of an element each of its lanes lies. */
   places: number[];
-}
-
-/** What vertices are that a pass has captured: `capture` of a reflection. */
-interface Capture {
-  primitive: "point" | "line" | "triangle";
-  buffer: string | null;
-  /** Where an element says whether the vertex is there; null: all are. */
-  there: number | null;
-  members: { name: string; representation: string; offset: number }[];
 }
 
 /** How the elements of an output lie in its buffer. */
@@ -40,12 +30,11 @@ export function layoutOf(from: FramePackage, output: string): Layout | null {
   for (const step of from.plan.steps) {
     const written = step.kind === "run" && step.buffers.find(({ result }) => result === row.result);
     if (!written) continue;
-    const reflection = from.shaders[step.shader].reflection as Reflection & { capture: Capture | null };
-    const result = reflection.results.find(({ name }) => name === written.name)!;
-    const { capture } = reflection;
+    const { results, capture } = from.shaders[step.shader].reflection;
+    const result = results.find(({ name }) => name === written.name)!;
     const captured = capture?.buffer === result.name ? capture : null;
     return {
-      type: captured ? "vertex" : (result.type ?? "").replace(/\[\]$/, ""),
+      type: captured ? "vertex" : ofElement(result.type),
       stride: result.stride,
       columns: captured ? captured.members.map(ofCapture) : columnsOf(result, "", 0),
       corners: CORNERS[captured?.primitive ?? "point"],
@@ -62,22 +51,27 @@ function ofCapture({ name, representation, offset }: Capture["members"][number])
   return { name, type: representation, kind, places };
 }
 
+/** The type of the elements of a buffer. */
+const ofElement = (type: string) => type.replace(/\[\]$/, "");
+
 /** The columns of a value; those of a structure are called `member` and `member.part`. */
-function columnsOf(row: Placed, name: string, offset: number): Column[] {
-  if (row.members?.length) {
+function columnsOf(
+  row: Pick<Member, "type" | "layout" | "members">, name: string, offset: number,
+): Column[] {
+  if (row.members.length) {
     const within = name ? `${name}.` : "";
     return row.members.flatMap((each) =>
       columnsOf(each, within + each.name, offset + each.offset),
     );
   }
-  const { layout, representation } = row;
-  const type = (row.type ?? representation).replace(/\[\]$/, "");
-  const kind = /^bvec|^bool/.test(type) ? "bool" : layout.kind;
+  const { layout } = row;
+  const type = ofElement(row.type);
+  const kind = /^bvec|^bool/.test(type) ? "bool" : (layout.kind ?? "uint");
   const some = (count: number, stride: number) =>
     Array.from({ length: count }, (_, at) => at * stride);
   const places = some(layout.count ?? 1, layout.stride ?? 0).flatMap((element) =>
     some(layout.columns ?? 1, layout.column_stride ?? 0).flatMap((column) =>
-      some(layout.lanes, 4).map((lane) => offset + element + column + lane),
+      some(layout.lanes ?? 1, 4).map((lane) => offset + element + column + lane),
     ),
   );
   return [{ name, type, kind, places }];

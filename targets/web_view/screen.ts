@@ -1,7 +1,9 @@
 // The picture: a frame of the host on the canvas, drawn when something has changed, or again and
 // again while time goes on.
 
-import { openFrame, type Api, type Frame, type FramePackage, type Value } from "../web_host/host.js";
+import {
+  openFrame, type Api, type Frame, type FramePackage, type Value,
+} from "../web_host/host.js";
 import { Orbit, type OrbitRow } from "./orbit.js";
 import { layoutOf, type Layout } from "./records.js";
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page
 
-from burnish.commands.gallery.catalogue import catalogue, title_of
+from burnish.commands.catalogue import catalogue, title_of
 from burnish.compiler.syntax.highlighting import pieces
 
 from ..suite import browsers

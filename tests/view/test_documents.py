@@ -33,7 +33,9 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         search_path=(),
         hoist=True,
     )
-    found: dict[str, Any] = json.loads(Documents(request, Pictures()).get(choice_of(query or {})))
+    found: dict[str, Any] = json.loads(
+        Documents(request, file.name, Pictures()).get(choice_of(query or {}))
+    )
     return found
 
 

@@ -33,3 +33,13 @@ def test_the_modules_are_those_of_the_sources(tmp_path: Path) -> None:
 
 def _texts(folder: Path) -> dict[str, str]:
     return {path.name: path.read_text() for path in folder.glob("*.js")}
+
+
+def test_lines_have_the_length_of_the_tree() -> None:
+    lines = [
+        f"{path.name}:{number}"
+        for path in FOLDER.glob("*.ts")
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if len(line) > 100
+    ]
+    assert not lines

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import signal
 import socket
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
@@ -97,11 +99,11 @@ def test_changes_and_mistakes(tmp_path: Path) -> None:
         ) as stream:
             head = f"GET /changes HTTP/1.1\r\nHost: {urlsplit(viewer.address).netloc}\r\n\r\n"
             stream.sendall(head.encode())
-            _told(stream, first["version"])
+            _told(stream, first)
             file.write_text(FLAT.replace("level\n", "levle\n"))
             until(lambda: "error" in viewer.ask("/document").json(), "the mistake is seen")
             broken = viewer.ask("/document").json()
-            _told(stream, broken["version"])
+            _told(stream, broken)
             assert broken["version"] != first["version"]
             assert "unknown name `levle`" in broken["error"]
             assert broken["subjects"] == first["subjects"]
@@ -116,9 +118,10 @@ def test_changes_and_mistakes(tmp_path: Path) -> None:
     assert "Traceback" not in said
 
 
-def _told(stream: socket.socket, version: str) -> None:
-    """Read until a version is told."""
-    wanted, found = f'data: {{"version": "{version}"}}\n\n'.encode(), b""
+def _told(stream: socket.socket, document: dict[str, Any]) -> None:
+    """Read until the version of a document is told."""
+    said = json.dumps({"file": document["file"], "version": document["version"]})
+    wanted, found = f"data: {said}\n\n".encode(), b""
     while wanted not in found:
         piece = stream.recv(4096, 0)
         assert piece, f"the stream has ended: {found!r}"
@@ -150,7 +153,8 @@ def test_without_its_packages(
     package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "m.burnish").write_text(FLAT)
-    monkeypatch.setitem(sys.modules, package, None)
+    for name in [package, *(name for name in sys.modules if name.startswith(f"{package}."))]:
+        monkeypatch.setitem(sys.modules, name, None)
     monkeypatch.delitem(sys.modules, "burnish.commands.view.server", raising=False)
     result = invoke("view", tmp_path / "m.burnish", "--no-browser")
     assert result.exit_code

@@ -97,8 +97,9 @@ class StageEvaluator:
         self.side = 2 if _compares(nodes, rules) else 1
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
-        self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
-        self.found = Found.of((*self._targets, self._position))
+        texels = {resource: _texels(textures, resource) for resource in read}
+        self._images = {r: Image(each, r, rules) for r, each in texels.items()}
+        self.found = Found.of((*self._targets, self._position), texels.values(), rules)
         """Where nothing is defined, as far as it is known."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
@@ -163,8 +164,8 @@ class StageEvaluator:
         discards = (self._discard,) if self._discard else ()
         found = evaluator.values((*discards, *self._targets))
         discarded: Any = found.pop(0)[0] if discards else False
-        targets = tuple(found)
-        watch.end((*(lane for target in targets for lane in target), discarded))
+        watch.end((*(lane for target in found for lane in target), discarded))
+        targets = tuple(map(watch.as_defined, found))
         return Shaded(targets, discarded, watch.undecided)
 
     # --- leaves -----------------------------------------------------------------------------------
@@ -183,9 +184,7 @@ class _Watch(Watch):
     """Observes derivatives, too, and other operations that compare neighbours."""
 
     def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
-        self._rules = stages.rules
-        is_nan = self._rules.unguarded_is_nan
-        super().__init__(stages.found, shape, unguarded_is_nan=is_nan, rounds=stages.has_bounds)
+        super().__init__(stages.found, shape, stages.rules, rounds=stages.has_bounds)
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         value = super().__call__(node, operands, value)

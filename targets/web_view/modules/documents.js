@@ -10,11 +10,19 @@ export async function fetchDocument(choice, profile, further) {
         throw new Error(`The server answered: ${answer.status} ${await answer.text()}`);
     return (await answer.json());
 }
-/** Calls `changed` with the file's version, now and after each change; `connected` is told whether
- * the server is there. */
+/** The files of the folder that is shown; none, if it is a single file. */
+export async function fetchFiles() {
+    const answer = await fetch("/files");
+    return answer.ok ? (await answer.json()) : [];
+}
+/** Calls `changed` with a file and its version, now and after each change; `connected` is told
+ * whether the server is there. */
 export function listen(changed, connected) {
     const source = new EventSource("/changes");
     source.onopen = () => connected(true);
     source.onerror = () => connected(false);
-    source.onmessage = (event) => changed(JSON.parse(event.data).version);
+    source.onmessage = (event) => {
+        const { file, version } = JSON.parse(event.data);
+        changed(file, version);
+    };
 }

@@ -5,6 +5,7 @@ import { fetchDocument, listen, } from "./documents.js";
 import { BufferView } from "./buffers.js";
 import { takeDrops } from "./drops.js";
 import { element, make } from "./elements.js";
+import { FileList } from "./files.js";
 import { follow } from "./gestures.js";
 import { showIn } from "./messages.js";
 import { Panel } from "./panel.js";
@@ -22,7 +23,9 @@ const selects = {
 const outputs = element("output", HTMLSelectElement);
 const play = element("play", HTMLButtonElement);
 /** What the page shows; its address says it too, so that a bookmark leads to the same. */
-const choice = { subject: null, rig: null, pass: null, mesh: null, output: null };
+const choice = {
+    file: null, subject: null, rig: null, pass: null, mesh: null, output: null,
+};
 let shown = null;
 /** Why the source cannot be drawn, and why the picture cannot. */
 const problems = { source: "", picture: "" };
@@ -57,11 +60,11 @@ function view(api) {
         fillSelects(found);
         problems.source = found.error ?? "";
         if (found.error === undefined) {
-            panel ??= new Panel(element("controls", HTMLElement), found.file, (name, value) => screen.set(name, value), () => screen.request(), pictures);
+            panel ??= new Panel(element("controls", HTMLElement), (name, value) => screen.set(name, value), () => screen.request(), pictures);
             const before = shown;
             shown = found;
             Object.assign(choice, found.chosen);
-            const values = panel.show(found.chosen.subject ?? "", found.controls, found.most_bytes);
+            const values = panel.show(nameOf(found), found.controls, found.most_bytes);
             fillOutputs(found);
             showTextsOf(found.package);
             try {
@@ -71,11 +74,13 @@ function view(api) {
             catch (error) {
                 problems.picture = error.message;
             }
-            if (before?.chosen.subject !== found.chosen.subject)
+            if (!before || nameOf(before) !== nameOf(found))
                 describe(found);
             element("time", HTMLElement).hidden = !(screen.evolves || found.controls.some((control) => control.is_timed));
         }
         tellProblems();
+        files.show(found.file);
+        document.body.dataset.file = found.file;
         document.body.dataset.version = found.version;
         document.body.dataset.ready = problems.source || problems.picture ? "no" : "yes";
     }
@@ -92,7 +97,7 @@ function view(api) {
                 again = false;
                 const found = await fetchDocument(choice, PROFILES[api], pictures.query);
                 if (found.error === undefined) {
-                    again ||= pictures.enter(`${found.file}/${found.chosen.subject}`);
+                    again ||= pictures.enter(nameOf(found));
                 }
                 if (!again)
                     await showDocument(found);
@@ -106,12 +111,22 @@ function view(api) {
             loading = false;
         }
     }
-    listen((version) => {
-        if (version !== document.body.dataset.version)
+    listen((file, version) => {
+        const own = document.body.dataset;
+        const isOther = own.file === file ? version !== own.version
+            : serverOf(version) !== serverOf(own.version ?? "");
+        if (isOther)
             void load();
     }, (isConnected) => { element("gone", HTMLElement).hidden = isConnected; });
     follow(canvas, () => screen.orbit, () => screen.request());
     takeDrops(() => panel, notify);
+    const files = new FileList((name) => {
+        Object.assign(choice, { file: name, subject: null, rig: null, pass: null, output: null });
+        remember();
+        void load();
+    });
+    void files.load();
+    void load();
     for (const [name, select] of Object.entries(selects)) {
         select.addEventListener("change", () => {
             choice[name] = select.value;
@@ -150,7 +165,9 @@ function view(api) {
     for (const [id, act] of Object.entries(acts)) {
         element(id, HTMLButtonElement).addEventListener("click", act);
     }
-    const keys = { h: "home", " ": "play", ".": "step", r: "restart", s: "save" };
+    const keys = {
+        h: "home", " ": "play", ".": "step", r: "restart", s: "save",
+    };
     element("stage", HTMLElement).addEventListener("keydown", (event) => {
         const isPicture = event.target instanceof HTMLCanvasElement;
         const name = keys[event.key.toLowerCase()];
@@ -160,6 +177,10 @@ function view(api) {
         acts[name]();
     });
 }
+/** The name of what is shown, among all that there is. */
+const nameOf = ({ file, chosen }) => `${file}/${chosen.subject}`;
+/** What the versions of one server have in common. */
+const serverOf = (version) => version.split(".")[0];
 /** Say something for a few seconds. */
 function notify(text) {
     const place = element("notice", HTMLElement);
@@ -175,9 +196,10 @@ function remember() {
 }
 /** Say how large the picture is, and how fast it was drawn; null for what is no picture. */
 function tellStatus(status) {
-    const times = status && status.magnified !== 1 ? ` at ${Number(status.magnified.toPrecision(2))}×` : "";
+    const magnified = Number(status?.magnified.toPrecision(2));
+    const size = status ? `${status.width} × ${status.height}` : "";
     element("size", HTMLElement).textContent =
-        status ? `${status.width} × ${status.height}${times}` : "";
+        size && size + (magnified === 1 ? "" : ` at ${magnified}×`);
     const rate = status?.rate ?? null;
     element("rate", HTMLElement).textContent = rate === null ? "" : `${Math.round(rate)} fps`;
     canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + 1);

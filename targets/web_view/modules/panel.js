@@ -4,7 +4,6 @@ import { fieldOf } from "./fields.js";
 import { isTexture, textureField } from "./pictures.js";
 export class Panel {
     root;
-    file;
     changed;
     animated;
     pictures;
@@ -16,20 +15,19 @@ export class Panel {
     mostBytes = 0;
     /** The numbers that run with the time, each with what it is exactly. */
     timed = new Map();
-    /** `changed` is told of every value that is set; `file` tells apart what is kept for each. */
-    constructor(root, file, changed, animated, pictures) {
+    /** `changed` is told of every value that is set. */
+    constructor(root, changed, animated, pictures) {
         this.root = root;
-        this.file = file;
         this.changed = changed;
         this.animated = animated;
         this.pictures = pictures;
     }
-    /** Show the controls of a subject; values that were set stay, where the control still takes
-     * them. Returns these values. */
+    /** Show the controls of a subject, by its name among all that there is; values that were set
+     * stay, where the control still takes them. Returns these values. */
     show(subject, controls, mostBytes) {
         this.mostBytes = mostBytes;
         if (subject !== this.subject)
-            this.kept = load(`${this.file}/${subject}`);
+            this.kept = load(subject);
         this.subject = subject;
         const known = JSON.stringify(controls);
         if (known !== this.built)
@@ -188,7 +186,7 @@ export class Panel {
         const { name, type } = row.control;
         this.kept[name] = { type, value };
         row.reset.hidden = false;
-        save(`${this.file}/${this.subject}`, this.kept);
+        save(this.subject, this.kept);
         this.changed(name, value);
         this.hideUncounted();
     }
@@ -198,7 +196,7 @@ export class Panel {
             return;
         }
         delete this.kept[row.control.name];
-        save(`${this.file}/${this.subject}`, this.kept);
+        save(this.subject, this.kept);
         this.refresh(row);
         this.changed(row.control.name, row.control.value);
     }

@@ -34,7 +34,8 @@ export class Pictures {
     /** Give a texture the picture of a file. An error says why that cannot be. */
     async give(control, file, mostBytes) {
         if (file.size > mostBytes) {
-            throw new Error(`${file.name} has ${megabytes(file.size)}, and may have ${megabytes(mostBytes)}`);
+            const [size, most] = [megabytes(file.size), megabytes(mostBytes)];
+            throw new Error(`${file.name} has ${size}, and may have ${most}`);
         }
         const { dimension, sample } = control;
         const query = new URLSearchParams({ name: file.name, dimension, sample });
@@ -94,7 +95,8 @@ export function textureField(control, label, pictures, give) {
     const given = control.is_given ? "A picture" : `All ${String(control.value)}`;
     const look = pictures.look(name);
     const shown = look ? make("img", { src: look, alt: "", class: "look" }) : "";
-    const line = make("div", { class: "pick" }, shown, make("span", { class: "file" }, picture?.file ?? given), button);
+    const called = make("span", { class: "file" }, picture?.file ?? given);
+    const line = make("div", { class: "pick" }, shown, called, button);
     const element = make("div", { class: "texture" }, line, chooser);
     if (picture && !picture.is_float && control.sample === "float") {
         const box = make("input", { type: "checkbox", checked: picture.is_srgb });

@@ -9,12 +9,11 @@ export function layoutOf(from, output) {
         const written = step.kind === "run" && step.buffers.find(({ result }) => result === row.result);
         if (!written)
             continue;
-        const reflection = from.shaders[step.shader].reflection;
-        const result = reflection.results.find(({ name }) => name === written.name);
-        const { capture } = reflection;
+        const { results, capture } = from.shaders[step.shader].reflection;
+        const result = results.find(({ name }) => name === written.name);
         const captured = capture?.buffer === result.name ? capture : null;
         return {
-            type: captured ? "vertex" : (result.type ?? "").replace(/\[\]$/, ""),
+            type: captured ? "vertex" : ofElement(result.type),
             stride: result.stride,
             columns: captured ? captured.members.map(ofCapture) : columnsOf(result, "", 0),
             corners: CORNERS[captured?.primitive ?? "point"],
@@ -29,17 +28,19 @@ function ofCapture({ name, representation, offset }) {
     const places = Array.from({ length: lanes }, (_, lane) => offset + 4 * lane);
     return { name, type: representation, kind, places };
 }
+/** The type of the elements of a buffer. */
+const ofElement = (type) => type.replace(/\[\]$/, "");
 /** The columns of a value; those of a structure are called `member` and `member.part`. */
 function columnsOf(row, name, offset) {
-    if (row.members?.length) {
+    if (row.members.length) {
         const within = name ? `${name}.` : "";
         return row.members.flatMap((each) => columnsOf(each, within + each.name, offset + each.offset));
     }
-    const { layout, representation } = row;
-    const type = (row.type ?? representation).replace(/\[\]$/, "");
-    const kind = /^bvec|^bool/.test(type) ? "bool" : layout.kind;
+    const { layout } = row;
+    const type = ofElement(row.type);
+    const kind = /^bvec|^bool/.test(type) ? "bool" : (layout.kind ?? "uint");
     const some = (count, stride) => Array.from({ length: count }, (_, at) => at * stride);
-    const places = some(layout.count ?? 1, layout.stride ?? 0).flatMap((element) => some(layout.columns ?? 1, layout.column_stride ?? 0).flatMap((column) => some(layout.lanes, 4).map((lane) => offset + element + column + lane)));
+    const places = some(layout.count ?? 1, layout.stride ?? 0).flatMap((element) => some(layout.columns ?? 1, layout.column_stride ?? 0).flatMap((column) => some(layout.lanes ?? 1, 4).map((lane) => offset + element + column + lane)));
     return [{ name, type, kind, places }];
 }
 /** The elements of a buffer. */

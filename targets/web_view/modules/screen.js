@@ -1,6 +1,6 @@
 // The picture: a frame of the host on the canvas, drawn when something has changed, or again and
 // again while time goes on.
-import { openFrame } from "../web_host/host.js";
+import { openFrame, } from "../web_host/host.js";
 import { Orbit } from "./orbit.js";
 import { layoutOf } from "./records.js";
 /** How much of the last measurements counts for the number of frames per second. */

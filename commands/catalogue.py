@@ -1,7 +1,7 @@
-"""Finds the files that a gallery shows, and how their folder's README groups and describes them.
+"""Finds the files of a folder, and how its README groups and describes them.
 
-``command.py`` calls ``catalogue``. A table of the README has a row for each file: what it shows,
-and a link to it. What no table lists comes last.
+``burnish gallery`` and ``burnish view`` show folders by it. A table of the README has a row for
+each file: what it shows, and a link to it. What no table lists comes last.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _MENTION = re.compile(rf"{_LINK}(?:: (?P<what>[^.]+))?")
 
 
 class Listed(NamedTuple):
-    """A file that the gallery shows."""
+    """A file that is shown."""
 
     path: Path
     name: str

@@ -1,0 +1,130 @@
+"""``burnish view FOLDER``: the list of its files, and what no name of a file leads to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import quote
+
+import pytest
+from playwright.sync_api import Browser
+
+from ..cli.kit import invoke
+from ..suite.processes import LIMIT
+from .kit import Viewer, viewing
+from .pages import SIZE, opened, shows
+
+PLAIN = "material {} {{ color = {} }}\n"
+README = """
+# Colours
+
+## Warm
+
+| what | where |
+|---|---|
+| the colour of `blood` | [red.burnish](red.burnish) |
+"""
+SECRET = "material Secret { color = vec3(1) }\n"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    outside = tmp_path_factory.mktemp("folder")
+    folder = outside / "colours"
+    (folder / "cold").mkdir(parents=True)
+    (outside / "secret.burnish").write_text(SECRET)
+    (folder / "README.md").write_text(README)
+    (folder / "red.burnish").write_text(PLAIN.format("Red", "#ff0000"))
+    (folder / "cold" / "blue.burnish").write_text(PLAIN.format("Blue", "#0000ff"))
+    (folder / "half.burnish").write_text("fn half(x: float) -> float = 0.5 * x\n")
+    (folder / "broken.burnish").write_text("material Broken {\n")
+    (folder / "link.burnish").symlink_to(outside / "secret.burnish")
+    (folder / "up").symlink_to(outside)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def viewer(folder: Path) -> Iterator[Viewer]:
+    with viewing(folder) as viewer:
+        yield viewer
+
+
+def test_the_list(viewer: Viewer) -> None:
+    """In the README's words; without what draws nothing, and without what lies elsewhere."""
+    assert viewer.ask("/files").json() == [
+        {
+            "title": "Warm",
+            "files": [
+                {"name": "red.burnish", "what": "the colour of `blood`", "subjects": ["Red"]}
+            ],
+        },
+        {
+            "title": "Others",
+            "files": [
+                {"name": "broken.burnish", "what": "", "subjects": []},
+                {"name": "cold/blue.burnish", "what": "", "subjects": ["Blue"]},
+            ],
+        },
+    ]
+
+
+def test_only_files_of_the_list_are_shown(viewer: Viewer, folder: Path) -> None:
+    """Any other name is as if none was given: the page shows the first file."""
+    found = viewer.ask("/document?file=cold/blue.burnish").json()
+    assert (found["file"], found["chosen"]["subject"]) == ("cold/blue.burnish", "Blue")
+    secret = folder.parent / "secret.burnish"
+    for name in (
+        "../secret.burnish", "link.burnish", "up/secret.burnish", str(secret),
+        "cold/../red.burnish", "./red.burnish", "none.burnish", "README.md", "cold", "", "\0",
+    ):  # fmt: skip
+        found = viewer.ask(f"/document?file={quote(name)}").json()
+        assert found["file"] == "red.burnish", name
+        assert "Secret" not in str(found), name
+
+
+def test_a_file_is_chosen(browser: Browser, viewer: Viewer, folder: Path) -> None:
+    with browser.new_context(viewport=SIZE) as context:
+        context.set_default_timeout(1000 * LIMIT)
+        page = opened(context.new_page(), viewer)
+        shows(page, (255, 0, 0))
+        links = page.locator("#file-list a")
+        links.first.wait_for()
+        assert links.all_inner_texts() == [
+            "The colour of blood\nred.burnish · Red",
+            "broken.burnish",
+            "cold/blue.burnish\nBlue",
+        ]
+        page.locator("#file-search").fill("BLUE")
+        assert links.filter(visible=True).all_inner_texts() == ["cold/blue.burnish\nBlue"]
+        links.filter(visible=True).click()
+        shows(page, (0, 0, 255))
+        assert page.locator("#file").inner_text() == "cold/blue.burnish"
+        assert page.url.startswith(f"{viewer.address}?file=cold%2Fblue.burnish")
+        assert page.locator("[aria-current]").get_attribute("data-name") == "cold/blue.burnish"
+
+        # Only the file that is shown is drawn again.
+        (folder / "red.burnish").write_text(PLAIN.format("Red", "#ffff00"))
+        (folder / "cold" / "blue.burnish").write_text(PLAIN.format("Blue", "#00ffff"))
+        shows(page, (0, 255, 255))
+        page.locator("#file-search").fill("")
+        links.first.click()
+        shows(page, (255, 255, 0))
+
+
+def test_the_list_lies_over_narrow_pages(browser: Browser, viewer: Viewer) -> None:
+    with browser.new_context(viewport={"width": 390, "height": 700}) as context:
+        context.set_default_timeout(1000 * LIMIT)
+        page = opened(context.new_page(), viewer)
+        page.locator("#open-files").click()
+        page.locator("#file-list a").last.click()
+        page.wait_for_selector("h2:has-text('Blue')")
+        assert page.locator("#files").is_hidden()
+
+
+def test_folders_without_anything_to_show(tmp_path: Path) -> None:
+    (tmp_path / "half.burnish").write_text("fn half(x: float) -> float = 0.5 * x\n")
+    result = invoke("view", tmp_path, "--no-browser")
+    assert result.exit_code == 1
+    assert result.stderr == (
+        f"error: there is nothing in the folder `{tmp_path}` that could be drawn\n"
+    )
