@@ -76,6 +76,8 @@ class ResourceInfo:
     span: Span
     library: str = ""
     """Which declaration of the library it is, as for parameters."""
+    is_brought: bool = False
+    """Whether it is a light's that brings the steps to make it, which frames do."""
 
 
 @frozen

@@ -31,7 +31,15 @@ from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from .extents import ELEMENTS, declared_extent, exists_in_kernels, known_extent, written_buffer
 from .group_results import check_no_groups, is_per_group, of_each_group
-from .images import extent_type, extent_words, image_result, is_image, mixed
+from .images import (
+    extent_type,
+    extent_words,
+    image_result,
+    is_image,
+    is_other_image,
+    mixed,
+    report_other_image,
+)
 from .instances import instance_of
 from .scattering import scattered
 from .slot_checks import check_instance
@@ -148,6 +156,9 @@ def _extents(ctx: Context, record: Record, instance: Instance) -> list[_Extent]:
             found.append(_Extent(node, record.name, "`runs over` says", own.count.span, ELEMENTS))
     for member, owner, level in record.every(ast.Result):
         if is_per_group(ctx, member):
+            continue
+        if is_other_image(member):
+            report_other_image(ctx, member)
             continue
         name, what = member.name.text, extent_words(member)
         scope = _scope(owner, instance, level)
