@@ -48,6 +48,8 @@ BOTH = triangles(BACK, FRONT)
 TURNED = triangles(BACK[::-1], FRONT)
 """Of the first face the back is seen."""
 HALVES = (np.full((1, 1, 4), 0.5),)
+EXACT = Texels(HALVES)
+"""A texture of the host's."""
 VALUES: dict[str, Any] = {"wide": (1.0,), "scale": (0.9,), "other": (0.5,)}
 
 
@@ -58,7 +60,7 @@ def undecided(
     mesh: Geometry = BOTH,
     second: Geometry | None = None,
     rules: RasterRules | None = None,
-    lift: Texels = Texels(HALVES),
+    lift: Texels = EXACT,
     placed: str = SCALED,
     shown: str = "color",
     **values: Any,
@@ -117,5 +119,5 @@ def test_faces_that_are_not_drawn_count() -> None:
 
 @pytest.mark.parametrize("is_drawn", [False, True])
 def test_textures_that_a_device_has_drawn_may_be_others(is_drawn: bool) -> None:
-    lift = Texels(HALVES, False, HALVES, HALVES) if is_drawn else Texels(HALVES)
+    lift = Texels(HALVES, False, HALVES, HALVES) if is_drawn else EXACT
     assert undecided(placed=LIFTED, lift=lift) == is_drawn
