@@ -26,7 +26,7 @@ from ..runner.subject import Subject
 from ..toolchain import Toolchain
 from .captures import CapturePlan
 from .cases import SIZE, Size
-from .compare import proves_little
+from .compare import Comparison, proves_little
 from .frames import FramePlan
 from .kernels import KernelPlan
 from .plan import Plan
@@ -50,6 +50,7 @@ def conform(
     keep: bool = True,
     draw: Draw = expected,
     threads: int = THREADS,
+    brief: bool = False,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Row]:
     """A row for each labelled material, kernel or frame and each route, in this order.
@@ -58,7 +59,7 @@ def conform(
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
     programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes
     use of several processors. ``threads`` says how many rows are made at once, each of which needs
-    the memory for what it draws.
+    the memory for what it draws. Rows that are ``brief`` end with the first picture that differs.
     """
     store = Store(STORE) if keep else Store(STORE, limit=0)
     plans = [
@@ -71,7 +72,7 @@ def conform(
     # one material share its pictures, so those of another are what a thread can go on with.
     with ThreadPoolExecutor(threads) as pool:
         pending = {
-            pool.submit(_row, plan, route, runner, toolchain, interrupted): (i, j)
+            pool.submit(_row, plan, route, runner, toolchain, interrupted, brief=brief): (i, j)
             for j, route in enumerate(routes)
             for i, plan in enumerate(plans)
         }
@@ -121,6 +122,8 @@ def _row(
     runner: Runner,
     toolchain: Toolchain,
     interrupted: Event,
+    *,
+    brief: bool,
 ) -> Row:
     """The row of a material and a route; it ends early, and is of no use, once ``interrupted``."""
     if isinstance(plan, tuple):
@@ -135,7 +138,7 @@ def _row(
         results: list[CaseResult] = []
         for result in _results(plan, route, device, runner, toolchain):
             results.append(result)
-            if interrupted.is_set():
+            if interrupted.is_set() or (brief and _differs(result.comparison)):
                 break
     except (CodeError, DriverError, PlanError, UndrawableError) as error:
         return made(status="failed", problem=str(error))
@@ -162,8 +165,12 @@ def _lacking(plan: AnyPlan, route: Route) -> str | None:
 
 def _status(results: Sequence[CaseResult]) -> Status:
     comparisons = [result.comparison for result in results]
-    if any(comparison.wrong or comparison.changed for comparison in comparisons):
+    if any(map(_differs, comparisons)):
         return "differs"
     if any(comparison.overflowing for comparison in comparisons):
         return "overflows"
     return "proves little" if proves_little(comparisons) else "agrees"
+
+
+def _differs(comparison: Comparison) -> bool:
+    return bool(comparison.wrong or comparison.changed)

@@ -207,9 +207,14 @@ class FramePlan:
         return found
 
     def _host(self, subject: PlannedFrame) -> FrameHost:
-        tags = {row["name"]: row["materials"] for row in self._meant.plan["models"]}
-        materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-        return FrameHost(subject, in_a_row(materials, tags, MESH), self._size)
+        return host_of(subject, self._size)
+
+
+def host_of(subject: PlannedFrame, size: Size) -> FrameHost:
+    """A frame with the scene that it is judged in: a model of each material."""
+    tags = {row["name"]: row["materials"] for row in subject.plan["models"]}
+    materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
+    return FrameHost(subject, in_a_row(materials, tags, MESH), size)
 
 
 def _sides(shape: Sequence[int]) -> str:

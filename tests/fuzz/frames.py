@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import get_args
@@ -27,19 +28,38 @@ _STENCIL = {
     "write_mask": ("0", "3", "255"), "fail": OPERATIONS, "depth_fail": OPERATIONS,
     "front.pass": OPERATIONS, "back.pass": OPERATIONS, "back.compare": ("not_equal", "never"),
 }  # fmt: skip
+_SEVERAL = {"samples": ("4",)}
+_FLOATS = re.compile(r"\b(r|rg|rgba)32f\b")
+"""The formats of which samples have no mean."""
 _NUMBERS = Scope((variable("amount", "float"), variable("float(many)", "float")))
 """What a frame computes numbers of."""
 
 
-def render_states(writer: Writer) -> list[Node]:
-    """Which faces the pass of a program draws, and what it does with depths and stencil values."""
+def render_states(writer: Writer, program: Sequence[Node]) -> list[Node]:
+    """Which faces the pass of a program draws, and what it does with depths and stencil values.
+
+    ``program`` is all that has a part in what the pass draws.
+    """
     found = []
-    for kind, settings in (("raster", _RASTER), ("depth", _DEPTH), ("stencil", _STENCIL)):
+    raster = {**_RASTER, **_SEVERAL} if _may_have_samples(program) else _RASTER
+    for kind, settings in (("raster", raster), ("depth", _DEPTH), ("stencil", _STENCIL)):
         if writer.maybe(0.2):
             chosen = [name for name in settings if writer.maybe(0.5)]
             said = ", ".join(f"{name} = {writer.chance.choice(settings[name])}" for name in chosen)
             found.append(f"{kind} {{{{ {said} }}}}")
     return [Node(text, optional=True) for text in found]
+
+
+def _may_have_samples(program: Sequence[Node]) -> bool:
+    """Whether what a pass draws may have several samples: no lines, no layers, no large floats."""
+    return not any(
+        (node.role == "strips" and node.form.startswith("line "))
+        or (node.role == "tessellation" and node.form.startswith("tessellate isoline"))
+        or node.role == "layers"
+        or (node.role == "target" and _FLOATS.search(node.form))
+        for part in program
+        for _, node in walk(part)
+    )
 
 
 def frame(writer: Writer, drawn: Node, program: Sequence[Node]) -> Node:

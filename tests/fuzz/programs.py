@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, field, replace
 from random import Random
 
@@ -120,7 +120,7 @@ class _Program:
             self.file.append(declarations.light(writer, callables, mixed=mixed))
         usable = (*callables, *(signature for signature, _ in terms))
         materials = list(self._materials(replace(outside, callables=usable)))
-        passes = [self._any_pass(usable)] if writer.maybe(0.3) else []
+        passes = [self._any_pass(usable, materials)] if writer.maybe(0.3) else []
         rigs = [declarations.rig(writer, own=own_light, any_number=self.has_buffers)]
         frames = [
             frame(writer, drawn, [*materials, drawn])
@@ -301,9 +301,9 @@ class _Program:
 
     # --- passes ----------------------------------------------------------------------------------
 
-    def _any_pass(self, callables: tuple[Signature, ...]) -> Node:
+    def _any_pass(self, callables: tuple[Signature, ...], materials: Sequence[Node]) -> Node:
         """A pass that draws or, now and then, one that captures vertices."""
-        return self._capturing() if self.writer.maybe(0.15) else self._pass(callables)
+        return self._capturing() if self.writer.maybe(0.15) else self._pass(callables, materials)
 
     def _capturing(self) -> Node:
         """A pass that captures values of several types, of what every surface has at vertices."""
@@ -326,7 +326,7 @@ class _Program:
             items.append(Node(text, (value,), role="capture", optional=number > 0))
         return replace(listed("pass Drawn {{\n    {}\n}}", items, "\n    ", "pass"), optional=True)
 
-    def _pass(self, callables: tuple[Signature, ...]) -> Node:
+    def _pass(self, callables: tuple[Signature, ...], materials: Sequence[Node]) -> Node:
         """A pass with targets of several formats, blending and discarding."""
         writer = self.writer
         scope = Scope((variable("vec3(color)", "vec3"), variable("alpha", "float")), callables,
@@ -356,7 +356,7 @@ class _Program:
         if writer.maybe(0.3):
             condition = writer.expression("bool", scope, FUEL // 2)
             items.append(Node("discard when {}", (condition,), role="discard", optional=True))
-        items += render_states(writer)
+        items += render_states(writer, [*materials, *items])
         blended = adds or writer.maybe(0.4)
         blend = f" blend {'add' if adds else self._blend('vec4')}" if blended else ""
         form = f"pass Drawn : Forward{blend} {{{{\n    {{}}\n}}}}"

@@ -1,8 +1,8 @@
 """``python -m tests.mutants``: judge random mutants, and list those that nothing notices.
 
-A mutant is a copy of the package with one small change. If the change alters a text or what a
-driver is told, ``conform`` should call the result ``differs`` or ``failed``. If it does not, the
-mutant is a survivor, which is either equivalent or shows a hole in the tests.
+A mutant is a copy of the package with one small change. If the change alters a text, a plan or
+what a driver is told, ``conform`` should call the result ``differs`` or ``failed``. If it does not,
+the mutant is a survivor, which is either equivalent or shows a hole in the tests.
 
     python -m tests.mutants --count 100               # of all parts, as many of each
     python -m tests.mutants --area passes --seed 7    # of one part
@@ -21,7 +21,7 @@ from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections import Counter
 from pathlib import Path
 
-from .copies import MATERIALS, MOST, copy
+from .copies import JUDGES, MOST, copy
 from .places import AREAS, Mutant, mutants
 
 
@@ -65,10 +65,15 @@ def _asked() -> Namespace:
     parser.add_argument("--count", type=int, default=50, help="about how many; 0 for all")
     parser.add_argument("--area", action="append", choices=list(AREAS), help="a part; repeatable")
     parser.add_argument("--file", default="", help="only files whose paths contain this")
-    parser.add_argument("--materials", type=Path, nargs="+", default=MATERIALS, help="folders")
+    parser.add_argument("--materials", type=_folder, nargs="+", default=JUDGES, help="folders")
     parser.add_argument("--most", type=int, default=MOST, help="how many materials judge each")
     parser.add_argument("--known", type=Path, help="keeps what is known of the unchanged package")
     return parser.parse_args()
+
+
+def _folder(text: str) -> Path:
+    """A folder for a process that runs elsewhere."""
+    return Path(text).resolve()
 
 
 if __name__ == "__main__":

@@ -18,7 +18,10 @@ from .places import DRAWING, ROOT, Mutant
 
 JUDGE = "judge"
 """The program beside this file that is asked; it is a package of modules."""
-MATERIALS = (ROOT / "tests" / "conformance" / "materials",)
+MATERIALS = ROOT / "tests" / "conformance" / "materials"
+FRAMES = ROOT / "tests" / "mutants" / "frames"
+JUDGES = (MATERIALS, FRAMES)
+"""The folders whose materials and frames judge."""
 
 MOST = 16
 """How many materials judge a mutant, unless somebody asks for more. Few mutants that sixteen of
@@ -133,7 +136,7 @@ def _that_show(mutant: Mutant, known: Known, most: int) -> Sequence[str]:
 
 
 @contextmanager
-def copy(folder: Path, materials: Sequence[Path] = MATERIALS) -> Iterator[Copy]:
+def copy(folder: Path, materials: Sequence[Path] = JUDGES) -> Iterator[Copy]:
     """A copy that is judged by the materials of some folders; it is deleted again."""
     package = folder / "burnish"
     ignored = shutil.ignore_patterns("tests", "build", "docs", ".*")

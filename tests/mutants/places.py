@@ -15,6 +15,7 @@ ROOT = Path(burnish.__file__).parent
 AREAS: Mapping[str, tuple[str, ...]] = {
     "passes": ("compiler/passes/*.py", "compiler/passes/rules/*.py"),
     "ranges": ("compiler/ir/range*.py", "stdlib/builtins/intervals.py", "stdlib/builtins/facts.py"),
+    "planning": ("compiler/planning/*.py",),
     "layout": ("compiler/layout.py", "compiler/packing.py", "compiler/ir/storage.py"),
     "reflection": ("compiler/reflection/*.py",),
     "legalise": ("targets/legalise/*.py",),
@@ -24,8 +25,10 @@ AREAS: Mapping[str, tuple[str, ...]] = {
     "values": ("targets/runner/instances/*.py",),
     "textures": ("targets/runner/textures/*.py",),
     "scenes": ("targets/runner/scene*.py", "targets/runner/binding.py"),
+    "frames": ("targets/runner/frames/by_route.py", "targets/runner/frames/memory.py"),
     "drivers": ("targets/runner/drivers/vulkan/*.py", "targets/runner/drivers/readback.py"),
-    "reference": ("compiler/reference/*.py", "compiler/reference/picture/*.py"),
+    "reference": ("compiler/reference/*.py", "compiler/reference/picture/*.py",
+                  "targets/runner/frames/by_reference.py", "targets/runner/frames/drawn.py"),
     "bounds": ("compiler/reference/bounds/*.py",),
 }  # fmt: skip
 """Which files of the package each part has."""

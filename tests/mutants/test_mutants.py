@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from .changes import Change, changes, template_changes
-from .copies import MATERIALS, Copy, Judgement, Known, copy
+from .copies import FRAMES, MATERIALS, Copy, Judgement, Known, copy
 from .places import AREAS, ROOT, Mutant, mutants
 from .texts import text_changes
 
@@ -25,6 +25,8 @@ NOTICED = [
     ("compiler/ir/storage.py", "LANE = 4", "LANE = 8"),
     ("targets/hlsl/language.py", '"fract": "frac"', '"fract": "floor"'),
     ("targets/wgsl/shader.wgsl.j2", "@interpolate(flat)", "@interpolate(linear)"),
+    ("compiler/planning/barriers.py", "if before == after and", "if before != after and"),
+    ("targets/runner/frames/by_route.py", "= at[other], at[one]", "= at[one], at[other]"),
     ("targets/runner/instances/blocks.py", 'f"<{shape.lanes}', 'f">{shape.lanes}'),
 ]
 """A file of the package, a text in it, and what replaces the text."""
@@ -49,8 +51,9 @@ def few(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Few]:
     folder = tmp_path_factory.mktemp("mutants")
     materials = folder / "materials"
     materials.mkdir()
-    for name in ("operations", "integers"):
-        shutil.copy(MATERIALS[0] / f"{name}.burnish", materials)
+    for file in ("operations.burnish", "integers.burnish"):
+        shutil.copy(MATERIALS / file, materials)
+    shutil.copy(FRAMES / "steps.burnish", materials)
     with copy(folder / "copy", [materials]) as package:
         yield Few(package, package.known())
 

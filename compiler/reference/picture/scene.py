@@ -94,6 +94,8 @@ class Texels:
     high: tuple[Floats, ...] = ()
     """Of a texture that was drawn: for each level, between which numbers those are that a device
     has stored. Of an undecided pixel, these contain all that it may have drawn there."""
+    has_undefined: bool = False
+    """Whether some were drawn of which nothing is defined; they are NaN."""
 
 
 @dataclass(frozen=True, slots=True)

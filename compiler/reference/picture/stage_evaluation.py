@@ -19,7 +19,7 @@ from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
-from ..bounds import Bounded, Bounds, Errors, exact, given, hull, joined, remembered
+from ..bounds import Bounded, Bounds, Errors, all_remembered, exact, given, hull, joined
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
@@ -97,8 +97,9 @@ class StageEvaluator:
         self.side = 2 if _compares(nodes, rules) else 1
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
-        self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
-        self.found = Found.of((*self._targets, self._position))
+        texels = {resource: _texels(textures, resource) for resource in read}
+        self._images = {r: Image(each, r, rules) for r, each in texels.items()}
+        self.found = Found.of((*self._targets, self._position), texels.values(), rules)
         """Where nothing is defined, as far as it is known."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
@@ -153,18 +154,18 @@ class StageEvaluator:
                 values = vertices.crossings[node.id]
                 if CROSS.data(node).mode == "flat":
                     return place.flat(values)
-                return _remembered(self._given(place.perspective(values)))
+                return all_remembered(self._given(place.perspective(values)))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._held.value(node)
 
         watch = _Watch(self, (len(front), self.side, self.side))
-        evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
+        evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered)
         discards = (self._discard,) if self._discard else ()
         found = evaluator.values((*discards, *self._targets))
         discarded: Any = found.pop(0)[0] if discards else False
-        targets = tuple(found)
-        watch.end((*(lane for target in targets for lane in target), discarded))
+        watch.end((*(lane for target in found for lane in target), discarded))
+        targets = tuple(map(watch.as_defined, found))
         return Shaded(targets, discarded, watch.undecided)
 
     # --- leaves -----------------------------------------------------------------------------------
@@ -183,9 +184,7 @@ class _Watch(Watch):
     """Observes derivatives, too, and other operations that compare neighbours."""
 
     def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
-        self._rules = stages.rules
-        is_nan = self._rules.unguarded_is_nan
-        super().__init__(stages.found, shape, unguarded_is_nan=is_nan, rounds=stages.has_bounds)
+        super().__init__(stages.found, shape, stages.rules, rounds=stages.has_bounds)
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         value = super().__call__(node, operands, value)
@@ -199,13 +198,6 @@ class _Watch(Watch):
 
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:
     return 0.0
-
-
-def _remembered(value: Lanes) -> Lanes:
-    """A value whose lanes' errors are shared by all that is computed from them."""
-    return tuple(
-        _remembered(lane) if isinstance(lane, tuple) else remembered(lane) for lane in value
-    )
 
 
 def difference_taken(lane: Lane, builtin: str, rules: RasterRules) -> Lane:

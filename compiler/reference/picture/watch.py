@@ -7,7 +7,7 @@ for each run. Both hand it to the ``Evaluator``, and call ``end`` with the resul
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -21,7 +21,7 @@ from ..bounds import Bounded
 from ..held_values import as_rounded
 from ..namespace import Lanes
 from ..vectors import inner
-from .scene import Bools
+from .scene import Bools, RasterRules, Texels
 from .unguarded import outside
 
 _PROMISES = frozenset(name for name, row in BUILTINS.items() if row.is_promise)
@@ -43,20 +43,20 @@ class Found:
     are NaN."""
 
     @classmethod
-    def of(cls, roots: Sequence[Node]) -> Found:
-        """Nothing yet, of a shader with these results."""
-        return cls(_promised(roots))
+    def of(cls, roots: Sequence[Node], read: Iterable[Texels], rules: RasterRules) -> Found:
+        """Nothing yet, of a shader with these results that reads these textures."""
+        is_undefined = rules.unguarded_is_nan and any(texels.has_undefined for texels in read)
+        return cls(_promised(roots), left_a_domain=is_undefined)
 
 
 class Watch:
     """Observes one stage, whose lanes are plain arrays or have bounds."""
 
     def __init__(
-        self, found: Found, shape: tuple[int, ...], *, unguarded_is_nan: bool, rounds: bool
+        self, found: Found, shape: tuple[int, ...], rules: RasterRules, *, rounds: bool
     ) -> None:
         """``rounds`` says whether constants are as a text has them."""
-        self._found = found
-        self._unguarded_is_nan, self._rounds = unguarded_is_nan, rounds
+        self._found, self._rules, self._rounds = found, rules, rounds
         self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
         """Of ``shape``: where nothing is defined."""
 
@@ -64,7 +64,7 @@ class Watch:
         """The value with which the evaluation continues."""
         if node.id in self._found.promised:
             self._check(node, value)
-        if self._unguarded_is_nan:
+        if self._rules.unguarded_is_nan:
             value = self._contained(node, operands, value)
         if node.op == "constant" and self._rounds:
             rounded: Lanes = as_rounded(value)
@@ -75,6 +75,13 @@ class Watch:
         """Record where results of the stage hang on an operation outside of its domain."""
         if self._found.left_a_domain:
             self._record_nan(lanes)
+
+    def as_defined(self, value: Lanes) -> Lanes:
+        """A result of the stage, floats of which are NaN where nothing is defined, if that is
+        asked for: so whoever reads it finds out."""
+        if not (self._rules.unguarded_is_nan and self.undecided.any()):
+            return value
+        return tuple(_nan_where(self.undecided, lane) for lane in value)
 
     def _contained(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         """The value, NaN where the operation leaves its domain.

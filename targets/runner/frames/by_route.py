@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
-from ..codes import compile_one
+from ..codes import Codes, compile_one
 from ..drivers.frame_job import (
     Attachment,
     Barrier,
@@ -63,13 +63,24 @@ def draw_frames(
 
     Raises ``CodeError`` if a compiler refuses a text, and ``DriverError``.
     """
-    job = _Job(host, route, toolchain)
+    codes = [compile_one(route, shader.files, toolchain) for shader in host.shaders]
     names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
+    found = iter(runner.draw_frame(route, frame_job(host, route, codes, names, count)))
+    return [{name: array_of(next(found)) for name in names} for _ in range(count)]
+
+
+def frame_job(
+    host: FrameHost, route: Route, codes: Sequence[Codes], outputs: Sequence[str], count: int
+) -> FrameJob:
+    """What a driver is asked to do for some frames, and to bring back these outputs of each.
+
+    ``codes`` are those of the plan's shaders.
+    """
+    job = _Job(host, route, codes)
     for number in range(count):
         job.add_frame(number)
-        job.add_reading(names)
-    found = iter(runner.draw_frame(route, job.whole()))
-    return [{name: array_of(next(found)) for name in names} for _ in range(count)]
+        job.add_reading(outputs)
+    return job.whole()
 
 
 def array_of(texels: FrameTexels) -> Floats:
@@ -89,10 +100,9 @@ class _Textures:
 
 
 class _Job:
-    def __init__(self, host: FrameHost, route: Route, toolchain: Toolchain) -> None:
+    def __init__(self, host: FrameHost, route: Route, codes: Sequence[Codes]) -> None:
         self._host = host
         self._plan = host.plan
-        codes = [compile_one(route, shader.files, toolchain) for shader in host.shaders]
         self._pipelines: list[Pipeline] = [
             pipeline(shader.reflection, route, code)
             for shader, code in zip(host.shaders, codes, strict=True)
@@ -377,7 +387,8 @@ class _Job:
 
 def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     """Two steps that draw to the same attachments, as one render pass: it begins as the first one
-    does, and leaves what the second one leaves. They stay two if their settings differ."""
+    does, and leaves what the second one leaves. What this resolves to is ready from the beginning.
+    They stay two if their settings differ."""
     settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
     if settings[0] != settings[1]:
         return [before, step]
@@ -388,7 +399,10 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     depth = step.depth and before.depth and joined(before.depth, step.depth)
     targets = tuple(map(joined, before.targets, step.targets))
     draws = (*before.draws, *step.draws)
-    return [replace(before, targets=targets, depth=depth, draws=draws)]
+    resolved = {each.resolve.texture for each in step.targets if each.resolve is not None}
+    waiting = (each for each in step.barriers if each.texture in resolved)
+    barriers = (*before.barriers, *waiting)
+    return [replace(before, barriers=barriers, targets=targets, depth=depth, draws=draws)]
 
 
 def _shared_memory(host: FrameHost) -> dict[int, int]:

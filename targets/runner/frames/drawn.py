@@ -83,7 +83,11 @@ class Drawn:
             tuple(level[end, 0] if flat else level[end] for level in self.levels)
             for end in range(_ENDS)
         )
-        return Texels(value, self.format.endswith("srgb"), low, high)
+        has_undefined = any(
+            bool((np.isnan(level[0]).any(axis=-1) & undecided).any())
+            for level, undecided in zip(self.levels, self.undecided, strict=True)
+        )
+        return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)
 
     def copy(self) -> Drawn:
         """The same contents in a texture of its own."""

@@ -1,104 +1,172 @@
-"""What a material comes to: its texts, and what drivers are told, as digests."""
+"""What a material or a frame comes to: its texts, and what drivers are told, as digests."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from hashlib import blake2b
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from burnish.api import CompiledMaterial
+    from burnish.api import CompiledFrame, CompiledMaterial
+    from burnish.targets.runner.codes import Codes
+    from burnish.targets.runner.routes import Route
+
+    Judged = CompiledMaterial | CompiledFrame
 
 DRAWN = ("lavapipe:glsl", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga", "llvmpipe:gl330")
 """The fastest route of each language, in the order in which they draw."""
 DEFECTIVE = {"gathered: Varying"}
 """Materials that show a driver's bug."""
+_FRAMES = re.compile(r"^frame (\w+)", re.MULTILINE)
+_FRAME_SIZE = (36, 28)
+"""Of the frames of which drivers are told."""
+_FRAME_COUNT = 2
+"""So many show what a frame leaves for the next one."""
 
 Name = tuple[str, str]
-"""A file, and one of its passes."""
+"""A file, and one of its passes or frames."""
 
 
 def label(name: Name) -> str:
     """``operations: Limits`` for a file and one of its passes."""
-    path, pass_ = name
-    return f"{Path(path).stem}: {pass_}"
+    path, what = name
+    return f"{Path(path).stem}: {what}"
 
 
 def names(folders: Iterable[str]) -> Iterator[Name]:
-    """All materials of some folders."""
+    """All materials of some folders; of files with frames, these."""
     from burnish import api
 
     for folder in folders:
         for path in sorted(Path(folder).glob("*.burnish")):
+            if frames := _FRAMES.findall(path.read_text("utf-8")):
+                yield from ((str(path), frame) for frame in frames)
+                continue
             for _rig, pass_ in api.variants(path):
                 if pass_ is not None and f"{path.stem}: {pass_}" not in DEFECTIVE:
                     yield str(path), pass_
 
 
-def compiled(name: Name) -> CompiledMaterial:
-    """A material, compiled for the profiles of all routes that draw."""
+def compiled(name: Name) -> Judged:
+    """A material or a frame, compiled for the profiles of all routes that draw."""
     import burnish
     from burnish.targets.runner.routes import ROUTES
 
-    path, pass_ = name
+    path, what = name
     profiles = [ROUTES[route].profile for route in DRAWN]
-    (material,) = burnish.compile(path, profiles, pass_=pass_, partial=True).materials
+    if what in _FRAMES.findall(Path(path).read_text("utf-8")):
+        frames = burnish.compile(path, profiles, partial=True).frames
+        return next(frame for frame in frames if frame.name == what)
+    (material,) = burnish.compile(path, profiles, pass_=what, partial=True).materials
     return material
 
 
+def shaders_of(subject: Judged) -> Sequence[CompiledMaterial]:
+    """The shaders of a frame; of a material, itself."""
+    from burnish.api import CompiledFrame
+
+    return subject.shaders if isinstance(subject, CompiledFrame) else (subject,)
+
+
+def description(subject: Judged) -> object:
+    """What a host knows of it: the reflection, or the plan and what the reference draws by."""
+    from burnish.api import CompiledFrame
+
+    if isinstance(subject, CompiledFrame):
+        return subject.plan, subject.plan_of_reference, [s.reflection for s in subject.shaders]
+    return subject.reflection
+
+
+def lacks(subject: Judged, route: Route) -> str | None:
+    """What a route lacks to draw it, or ``None``."""
+    every = (shader.lacking.get(route.profile) for shader in shaders_of(subject))
+    return next(filter(None, every), None)
+
+
 def behaviour(name: Name, *, told: bool) -> Iterator[tuple[str, str]]:
-    """Digests of a material's texts on each route and, if ``told``, of what its driver is told."""
-    material = compiled(name)
-    for route, text in texts(material):
+    """Digests of the texts on each route and, if ``told``, of what its driver is told."""
+    subject = compiled(name)
+    for route, text in texts(subject):
         yield f"{label(name)}, {route}: text", digest(text)
     if told:
-        for route, data in told_to_drivers(material):
+        for route, data in told_to_drivers(subject):
             yield f"{label(name)}, {route}: told", digest(data)
 
 
-def texts(material: CompiledMaterial) -> Iterator[tuple[str, object]]:
+def texts(subject: Judged) -> Iterator[tuple[str, object]]:
     from burnish.targets.runner.routes import ROUTES
 
     for name in DRAWN:
-        profile = ROUTES[name].profile
-        if profile not in material.lacking:
-            files = [file for file in material.files if f"{file.target}:{file.profile}" == profile]
-            texts = [(file.text, sorted(file.entry_points.items())) for file in files]
-            yield name, (texts, material.reflection)
+        if lacks(subject, ROUTES[name]) is None:
+            texts = [
+                (file.text, sorted(file.entry_points.items()))
+                for shader in shaders_of(subject)
+                for file in shader.files
+                if f"{file.target}:{file.profile}" == ROUTES[name].profile
+            ]
+            yield name, (texts, description(subject))
 
 
-def told_to_drivers(material: CompiledMaterial) -> Iterator[tuple[str, object]]:
+def told_to_drivers(subject: Judged) -> Iterator[tuple[str, object]]:
     """For each route what its driver is told, without the code."""
+    from burnish.api import CompiledFrame
+
+    if isinstance(subject, CompiledFrame):
+        return _told_of_frame(subject)
+    return _told_of_material(subject)
+
+
+def _told_of_material(material: CompiledMaterial) -> Iterator[tuple[str, object]]:
     from burnish.targets.conformance.cases import series_of
     from burnish.targets.runner.binding import pipeline
-    from burnish.targets.runner.codes import Codes
     from burnish.targets.runner.drivers.draw_job import Job
-    from burnish.targets.runner.drivers.pipeline import Code
     from burnish.targets.runner.drivers.wire import to_json
-    from burnish.targets.runner.routes import ROUTES
 
     work = [
         (series.exact, [to_json(case.state.draw()) for case in series.cases])
         for series in series_of(material.reflection)
     ]
-    for name in DRAWN:
-        route = ROUTES[name]
-        if route.profile not in material.lacking:
-            entries = {
-                stage: Code(entry, "")
-                for file in material.files
-                if f"{file.target}:{file.profile}" == route.profile
-                for stage, entry in file.entry_points.items()
-            }
-            jobs = [
-                to_json(Job(pipeline(material.reflection, route, Codes(entries), exact=exact), ()))
-                for exact, _ in work
-            ]
-            yield name, (jobs, work)
+    for route, (codes,) in _codes(material):
+        jobs = [
+            to_json(Job(pipeline(material.reflection, route, codes, exact=exact), ()))
+            for exact, _ in work
+        ]
+        yield route.name, (jobs, work)
 
 
-def digest(data: object) -> str:
+def _told_of_frame(frame: CompiledFrame) -> Iterator[tuple[str, object]]:
+    from burnish.targets.conformance.frames import host_of
+    from burnish.targets.runner.drivers.wire import to_json
+    from burnish.targets.runner.frames.by_route import frame_job
+
+    outputs = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
+    for route, codes in _codes(frame):
+        host = host_of(frame, _FRAME_SIZE)
+        yield route.name, to_json(frame_job(host, route, codes, outputs, _FRAME_COUNT))
+
+
+def _codes(subject: Judged) -> Iterator[tuple[Route, Sequence[Codes]]]:
+    """The routes that draw it, each with the entry points of all shaders, without any code."""
+    from burnish.targets.runner.codes import Codes
+    from burnish.targets.runner.drivers.pipeline import Code
+    from burnish.targets.runner.routes import ROUTES
+
+    for route in map(ROUTES.__getitem__, DRAWN):
+        if lacks(subject, route) is None:
+            yield route, [
+                Codes({
+                    stage: Code(entry, "")
+                    for file in shader.files
+                    if f"{file.target}:{file.profile}" == route.profile
+                    for stage, entry in file.entry_points.items()
+                })
+                for shader in shaders_of(subject)
+            ]  # fmt: skip
+
+
+def digest(data: Any) -> str:
     text = json.dumps(data, sort_keys=True, default=str)
     return blake2b(text.encode(), digest_size=8).hexdigest()

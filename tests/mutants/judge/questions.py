@@ -11,7 +11,7 @@ from .children import Answer
 from .studio import Studio
 
 if TYPE_CHECKING:
-    from burnish.api import CompiledMaterial
+    from .behaviour import Judged
 
 IN_RUNTIME = "targets/runner/"
 """Where the files are that compute what drivers are told; the others determine what texts say."""
@@ -42,7 +42,7 @@ def judged(asked: Question) -> Answer:
     in_runtime = asked.path.startswith(IN_RUNTIME)
     same_code = {} if in_runtime or asked.everything else asked.known or {}
     different: list[str] = []
-    waiting: list[tuple[Name, CompiledMaterial, str]] = []
+    waiting: list[tuple[Name, Judged, str]] = []
     with Studio() as studio:
         for name in map(_named, asked.materials):
             routes = list(_different(name, asked))

@@ -9,12 +9,23 @@ from contextlib import ExitStack
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from .behaviour import DRAWN, Name, compiled, digest, label, texts
+from .behaviour import (
+    DRAWN,
+    Name,
+    compiled,
+    description,
+    digest,
+    label,
+    lacks,
+    shaders_of,
+    texts,
+)
 
 if TYPE_CHECKING:
-    from burnish.api import CompiledMaterial
     from burnish.targets.runner.runner import Runner
     from burnish.targets.toolchain import Toolchain
+
+    from .behaviour import Judged
 
 NOTICED = ("differs", "failed")
 SMALL = (36, 28)
@@ -44,21 +55,21 @@ class Studio(ExitStack):
 
         return self.enter_context(Runner([ROUTES[name] for name in DRAWN]))
 
-    def code(self, material: CompiledMaterial, route: str) -> object:
-        """What compilers make of a material's texts, without the names in it."""
+    def code(self, subject: Judged, route: str) -> object:
+        """What compilers make of a material's texts, or a frame's, without the names in it."""
         from burnish.targets.runner.codes import compile_one
         from burnish.targets.runner.routes import ROUTES
 
-        codes = compile_one(ROUTES[route], material.files, self._toolchain)
-        stages = codes.stages.values()
-        return [(code.entry, _plain(code.text), _nameless(code.spirv)) for code in stages]
+        return [
+            (code.entry, _plain(code.text), _nameless(code.spirv))
+            for shader in shaders_of(subject)
+            for code in compile_one(ROUTES[route], shader.files, self._toolchain).stages.values()
+        ]
 
-    def wrong(
-        self, name: Name, material: CompiledMaterial, route: str, known: Mapping[str, str]
-    ) -> str:
-        """How a picture of a material is wrong; empty if it is right, or not drawn because its code
+    def wrong(self, name: Name, subject: Judged, route: str, known: Mapping[str, str]) -> str:
+        """How a picture is wrong; empty if it is right, or not drawn because its code
         is known, or because there are enough pictures already."""
-        from burnish.targets.conformance import cases
+        from burnish.targets.conformance.cases import SIZE
         from burnish.targets.conformance.conform import conform
         from burnish.targets.runner.codes import CodeError
         from burnish.targets.runner.routes import ROUTES
@@ -66,32 +77,31 @@ class Studio(ExitStack):
         if self.drawn >= PICTURES:
             return ""
         place, row = f"{label(name)}, {route}", ROUTES[route]
-        if row.profile in material.lacking:
-            return f"{place}: {material.lacking[row.profile]}"
+        if reason := lacks(subject, row):
+            return f"{place}: {reason}"
         try:
-            code = self.code(material, route)
+            code = self.code(subject, route)
         except CodeError:
             return f"{place}: failed"
-        if known.get(f"{place}: code") == digest((code, material.reflection)):
+        if known.get(f"{place}: code") == digest((code, description(subject))):
             return ""
         self.drawn += 1
-        whole = cases.SIZE
-        for size in (SMALL, whole)[: 1 + (self.drawn <= LARGE_PICTURES)]:
-            cases.SIZE = size
-            subjects = [(place, material)]
-            (found,) = conform(subjects, [row], self._runner, self._toolchain)
-            cases.SIZE = whole
+        for size in (SMALL, SIZE)[: 1 + (self.drawn <= LARGE_PICTURES)]:
+            subjects = [(place, subject)]
+            (found,) = conform(
+                subjects, [row], self._runner, self._toolchain, size=size, brief=True
+            )
             if found.status in NOTICED:
                 return f"{place}: {found.status}"
         return ""
 
 
 def codes_of(name: Name, studio: Studio) -> Iterator[tuple[str, str]]:
-    """Digests of a material's code and reflection on each route."""
-    material = compiled(name)
-    for route, _ in texts(material):
-        code = studio.code(material, route)
-        yield f"{label(name)}, {route}: code", digest((code, material.reflection))
+    """Digests of the code of a material or a frame, and of its description, on each route."""
+    subject = compiled(name)
+    for route, _ in texts(subject):
+        code = studio.code(subject, route)
+        yield f"{label(name)}, {route}: code", digest((code, description(subject)))
 
 
 def _plain(text: str) -> str:
