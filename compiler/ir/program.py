@@ -20,7 +20,7 @@ from .node import Formal, Node
 from .operations import NATIVE, builtin_of
 from .render_state import Fill
 from .scattering import Scattered, scattered
-from .shader import Store
+from .shader import RenderTarget, Store
 from .stages import (
     VERTICES,
     Domain,
@@ -325,6 +325,8 @@ class Program:
     """What is drawn of triangles."""
     invariant: bool = False
     """Whether positions are the same, bit by bit, in all shaders that compute them in this way."""
+    targets: tuple[RenderTarget, ...] = ()
+    """How the targets of a pass are blended that a host sets up."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""
