@@ -143,6 +143,6 @@ def test_of_all_routes_those_are_left_out_that_lack_something(
     (frame,) = burnish.compile(UNLIKE, profiles, partial=True).frames
     assert those_that_have_all(frame, routes) == routes[:2]
     assert capsys.readouterr().err == (
-        "note: Shown is not drawn by llvmpipe:es310: glsl:es310 has no blending of its own for each "
-        "target\n"
+        "note: Shown is not drawn by llvmpipe:es310: glsl:es310 has no blending of its own for "
+        "each target\n"
     )
