@@ -98,6 +98,7 @@ def subjects(
     drawn = [state.instance for _titles, _material, state in found]
     _set_values([*drawn, *(kernel.instance for kernel in kernels)], request.values)
     set_pictures(drawn, request.size)
+    tell_unmade(drawn)
     feeding = feed(kernels, drawn, dict(request.again))
     _insist_on_values([*drawn, *(kernel.instance for kernel in feeding.kernels)])
     feeding.run(request.steps, tell)
@@ -231,6 +232,21 @@ def set_pictures(instances: Sequence[Instance], size: tuple[int, int]) -> None:
                     f"`{row['name']}` of {reflection['material']} is a test chart: "
                     f"--set {row['name']}=PICTURE sets another"
                 ))  # fmt: skip
+
+
+def tell_unmade(instances: Sequence[Instance]) -> None:
+    """Tell of textures that lights bring to frames, and that nobody has set here."""
+    unmade = {
+        row["name"]: row["default"]
+        for instance in instances
+        for row in instance.reflection["textures"]
+        if row["brought"] and row["stages"] and instance.get(row["name"]) is None
+    }
+    for name, default in unmade.items():
+        remark("note", (
+            f"`{name}` is made by steps of its light, which only a frame draws; here it is "
+            f"`{default}`: --set {name}=PICTURE sets another"
+        ))  # fmt: skip
 
 
 def _sized(state: SceneState) -> SceneState:

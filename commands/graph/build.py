@@ -10,9 +10,10 @@ from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Formal, Node, formals_of
 from ...compiler.ir.operations import CROSS, ITERATE, LOOPS, OUTSIDE
-from ...compiler.ir.program import Function, Iterate, Region, Stage
+from ...compiler.ir.program import Function, Stage
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.ir.stages import VARYING
+from ...compiler.ir.statements import Iterate, Region
 from ...compiler.ir.types import Struct
 from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged

@@ -25,7 +25,7 @@ from ..failures import drawing_errors
 from ..frames import scenery_of
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
-from ..subjects import set_pictures
+from ..subjects import set_pictures, tell_unmade
 from .pictures import MOST_BYTES, Pictures, Wanted
 from .request import Choice, Request
 
@@ -217,6 +217,7 @@ class Documents:
         given = dict(self._give(host, chosen.pictures))
         if isinstance(frame, SingleFrame):
             set_pictures(host.instances, _SIZE)
+            tell_unmade(host.instances)
             if captures(frame):
                 give_captured(host, mesh, self._request.instances)
             if kernels:

@@ -140,6 +140,10 @@ class Ranges:
         """Add what is known of a node's value otherwise than through its operands."""
         self._facts[node] = self.of(node).meet(fact)
 
+    def assume_counting(self, node: Node, bound: int) -> None:
+        """``node`` counts from 0, and stays below ``bound``."""
+        self.assume(node, Fact(0.0, float(bound - 1), kind="int"))
+
     def reason(self, node: Node) -> str | None:
         """The name of the rule that gives the fact of ``node``."""
         rule = self._rule(node)

@@ -16,7 +16,8 @@ from itertools import groupby
 from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS, joins_group
-from ..ir.program import (
+from ..ir.shader import Notes
+from ..ir.statements import (
     Branch,
     Connective,
     EmittedGroup,
@@ -28,7 +29,6 @@ from ..ir.program import (
     State,
     Statement,
 )
-from ..ir.shader import Notes
 from ..ir.types import Texture
 from .choices import Choices, chooses, has_to_branch, may_skip, short_circuits
 from .emit_strips import GroupValues

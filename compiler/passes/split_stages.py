@@ -37,6 +37,7 @@ from ..ir.stages import (
     EXTENT,
     IMAGE,
     INNER_LEVEL,
+    TARGET,
     VARYING,
     VERTEX,
     StageRow,
@@ -94,6 +95,7 @@ def split_stages(
         shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
         shader.expansion, shader.tessellation, shader.capture, shader.work_group,
         _corner_buffer(shader), shader.render_state.fill, bool(shader.placing),
+        tuple(each.state for each in shader.results_of(TARGET) if each.state is not None),
     )  # fmt: skip
 
 

@@ -6,7 +6,7 @@ writes what comes of it as JSON.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...frozen import changed, frozen
 from ..ir.frame import Attachment, Elements, Frame, Image, KernelStep, RenderStep, Step
@@ -151,7 +151,7 @@ class _Planning:
             is_rare = step.name in self._rare
             steps += [self._copied(copy, is_rare=is_rare) for copy in copies]
             planned = self._planned(number, step)
-            if steps and _draws_on(steps[-1], planned):
+            if steps and self._draws_on(steps, planned):
                 planned = changed(planned, continues=True)
             steps.append(planned)
             self._release(number, step)
@@ -344,6 +344,38 @@ class _Planning:
             if target.resolved is not None:
                 yield target.resolved, "target"
 
+    def _draws_on(self, steps: Sequence[PlannedStep], planned: PlannedStep) -> bool:
+        """Whether a step and those before it can be one render pass: they draw to the same places,
+        each over what the last one leaves, and it waits for nothing else."""
+        before, places = steps[-1], planned.places
+        if not isinstance(before.step, RenderStep) or not isinstance(planned.step, RenderStep):
+            return False
+        resolved = {t.resolved for t in planned.drawn_to if t.resolved is not None}
+        return (
+            before.places == places
+            and (before.depth is None) == (planned.depth is None)
+            and before.only_first == planned.only_first
+            and all(layer is not None for _, layer, _ in places)
+            and all(target.loads for target in planned.drawn_to)
+            and all(target.resolved is None for target in before.drawn_to)
+            and not planned.waiting.buffers
+            and {each.texture for each in planned.waiting.textures}
+            <= {place[0] for place in places} | resolved
+            and resolved.isdisjoint(self._read_in_pass(steps))
+        )
+
+    def _read_in_pass(self, steps: Sequence[PlannedStep]) -> Iterator[int]:
+        """The textures that are read in the render pass which the last one of the steps is part
+        of."""
+        for planned in reversed(steps):
+            if isinstance(planned.step, Copy):
+                return
+            for left in read_by(planned.step):
+                if isinstance(left, Image):
+                    yield self._texture_of[left]
+            if not planned.continues:
+                return
+
     # --- what is left ---
 
     def _images_left(self) -> Iterator[tuple[int, State]]:
@@ -375,21 +407,3 @@ def _buffers_used(step: Step) -> Iterator[tuple[Elements, BufferState]]:
     if isinstance(step, KernelStep):
         for elements in step.buffers.values():
             yield elements, "written"
-
-
-def _draws_on(before: PlannedStep, planned: PlannedStep) -> bool:
-    """Whether both steps can be one render pass: they draw to the same places, one of them over
-    what the other leaves, and the second one waits for nothing else."""
-    if not isinstance(before.step, RenderStep) or not isinstance(planned.step, RenderStep):
-        return False
-    places = planned.places
-    return (
-        before.places == places
-        and (before.depth is None) == (planned.depth is None)
-        and before.only_first == planned.only_first
-        and all(layer is not None for _, layer, _ in places)
-        and all(target.loads for target in planned.drawn_to)
-        and all(target.resolved is None for target in before.drawn_to)
-        and not planned.waiting.buffers
-        and {each.texture for each in planned.waiting.textures} <= {place[0] for place in places}
-    )

@@ -9,6 +9,9 @@ from . import floats
 from .namespace import Lane, Lanes, Namespace
 from .vectors import inner, scaled
 
+Numbers = tuple[int, ...]
+"""Of columns or rows."""
+
 
 def is_matrix(value: Lanes) -> bool:
     """Whether a value is a tuple of columns."""
@@ -52,19 +55,42 @@ def hadamard(_xp: Namespace, x: Lanes, y: Lanes) -> Lanes:
 
 def inverse(xp: Namespace, m: Lanes) -> Lanes:
     """The transposed cofactors divided by the determinant; all zero if that is zero."""
-    scale = floats.div(xp, 1.0, _determinant(m))
-    size = range(len(m))
-    return tuple(tuple(_cofactor(m, i, j) * scale for i in size) for j in size)
-
-
-def _cofactor(m: Lanes, column: int, row: int) -> Lane:
-    minor = tuple(lanes[:row] + lanes[row + 1 :] for i, lanes in enumerate(m) if i != column)
-    return _determinant(minor) * (-1.0) ** (column + row)
+    minors, size = _Minors(m), tuple(range(len(m)))
+    scale = floats.div(xp, 1.0, minors.determinant(size, size))
+    return tuple(tuple(minors.cofactor(size, size, i, j) * scale for i in size) for j in size)
 
 
 def _determinant(m: Lanes) -> Lane:
-    """By expansion along the first column (Laplace); a matrix without columns has the determinant
-    1."""
-    if not m:
-        return 1.0
-    return sum(lane * _cofactor(m, 0, row) for row, lane in enumerate(m[0]))
+    size = tuple(range(len(m)))
+    return _Minors(m).determinant(size, size)
+
+
+class _Minors:
+    """The determinants of parts of a matrix, which have many of them in common."""
+
+    def __init__(self, m: Lanes) -> None:
+        self._m = m
+        self._known: dict[tuple[Numbers, Numbers], Lane] = {}
+
+    def determinant(self, columns: Numbers, rows: Numbers) -> Lane:
+        """That of some columns and rows, by expansion along the first column (Laplace); a matrix
+        without columns has the determinant 1."""
+        if not columns:
+            return 1.0
+        part = columns, rows
+        if part not in self._known:
+            first = self._m[columns[0]]
+            self._known[part] = sum(
+                first[row] * self.cofactor(columns, rows, 0, place)
+                for place, row in enumerate(rows)
+            )
+        return self._known[part]
+
+    def cofactor(self, columns: Numbers, rows: Numbers, column: int, row: int) -> Lane:
+        """That of an element of such a part."""
+        minor = self.determinant(_without(columns, column), _without(rows, row))
+        return minor * (-1.0) ** (column + row)
+
+
+def _without(numbers: Numbers, place: int) -> Numbers:
+    return numbers[:place] + numbers[place + 1 :]

@@ -48,6 +48,7 @@ class TextureRows:
             "stages": [name for name, read in self._stages.items() if resource in read],
             "doc": info.doc,
             "library": info.library or None,
+            "brought": info.is_brought,
         }
 
     def _has_sampler(self, resource: Resource) -> bool:

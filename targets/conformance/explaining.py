@@ -20,11 +20,10 @@ from ..runner.kernels import drawable, is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
-from .compare import Bools, ends_of, says_nothing
 from .error_words import blamed, causes, lines, small
-from .frame_explaining import frame_lines
+from .frame_explaining import frame_lines, reasons_of_frame
 from .plan import bounds_of
-from .rows import CaseResult, Row
+from .rows import Row
 from .seen import (
     Pixel,
     PixelError,
@@ -33,15 +32,14 @@ from .seen import (
     leading_of,
     named,
     results_of,
+    unproven,
+    usual_pixels,
     values_lines,
     width_of,
 )
 
 _BLAMED = 100.0
 """How many times its bound a difference may be for an operation's error to be told as its cause."""
-_TRIED = (0.5, 0.75, 0.25, 0.9)
-"""Which pixels are explained until one shows where precision is lost, in the order of how wide
-their bounds are, from 0 to 1."""
 _ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
 """Has the bits that nearly all devices have."""
 
@@ -96,12 +94,15 @@ def with_reasons(subject: Subject | FrameSubject, rows: Sequence[Row], seed: int
     """The rows of one material, with what the source has to do with their verdicts.
 
     What proves little does so for the same reason on all routes; it is worked out once. There are
-    reasons of pixels only, so none where no picture is drawn, and none of frames, where a pixel
-    depends on those of other steps.
+    reasons of pixels only, so none where no picture is drawn.
     """
-    if not is_shader(subject) or not is_drawn(subject.reflection):
-        return list(rows)
     weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
+    if not is_shader(subject):
+        assert is_frame(subject)
+        shared = tuple(reasons_of_frame(subject, weakest)) if weakest else ()
+        return [replace(row, reasons=shared) if _is_weak(row) else row for row in rows]
+    if not is_drawn(subject.reflection):
+        return list(rows)
     shared = tuple(_of_little(subject, weakest, seed)) if weakest else ()
     return [
         replace(row, reasons=shared)
@@ -138,11 +139,11 @@ def _of_little(subject: Subject, row: Row, seed: int) -> list[str]:
     """Where precision is lost, in the case that proves the least: at a usual pixel of it, or if
     nothing is lost there, at others."""
     cases = _seen(subject, [row], seed)
-    least = max(cases, key=lambda seen: _unproven(seen.result).sum(), default=None)
+    least = max(cases, key=lambda seen: unproven(seen.result).sum(), default=None)
     if least is None:
         return []
     otherwise = []
-    for x, y in _usual(least.result):
+    for x, y in usual_pixels(least.result):
         for found in _explained_if_covered(subject, least, (x, y)):
             if told := list(causes(found)):
                 return told
@@ -200,20 +201,3 @@ def _uncovered(seen: _SeenCase, pixel: Pixel) -> str:
     rows, columns = np.nonzero(covered)
     near = int(np.hypot(columns - x, rows - y).argmin())
     return f"{text}; the nearest pixel that shows the mesh is {columns[near]},{rows[near]}"
-
-
-def _unproven(result: CaseResult) -> Bools:
-    """(height, width): the object's pixels whose bounds say nothing."""
-    expected = result.expected
-    seen = expected.covered & ~expected.undecided
-    return says_nothing(*ends_of(expected), seen) & seen
-
-
-def _usual(result: CaseResult) -> list[Pixel]:
-    """Of the pixels whose bounds say nothing, some of usual widths, the median first."""
-    rows, columns = np.nonzero(_unproven(result))
-    if not len(rows):
-        return []
-    order = width_of(result.expected)[rows, columns].argsort(kind="stable")
-    tried = [order[int(share * (len(order) - 1))] for share in _TRIED]
-    return list(dict.fromkeys((int(columns[i]), int(rows[i])) for i in tried))

@@ -11,10 +11,23 @@ from collections.abc import Iterator, Sequence
 from ..runner.frames.following import BEFORE, Carried, Made
 from ..runner.frames.host import FrameSubject
 from .cases import SIZE
-from .error_words import lines, short, table
+from .error_words import causes, lines, short, table
 from .frames import FramePlan
 from .rows import Row
-from .seen import Pixel, PixelError, Seen, chosen, leading_of, results_of, values_lines
+from .seen import (
+    Pixel,
+    PixelError,
+    Seen,
+    chosen,
+    leading_of,
+    results_of,
+    unproven,
+    usual_pixels,
+    values_lines,
+)
+
+_LARGE_PART = 0.5
+"""An input is to blame if the bounds would be apart by less than this part of what they are."""
 
 
 def frame_lines(
@@ -34,6 +47,25 @@ def frame_lines(
     yield from values_lines(seen, pixel, 0)
     yield ""
     yield from made_lines(made)
+
+
+def reasons_of_frame(subject: FrameSubject, row: Row) -> Iterator[str]:
+    """Where precision is lost, at a usual pixel of the case that proves the least."""
+    plan = FramePlan(subject.name, subject, SIZE)
+    least = max(_seen(plan, [row]), key=lambda seen: unproven(seen.result).sum(), default=None)
+    if least is None:
+        return
+    for pixel in usual_pixels(least.result)[:1]:
+        assert row.device is not None
+        level = least.result.comparison.level
+        made = plan.made(least.name, row.route, row.device, level, pixel)
+        if made is None:
+            return
+        worst = made.carried[0] if made.carried else None
+        if worst is not None and worst.apart < _LARGE_PART * made.apart:
+            yield f"`{made.step}` has most of the error from {_words(worst)}"
+        elif made.explanation is not None:
+            yield from (f"`{made.step}`: {cause}" for cause in causes(made.explanation))
 
 
 def made_lines(made: Made) -> Iterator[str]:

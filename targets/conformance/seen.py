@@ -13,7 +13,7 @@ import numpy as np
 
 from ...compiler.diagnostics.nearest import suggestion
 from ...compiler.reference.picture import Expected
-from .compare import shares
+from .compare import Bools, ends_of, says_nothing, shares
 from .error_words import lanes_text
 from .rows import CaseResult, Row
 
@@ -21,6 +21,10 @@ T = TypeVar("T")
 S = TypeVar("S", bound="Seen")
 Pixel = tuple[int, int]
 """Its column and its row, from the upper left corner of the picture."""
+
+_TRIED = (0.5, 0.75, 0.25, 0.9)
+"""Which pixels are explained until one shows where precision is lost, in the order of how wide
+their bounds are, from 0 to 1."""
 
 
 class PixelError(Exception):
@@ -112,6 +116,23 @@ def width_of(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.floa
     apart = [np.where(np.isfinite(high - low), high - low, np.inf) for low, high in pairs]
     widest: np.ndarray[tuple[int, int], np.dtype[np.float64]] = np.max(apart, axis=(0, 3))
     return np.where(expected.covered, widest, -1.0)
+
+
+def unproven(result: CaseResult) -> Bools:
+    """(height, width): the object's pixels whose bounds say nothing."""
+    expected = result.expected
+    seen = expected.covered & ~expected.undecided
+    return says_nothing(*ends_of(expected), seen) & seen
+
+
+def usual_pixels(result: CaseResult) -> list[Pixel]:
+    """Of the pixels whose bounds say nothing, some of usual widths, the median first."""
+    rows, columns = np.nonzero(unproven(result))
+    if not len(rows):
+        return []
+    order = width_of(result.expected)[rows, columns].argsort(kind="stable")
+    tried = [order[int(share * (len(order) - 1))] for share in _TRIED]
+    return list(dict.fromkeys((int(columns[i]), int(rows[i])) for i in tried))
 
 
 def _quoted(name: str) -> str:

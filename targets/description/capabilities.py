@@ -38,6 +38,13 @@ NUMBERED_CAPTURES = Need(
 )
 IMAGES = Need("images that kernels write", lambda profile: bool(profile.image_formats))
 EDGES = Need("edges of triangles instead of them", lambda profile: profile.draws_edges)
+BLENDING_SWITCHED = Need(
+    "blending of its own for each target", lambda profile: profile.blending != "alike"
+)
+BLENDING_APART = Need(
+    "equation of its own for each blended target", lambda profile: profile.blending == "apart"
+)
+FLOATS_BLENDED = Need("blending of 32-bit floats", lambda profile: profile.blends_floats)
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
 
 BIT_COUNTS = ("count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit")
@@ -46,6 +53,7 @@ ELEMENTS_ELSEWHERE = (
     "keep the elements in an array of a known length, `param name : T[16]`, or load them from a "
     "texture"
 )
+DRAWN_APART = "draw the targets by several passes, each with one blending"
 AS_PATTERNS = "each patch is drawn as an instance of a pattern"
 AS_INSTANCES = "each primitive is drawn as an instance"
 
@@ -71,6 +79,28 @@ DIVIDED_CAPTURES = Capability(
     (Way((STREAM_OUTPUT, a_stage(CONTROL), a_stage(EVALUATION))), BY_KERNEL),
     "capture the control points as they are, and divide the patches where they are drawn",
     on_request=True,
+)
+
+SOME_BLENDED = Capability(
+    "blending by target",
+    "Of the targets of a pass only some are blended, or each has other lanes that are written: "
+    "`target a : rgba16f = x blend add`, `target b : r8 = y`.",
+    (Way((BLENDING_SWITCHED,)),),
+    DRAWN_APART,
+)
+BLENDED_APART = Capability(
+    "equations by target",
+    "The targets of a pass are blended by different equations: "
+    "`target a : rgba16f = x blend add`, `target b : r8 = y blend multiply`.",
+    (Way((BLENDING_SWITCHED, BLENDING_APART)),),
+    DRAWN_APART,
+)
+BLENDED_FLOATS = Capability(
+    "blending of floats",
+    "A target of 32-bit floats is blended: `target a : rgba32f = x blend add`. Frames, which "
+    "hosts of all kinds draw, do not do that (`B0822`).",
+    (Way((FLOATS_BLENDED,)),),
+    "draw to a format of 16-bit floats",
 )
 
 CAPABILITIES: tuple[Capability, ...] = (
@@ -162,6 +192,9 @@ CAPABILITIES: tuple[Capability, ...] = (
         "have the material turn its triangles into lines: "
         "`expand triangle { line of 4 as i like corner[i mod 3] {} }`",
     ),
+    SOME_BLENDED,
+    BLENDED_APART,
+    BLENDED_FLOATS,
     Capability(
         "storage buffers at fragments",
         "A parameter has as many elements as the host binds, `buffer name : T[]`, and fragments "

@@ -144,6 +144,10 @@ LIMITED: Mapping[str, Limited] = {
 """The fields of ``Limits``."""
 
 
+TargetBlending = Literal["alike", "switched", "apart"]
+"""All targets of a pass are blended alike, with the same lanes written; or all that are blended at
+all, each with its own lanes; or each by an equation of its own."""
+
 STORABLE = frozenset({"r32f", "rgba8", "rgba16f", "rgba32f"})
 """The formats of images that kernels of all APIs can write."""
 
@@ -169,6 +173,10 @@ class Profile:
     """How many images a kernel can write; one that has more is drawn, too."""
     draws_edges: bool = True
     """Whether a host can have the edges of triangles drawn instead of them."""
+    blending: TargetBlending = "apart"
+    """How unlike each other the targets of one pass can be blended."""
+    blends_floats: bool = True
+    """Whether targets of 32-bit floats can be blended."""
     single_file: bool = False
     """All stages can stand in one text."""
     samplers: Samplers = Samplers()

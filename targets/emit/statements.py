@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TypeAlias
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Branch, Connective, Iterate, Let, Loop, Region
+from ...compiler.ir.statements import Branch, Connective, Iterate, Let, Loop, Region
 from ...compiler.ir.types import UINT, Scalar, ScalarKind
 from .comments import comment_lines
 from .context import Context

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from ...compiler.ir.node import Formal, Node
-from ...compiler.ir.program import EmittedGroup, EmittedPart, Output, Stage
+from ...compiler.ir.program import Output, Stage
+from ...compiler.ir.statements import EmittedGroup, EmittedPart
 from ...compiler.ir.types import INT
 from .literals import literal
 from .statements import Lines, Statements

@@ -209,6 +209,7 @@ VULKAN = Profile(
         "vertex_index": PipelineInput(INT, "gl_VertexIndex"),
         "instance_index": PipelineInput(INT, "gl_InstanceIndex"),
     },
+    blends_floats=False,
     checkers=("glslang-vulkan",),
 )
 
@@ -231,6 +232,8 @@ OPENGL = Profile(
     preamble=("#version 330 core",),
     stages=EXPANDED,
     stream_output=StreamOutput("names"),
+    # Equations of their own came with OpenGL 4.0.
+    blending="switched",
     explicit_bindings=False,
     samplers=Samplers(combined=True),
     framebuffer=BOTTOM_FIRST,
@@ -276,6 +279,8 @@ ES = Profile(
     preamble=("#version 300 es", *ES_PRECISIONS),
     explicit_bindings=False,
     draws_edges=False,
+    blending="alike",
+    blends_floats=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
@@ -297,6 +302,8 @@ ES_31 = Profile(
     numbering="kind",
     numbers_storage_apart=True,
     draws_edges=False,
+    blending="alike",
+    blends_floats=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     # Only kernels are guaranteed to have storage buffers.

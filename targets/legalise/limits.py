@@ -6,23 +6,29 @@ by ``availability.py`` where it follows from the table of capabilities or from o
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import OF_GROUPS
-from ...compiler.ir.program import NativeUse, Program, Region, Stage, TextureRead
+from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
+from ...compiler.ir.shader import RenderTarget
 from ...compiler.ir.stages import CAPTURE, CONTROL, TARGET, VERTEX
+from ...compiler.ir.statements import Region
 from ...compiler.ir.types import Struct, Texture, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.capabilities import (
+    BLENDED_APART,
+    BLENDED_FLOATS,
     CAPTURES,
     DIVIDED_CAPTURES,
     EDGES,
     EMITTED_CAPTURES,
     NUMBERED_CAPTURES,
     SEPARATE_SAMPLERS,
+    SOME_BLENDED,
     buffers_of,
     feature_of_builtin,
     lacking,
@@ -179,6 +185,8 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 
 
 LANE_BYTES = 4
+FLOATS = frozenset(("r32f", "rg32f", "rgba32f"))
+"""The formats of targets that have 32-bit floats."""
 
 BY_CORNER = (
     "each corner that is read has inputs of its own, unless the vertex stage reads storage "
@@ -202,6 +210,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
     if program.fill == "lines" and not EDGES.is_met(profile):
         yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
+    yield from _blended(program, profile)
     for stage in program.stages:
         need = buffers_of(stage.row)
         buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
@@ -216,6 +225,28 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         compared = _is_depth(read) and read.resource in program.sampled
         if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
+
+
+def _blended(program: Program, profile: Profile) -> Iterator[Lack]:
+    """What the profile has not got of the ways in which the targets are blended."""
+    for capability, number in _ways_of_blending(program.targets):
+        for feature in standing(capability, profile).missing[:1]:
+            root = program.results_of(TARGET)[number].value.id
+            yield Lack(feature, root, needed_for=capability)
+
+
+def _ways_of_blending(targets: Sequence[RenderTarget]) -> Iterator[tuple[Capability, int]]:
+    """What targets need of a profile, each with the number of the first target that needs it."""
+    blended = [number for number, target in enumerate(targets) if target.blend != REPLACES]
+    apart = [number for number in blended if targets[number].blend != targets[blended[0]].blend]
+    if apart:
+        yield BLENDED_APART, apart[0]
+    else:
+        states = [(target.blend, target.mask) for target in targets]
+        unlike = [number for number, state in enumerate(states) if state != states[0]]
+        yield from ((SOME_BLENDED, number) for number in unlike[:1])
+    floats = [number for number in blended if targets[number].format in FLOATS]
+    yield from ((BLENDED_FLOATS, number) for number in floats[:1])
 
 
 def _capturing(program: Program) -> Capability | None:

@@ -213,6 +213,7 @@ def is_float(facts: tuple[Fact, ...]) -> bool:
 
 
 METAL2 = Profile(
+    blends_floats=False,
     name="metal2",
     stages=(*RASTERISED, *COMPUTED),
     image_formats=STORABLE,

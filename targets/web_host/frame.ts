@@ -5,11 +5,11 @@ import type {
   Camera, FramePackage, Model, PackagedShader, Plan, PlanDraw, PlanDrawn, PlanInput, PlanRun,
   PlanTarget, PlanUse, Value,
 } from "./generated/documents.js";
-import { bareMesh, checkLevels, meshOf, type Mesh } from "./geometry.js";
-import type { Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer } from "./renderer.js";
+import { bareMesh, checkLevels, unpacked, type Mesh } from "./geometry.js";
+import type { Attachment, Bound, DrawCall, Pixels, Renderer } from "./renderer.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
 import { settingsOf } from "./settings.js";
-import { Values, type LightRow } from "./values.js";
+import { Values } from "./values.js";
 
 const VERSION = 1;
 /** How many frames are told apart, and how many vertices: as many as float32 can. */
@@ -17,18 +17,15 @@ const NUMBERS = 2 ** 24;
 
 /** An error for a package that this host cannot draw. */
 export function checkVersions({ package: version, plan, shaders }: FramePackage): void {
-  const check = (what: string, found: unknown) => {
-    if (found === VERSION) return;
+  const reflections = shaders.map(({ reflection }) => reflection.format);
+  const found = { packages: [version], plans: [plan.plan], reflections };
+  for (const [what, versions] of Object.entries(found)) {
+    const other = versions.find((each) => each !== VERSION);
+    if (other === undefined) continue;
     const known = `this host knows ${what} of version ${VERSION}`;
-    throw new Error(`${known}, and this one is of version ${found}`);
-  };
-  check("packages", version);
-  check("plans", plan.plan);
-  shaders.forEach(({ reflection }) => check("reflections", reflection.format));
+    throw new Error(`${known}, and this one is of version ${other}`);
+  }
 }
-
-/** One light of an entry of the rig, for which a step draws. */
-type Lit = { entry: string; number: number | null } | null;
 
 /** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a
  * sentence. */
@@ -42,8 +39,8 @@ export class PlanFrame<Texture, Buffer> {
   private size: [number, number];
   private drawn = 0;
   private isFirst = true;
-  private readonly meshes = new Map<string, Mesh>();
-  private readonly elements = new WeakMap<Mesh, [string, Buffer][]>();
+  /** Each with the storage buffers that stand for its vertex inputs. */
+  private readonly meshes = new Map<string, { mesh: Mesh; elements: [string, Buffer][] }>();
 
   constructor(
     private readonly from: FramePackage,
@@ -156,9 +153,9 @@ export class PlanFrame<Texture, Buffer> {
 
   private outputOf(name?: string): Texture {
     const { outputs, frame } = this.plan;
-    const isWanted = (row: Plan["outputs"][0]) =>
-      name === undefined ? row.texture !== null : row.name === name;
-    const row = outputs.find(isWanted);
+    const row = outputs.find((each) =>
+      name === undefined ? each.texture !== null : each.name === name,
+    );
     const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
     if (!row) throw new Error(`${frame} has no output ${wanted}`);
     const found = this.resources.shown(row.result, row.texture);
@@ -182,7 +179,10 @@ export class PlanFrame<Texture, Buffer> {
   private drawStep(step: PlanDraw): void {
     const first = step.targets[0] ?? step.depth!;
     const sides = this.resources.sizeOf(first.texture).map((side) => halved(side, first.level));
-    const settings = this.settings(step, sides);
+    const { viewport, scissor, blend_constant: constant } = step;
+    const settings = settingsOf(sides, ...[viewport, scissor, constant].map((value) =>
+      value === null ? null : this.resources.number(value),
+    ));
     const [, , wide, high] = settings.viewport;
     const calls = step.draws.flatMap((drawn) => this.calls(drawn, wide / high));
     const layers = first.layer === null ? this.plan.textures[first.texture].layers : 1;
@@ -200,14 +200,6 @@ export class PlanFrame<Texture, Buffer> {
       const depth = step.depth && attachment(step.depth);
       this.renderer.draw(step.targets.map(attachment), depth, calls, settings);
     }
-  }
-
-  private settings(step: PlanDraw, [width, height]: number[]): DrawSettings {
-    const { viewport, scissor, blend_constant } = step;
-    const [seen, drawn, constant] = [viewport, scissor, blend_constant].map((value) =>
-      value === null ? null : this.resources.number(value),
-    );
-    return settingsOf(width, height, seen, drawn, constant);
   }
 
   /** What a target is cleared to, or a depth, which is within 0 and 1. */
@@ -229,69 +221,62 @@ export class PlanFrame<Texture, Buffer> {
   private calls(drawn: PlanDrawn, aspect: number): DrawCall<Texture, Buffer>[] {
     const models = this.from.models.filter(({ tags }) => tags.includes(drawn.models!));
     return this.lights(drawn.light).flatMap((light) =>
-      (drawn.models === null ? [null] : models).map((model) => {
-        const use = useFor(drawn, model);
-        return this.call(use, model, light, aspect, this.mesh(drawn, use.shader, model));
-      }),
+      (drawn.models === null ? [null] : models).map((model) =>
+        this.call(drawn, model, light, aspect),
+      ),
     );
   }
 
-  private mesh({ vertices }: PlanDrawn, shader: number, model: Model | null): Mesh {
-    if (model) {
-      const number = model.geometries[shader];
-      return this.known(`${number}`, () => meshOf(this.from.geometries[number]));
-    }
-    const [count] = this.resources.number(vertices!);
-    if (!(count >= 0 && count <= NUMBERS)) throw new Error(`a step would draw ${count} vertices`);
-    return this.vertices(shader, count);
+  private meshOf({ vertices }: PlanDrawn, shader: number, model: Model | null) {
+    if (!model) return this.vertices(shader, this.resources.number(vertices!)[0]);
+    const number = model.geometries[shader];
+    return this.known(`${number}`, () => unpacked(this.from.geometries[number]));
   }
 
-  private vertices(shader: number, count: number): Mesh {
+  private vertices(shader: number, count: number) {
+    if (!(count >= 0 && count <= NUMBERS)) throw new Error(`a step would draw ${count} vertices`);
     const { reflection } = this.from.shaders[shader];
     return this.known(`${count} vertices of ${shader}`, () => bareMesh(reflection, count));
   }
 
-  private known(key: string, make: () => Mesh): Mesh {
-    const found = this.meshes.get(key) ?? make();
+  private known(key: string, make: () => Mesh) {
+    const known = this.meshes.get(key);
+    if (known) return known;
+    const mesh = make();
+    const elements = mesh.elements.map(({ name, bytes }): [string, Buffer] => {
+      return [name, this.renderer.makeBuffer(bytes)];
+    });
+    const found = { mesh, elements };
     this.meshes.set(key, found);
     return found;
   }
 
-  /** Each light of an entry of the rig. */
-  private lights(entry: string | null): Lit[] {
-    if (entry === null) return [null];
-    const { capacity, count } = this.light(entry)!;
-    if (capacity === null) return [{ entry, number: null }];
-    const lit = count === null ? capacity : (this.values.get(count) as number[])[0];
-    return Array.from({ length: lit }, (_, number) => ({ entry, number }));
-  }
-
-  /** The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it is
-   * that of something else as well. */
-  private light(entry: string): LightRow | undefined {
+  /** The number of each light of an entry of the rig; null where it is a single one, or none is
+   * meant. */
+  private lights(entry: string | null): (number | null)[] {
+    // Plans put the rig's name before it where it is that of something else as well.
     const { rig, lights } = this.plan;
-    return lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
+    const row = lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
+    if (!row || row.capacity === null) return [null];
+    const lit = row.count === null ? row.capacity : (this.values.get(row.count) as number[])[0];
+    return Array.from({ length: lit }, (_, number) => number);
   }
 
   private call(
-    use: PlanUse, model: Model | null, light: Lit, aspect: number, mesh: Mesh,
+    drawn: PlanDrawn, model: Model | null, light: number | null, aspect: number,
   ): DrawCall<Texture, Buffer> {
+    const use = useFor(drawn, model);
     const shader = this.from.shaders[use.shader];
     const bound = this.bind(use, model);
     this.apply(bound.values, shader.roles, { ...model?.values, ...this.camera }, aspect);
-    this.shine(bound.values, shader, light);
+    for (const [name, source] of Object.entries(shader.lights)) {
+      bound.values.set(name, this.values.get(source.replace("[]", `[${light}]`)) as Value);
+    }
     this.give(bound, use);
     checkLevels(shader, bound.values);
-    for (const [name, buffer] of this.elementsOf(mesh)) this.giveBuffer(bound, name, buffer);
+    const { mesh, elements } = this.meshOf(drawn, use.shader, model);
+    for (const [name, buffer] of elements) this.giveBuffer(bound, name, buffer);
     return { ...bound, mesh };
-  }
-
-  /** The storage buffers that stand for vertex inputs. */
-  private elementsOf(mesh: Mesh): [string, Buffer][] {
-    const found = this.elements.get(mesh)
-      ?? mesh.elements.map(([name, bytes]) => [name, this.renderer.makeBuffer(bytes)]);
-    this.elements.set(mesh, found);
-    return found;
   }
 
   // --- what shaders read ---
@@ -310,26 +295,6 @@ export class PlanFrame<Texture, Buffer> {
       [name, known.get(hostBuffer(values.name, name))!] as const,
     );
     return { shader: number, values, textures: new Map(textures), buffers: new Map(buffers) };
-  }
-
-  /** Give a shader the lights of the frame; of a single one, that of its entry. */
-  private shine(values: Values, { reflection }: PackagedShader, light: Lit): void {
-    for (const row of reflection.lights) {
-      const entry = row.name.replace(`${reflection.rig}.`, "");
-      const own = this.light(entry);
-      if (!own) continue;
-      if (row.capacity !== null) {
-        values.set(row.name, this.values.get(own.name) as Value);
-        if (row.count !== null) values.set(row.count, this.values.get(own.count!) as Value);
-        continue;
-      }
-      const number = light?.entry === entry ? light.number : null;
-      const source = number === null ? own.name : `${own.name}[${number}]`;
-      for (const name of row.parameters) {
-        const member = name.slice(row.name.length);
-        values.set(name, this.values.get(`${source}${member}`) as Value);
-      }
-    }
   }
 
   /** Give a shader what the frame sets. */
@@ -368,7 +333,7 @@ export class PlanFrame<Texture, Buffer> {
   private run(step: PlanRun): void {
     const bound = this.bind(step, null);
     this.give(bound, step);
-    const extent = this.resources.running(step.name, bound);
+    const extent = this.resources.extent(step, bound);
     const { reflection } = this.from.shaders[step.shader];
     const images = step.images.map(({ texture }) => this.resources.texture(texture));
     if (images.length && !Object.keys(reflection.backends[this.renderer.profile].images).length) {
@@ -377,9 +342,8 @@ export class PlanFrame<Texture, Buffer> {
       const targets = images.map((texture) => ({
         target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
       }));
-      const [width, height] = this.resources.sizeOf(step.images[0].texture);
-      const settings = settingsOf(width, height, null, null, null);
-      const call = { ...bound, mesh: this.vertices(step.shader, 3) };
+      const settings = settingsOf(this.resources.sizeOf(step.images[0].texture));
+      const call = { ...bound, mesh: this.vertices(step.shader, 3).mesh };
       this.renderer.draw(targets, null, [call], settings);
       return;
     }

@@ -4,23 +4,21 @@ import { bytesOf } from "./bytes.js";
 import type { Geometry, PackagedShader, Reflection } from "./generated/documents.js";
 import type { Values } from "./values.js";
 
-/** What packages hold in base64, as bytes. */
-export interface Mesh extends Pick<Geometry, "count" | "instance_count"> {
-  vertices: Uint8Array<ArrayBuffer>;
-  instances: Uint8Array<ArrayBuffer>;
-  /** Null where vertices are drawn one after the other. */
-  indices: Uint8Array<ArrayBuffer> | null;
-  elements: [string, Uint8Array<ArrayBuffer>][];
-}
+export type Mesh = ReturnType<typeof unpacked>;
 
-export function meshOf({ count, instance_count, ...packed }: Geometry): Mesh {
+/** What packages hold in base64, as bytes. Without indices, vertices are drawn one after the
+ * other. */
+export function unpacked({ count, instance_count, ...packed }: Geometry) {
   return {
     count,
     instance_count,
     vertices: bytesOf(packed.vertices),
     instances: bytesOf(packed.instances),
     indices: packed.indices === null ? null : bytesOf(packed.indices),
-    elements: Object.entries(packed.elements).map(([name, bytes]) => [name, bytesOf(bytes)]),
+    /** By the name of a storage buffer that stands for vertex inputs. */
+    elements: Object.entries(packed.elements).map(([name, bytes]) => {
+      return { name, bytes: bytesOf(bytes) };
+    }),
   };
 }
 

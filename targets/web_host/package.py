@@ -28,7 +28,7 @@ from ..runner.scene import texture_roles, value_roles
 from ..runner.scene_state import drawn_state
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
-from .webgpu import WGSL, webgpu_pipeline
+from .webgpu import WGSL, format_of, pipelines, webgpu_pipeline
 
 MODULES = Path(__file__).with_name("modules")
 """The folder with the modules that a page loads; ``host.js`` is the first of them."""
@@ -67,10 +67,13 @@ class _Package:
         host = self._host
         scene, values = host.scenery.scene, host.values
         camera = scene.values(_SQUARE)
+        shaders = [self._shader(*each) for each in enumerate(host.shaders)]
         return {
             "package": VERSION,
             "plan": host.plan,
-            "shaders": [self._shader(*each) for each in enumerate(host.shaders)],
+            "shaders": shaders,
+            "pipelines": list(pipelines(host.plan, shaders)),
+            "formats": [format_of(row) for row in host.plan["textures"]],
             "size": list(host.size),
             "camera": {own: camera[name] for name, own in _CAMERA.items()},
             "models": [self._model(model) for model in host.scenery.models],
@@ -97,6 +100,7 @@ class _Package:
             "texts": texts,
             "values": _values(instance),
             "roles": _roles(reflection),
+            "lights": dict(self._lights(number, reflection)),
             "textures": self._textures(instance),
             "texture_roles": texture_roles(reflection),
             "buffers": _buffers(instance),
@@ -113,6 +117,30 @@ class _Package:
                     text = {"text": file.text, "entry": entry}
                     found.setdefault(profile, {})[stage] = text
         return found
+
+    def _lights(self, number: int, reflection: Row) -> Iterator[tuple[str, str]]:
+        """What the parameters of a shader's lights are of the plan's."""
+        plan = self._host.plan
+        lit = {
+            use["shader"]: drawn["light"]
+            for step in plan["steps"]
+            for drawn in step.get("draws", ())
+            for use in drawn["uses"]
+        }
+        own = {row["name"].removeprefix(f"{plan['rig']}."): row for row in plan["lights"]}
+        for row in reflection["lights"]:
+            entry = row["name"].removeprefix(f"{reflection['rig']}.")
+            if (of_plan := own.get(entry)) is None:
+                continue
+            if row["capacity"] is not None:
+                yield row["name"], of_plan["name"]
+                if row["count"] is not None:
+                    yield row["count"], of_plan["count"]
+                continue
+            is_one = of_plan["capacity"] is not None and lit.get(number) == entry
+            source = f"{of_plan['name']}[]" if is_one else of_plan["name"]
+            for name in row["parameters"]:
+                yield name, source + name.removeprefix(row["name"])
 
     # --- the scene -------------------------------------------------------------------------------
 

@@ -61,8 +61,7 @@ export interface Renderer<Texture, Buffer> {
   makeTexture(size: TextureSize): Texture;
   makePicture(picture: Picture): Texture;
   makeBuffer(bytes: Uint8Array<ArrayBuffer>): Buffer;
-  freeTexture(texture: Texture): void;
-  freeBuffer(buffer: Buffer): void;
+  free(made: Texture | Buffer): void;
   sizeOf(texture: Texture): number[];
   bytesIn(buffer: Buffer): number;
   /** Fill a buffer again, before anything that is still to be drawn. */

@@ -1,7 +1,7 @@
 // The textures and buffers of a plan: which size they have, and what is kept for the next frame.
 
-import { formatOf, halved } from "./bytes.js";
-import type { FramePackage, PlanRun } from "./generated/documents.js";
+import { halved } from "./bytes.js";
+import type { FramePackage, PlanRun, Step } from "./generated/documents.js";
 import type { Bound, Renderer } from "./renderer.js";
 import type { Values } from "./values.js";
 
@@ -13,8 +13,8 @@ export class Resources<Texture, Buffer> {
   private readonly textures = new Map<number, Texture>();
   /** How many bytes of a buffer its elements are: of those that kernels have written. */
   private readonly lengths = new Map<Buffer, number>();
-  /** The kernels that this frame has run, by step. */
-  private kernels = new Map<string, Bound<Texture, Buffer>>();
+  /** How many texels, or elements, the kernels compute that this frame has run, by step. */
+  private readonly extents = new Map<string, number[]>();
 
   constructor(
     private readonly from: FramePackage,
@@ -28,8 +28,8 @@ export class Resources<Texture, Buffer> {
   begin(isFirst: boolean): boolean {
     const { kept } = this.from.plan;
     const finds = !isFirst && kept.every(({ previous: at }) => at === null || this.fits(at));
-    if (!finds) this.forget();
-    this.kernels = new Map();
+    if (!finds) kept.forEach((row) => [row.texture, row.previous].forEach((at) => this.free(at)));
+    this.extents.clear();
     return finds;
   }
 
@@ -68,7 +68,8 @@ export class Resources<Texture, Buffer> {
   /** The width and height of a texture's first level. */
   sizeOf(texture: number): number[] {
     const { value, extent_of, level } = this.from.plan.textures[texture].size;
-    const sides = value !== null ? this.number(value) : this.extent(extent_of!);
+    const sides = value !== null ? this.number(value) : this.extents.get(extent_of!);
+    if (!sides) throw new Error(`the size of \`${extent_of}\` is needed before it is run`);
     if (!(Math.min(...sides) >= 1)) {
       const { frame } = this.from.plan;
       throw new Error(`a texture of ${frame} would have ${sides.join(" x ")} texels`);
@@ -82,16 +83,22 @@ export class Resources<Texture, Buffer> {
     this.free(number);
     const row = this.from.plan.textures[number];
     const [width, height] = this.sizeOf(number);
-    const format = formatOf(row.format);
+    const format = this.from.formats[number];
     const texture = this.renderer.makeTexture({ ...row, format, width, height });
     this.textures.set(number, texture);
     return texture;
   }
 
-  /** Remember a kernel that is run; returns how many texels, or elements, it computes. */
-  running(step: string, kernel: Bound<Texture, Buffer>): number[] {
-    this.kernels.set(step, kernel);
-    return this.extent(step);
+  /** How many texels, or elements, a kernel computes that is run. */
+  extent(step: PlanRun, kernel: Bound<Texture, Buffer>): number[] {
+    const { extent } = this.from.shaders[step.shader].reflection;
+    const found = this.evaluated(extent!, kernel);
+    this.extents.set(step.name, found);
+    return found;
+  }
+
+  private evaluated(steps: Step[], { values, textures }: Bound<Texture, Buffer>): number[] {
+    return values.evaluated(steps, (name) => this.renderer.sizeOf(textures.get(name)!)) as number[];
   }
 
   /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
@@ -99,8 +106,7 @@ export class Resources<Texture, Buffer> {
     const { results } = this.from.shaders[shader].reflection;
     for (const { name, result } of buffers) {
       const { count, stride, initial } = results.find((each) => each.name === name)!;
-      const sizeOf = (texture: string) => this.renderer.sizeOf(bound.textures.get(texture)!);
-      const [elements] = bound.values.evaluated(count, sizeOf) as number[];
+      const [elements] = this.evaluated(count, bound);
       const bytes = new Uint8Array(Math.max(elements, 1) * stride);
       if (initial !== null) new Int32Array(bytes.buffer).fill(initial | 0);
       const buffer = this.buffer(result, bytes, initial !== null);
@@ -116,20 +122,12 @@ export class Resources<Texture, Buffer> {
       return known;
     }
     if (known) {
-      this.renderer.freeBuffer(known);
+      this.renderer.free(known);
       this.lengths.delete(known);
     }
     const made = this.renderer.makeBuffer(bytes);
     this.buffers.set(result, made);
     return made;
-  }
-
-  private extent(step: string): number[] {
-    const kernel = this.kernels.get(step);
-    if (!kernel) throw new Error(`the size of what \`${step}\` writes is needed before it is run`);
-    const { extent } = this.from.shaders[kernel.shader].reflection;
-    const sizeOf = (name: string) => this.renderer.sizeOf(kernel.textures.get(name)!);
-    return kernel.values.evaluated(extent!, sizeOf) as number[];
   }
 
   private fits(texture: number): boolean {
@@ -139,17 +137,10 @@ export class Resources<Texture, Buffer> {
     return this.sizeOf(texture).every((side, axis) => side === sides[axis]);
   }
 
-  private free(texture: number): void {
-    const made = this.textures.get(texture);
-    if (made) this.renderer.freeTexture(made);
-    this.textures.delete(texture);
-  }
-
-  private forget(): void {
-    for (const { texture, previous } of this.from.plan.kept) {
-      if (texture !== null) this.free(texture);
-      if (previous !== null) this.free(previous);
-    }
+  private free(texture: number | null): void {
+    const made = this.textures.get(texture ?? -1);
+    if (made) this.renderer.free(made);
+    this.textures.delete(texture ?? -1);
   }
 }
 

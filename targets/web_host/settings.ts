@@ -3,16 +3,15 @@
 
 import type { Area, DrawSettings } from "./renderer.js";
 
-/** The settings for targets of a size; what is null is not set. */
+/** The settings for targets of a size; of viewport, scissor and the constant, what is null is not
+ * set. */
 export function settingsOf(
-  width: number, height: number, viewport: number[] | null, scissor: number[] | null,
-  constant: number[] | null,
+  [width, height]: number[], ...[viewport, scissor, constant]: (number[] | null)[]
 ): DrawSettings {
   const whole: Area = [0, 0, width, height];
   const seen = (viewport ?? whole) as Area;
   const [left, top, wide, high] = seen;
-  const isInside = left >= 0 && top >= 0 && left + wide <= width && top + high <= height;
-  if (!isInside || Math.min(wide, high) < 1) {
+  if (Math.min(wide, high) < 1 || common(seen, whole).some((side, at) => side !== seen[at])) {
     const wrong = `the viewport of ${wide} x ${high} texels at ${left}, ${top}`;
     throw new Error(`${wrong} is not within targets of ${width} x ${height}`);
   }

@@ -7,18 +7,17 @@ import type { Step } from "./generated/documents.js";
 /** Lanes of a number or a vector, columns, elements, or members by name. */
 export type Datum = number[] | Datum[] | { [member: string]: Datum };
 
-/** What steps read. */
-export interface Inputs {
-  parameter(name: string): Datum;
-  /** The texels of a texture's first level in each direction. */
-  size(texture: string): number[];
-}
+/** The texels of a texture's first level in each direction. */
+export type SizeOf = (texture: string) => number[];
+type Parameter = (name: string) => Datum;
 
 /** The value of the last step. `element` is the number of the element of an array, if it is one's
  * value. */
-export function compute(steps: Step[], inputs: Inputs, element?: number): Datum {
+export function compute(
+  steps: Step[], parameter: Parameter, sizeOf: SizeOf, element?: number,
+): Datum {
   const bound = element === undefined ? [] : [[element]];
-  return new Computation(steps, inputs).body(steps.length - 1, bound);
+  return new Computation(steps, parameter, sizeOf).body(steps.length - 1, bound);
 }
 
 class Computation {
@@ -27,7 +26,8 @@ class Computation {
 
   constructor(
     private readonly steps: Step[],
-    private readonly inputs: Inputs,
+    private readonly parameter: Parameter,
+    private readonly sizeOf: SizeOf,
   ) {
     this.depths = depthsOf(steps);
   }
@@ -60,9 +60,9 @@ class Computation {
     const values = operands as number[][];
     switch (row.op) {
       case "parameter":
-        return this.inputs.parameter(row.parameter!);
+        return this.parameter(row.parameter!);
       case "resource":
-        return this.inputs.size(row.texture!);
+        return this.sizeOf(row.texture!);
       case "constant":
         return constantOf(row.value);
       case "native":
@@ -73,12 +73,11 @@ class Computation {
         return evaluate(row.function!, values, kindOf(this.steps[row.args[0]].type));
       case "bound":
         return bound[row.binder!];
-      case "index": {
-        const part = (operands[0] as Datum[])[values[1][0]];
+      case "index":
+      case "member": {
+        const part = (operands[0] as any)[row.member ?? values[1][0]];
         return typeof part === "number" ? [part] : part;
       }
-      case "member":
-        return (operands[0] as { [member: string]: Datum })[row.member!];
       case "swizzle":
         return row.lanes!.map((lane) => values[0][lane]);
       case "vector":
@@ -142,8 +141,8 @@ function depthsOf(steps: Step[]): number[] {
 }
 
 function constantOf(value: unknown): Datum {
-  if (!Array.isArray(value)) return [Number(value)];
-  return value.map((lane) => (Array.isArray(lane) ? lane.map(Number) : Number(lane))) as Datum;
+  const lanes = Array.isArray(value) ? value : [value];
+  return lanes.map((lane) => (Array.isArray(lane) ? lane.map(Number) : Number(lane))) as Datum;
 }
 
 /** The type of the lanes of a number, vector or matrix. */

@@ -1,17 +1,11 @@
 // Named values of a frame or a shader, and the bytes of uniform blocks that they become.
 
-import type {
-  Buffer, Derived, Member, Parameter, Reflection, Step, Value,
-} from "./generated/documents.js";
-import { compute, kindOf, type Datum, type Inputs } from "./steps.js";
+import type { Derived, Member, Parameter, Reflection, Step, Value } from "./generated/documents.js";
+import { compute, kindOf, type Datum, type SizeOf } from "./steps.js";
 
 /** What of a plan or a reflection says which values there are. */
-export type Declarations = {
-  parameters: Parameter[];
-  buffers: Buffer[];
-} & Pick<Reflection, "blocks" | "derived" | "lights">;
-
-export type LightRow = Reflection["lights"][number];
+export type Declarations =
+  Pick<Reflection, "parameters" | "lights" | "buffers" | "blocks" | "derived">;
 
 /** A value, and where its lanes are. */
 type Placed = Pick<Member, "name" | "representation" | "layout"> &
@@ -74,7 +68,7 @@ export class Values {
   }
 
   /** Say how many elements a storage buffer has. */
-  count(buffer: Buffer, bytes: number): void {
+  count(buffer: Declarations["buffers"][number], bytes: number): void {
     this.set(buffer.count, Math.floor(bytes / buffer.stride));
   }
 
@@ -95,8 +89,8 @@ export class Values {
   }
 
   /** The value that steps compute. `size` tells the sizes of the textures that they read. */
-  evaluated(steps: Step[], size: Inputs["size"] = noTexture, element?: number): Datum {
-    return compute(steps, { parameter: (name) => this.get(name), size }, element);
+  evaluated(steps: Step[], size: SizeOf = noTexture, element?: number): Datum {
+    return compute(steps, (name) => this.get(name), size, element);
   }
 
   /** The bytes of every block, those of derived values included. */
@@ -127,7 +121,7 @@ export class Values {
     return undefined;
   }
 
-  private lightOf(name: string): LightRow | undefined {
+  private lightOf(name: string) {
     return this.declared.lights.find((each) => each.name === name && each.capacity === null);
   }
 }
@@ -199,9 +193,7 @@ function check(value: Value, name: string, count: number, orFewer = false): Valu
 }
 
 function vector({ layout, type = "", representation, range }: Placed, value: Value, name: string) {
-  const given = (Array.isArray(value) ? value : [value]).map((lane) =>
-    typeof lane === "boolean" ? Number(lane) : lane,
-  );
+  const given = [value].flat().map((lane) => (typeof lane === "boolean" ? Number(lane) : lane));
   const { lanes: count, columns } = layout;
   const refuse = (why: string) => new Error(`\`${name}\` ${why}`);
   if (given.length !== count || given.some((lane) => typeof lane !== "number")) {

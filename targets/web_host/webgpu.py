@@ -6,14 +6,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
 from ...compiler.ir.stages import COMPUTE
-from ..runner.binding import pipeline
+from ..runner.binding import FORMATS, pipeline
 from ..runner.codes import Codes
 from ..runner.drivers import webgpu
 from ..runner.drivers.slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
+from ..runner.frames.by_route import DEPTH_FORMATS
 from ..runner.routes import ROUTES
 
 _ROUTE = ROUTES["chromium:webgpu"]
@@ -37,6 +38,36 @@ def webgpu_pipeline(reflection: Mapping[str, Any], stages: Collection[str]) -> d
         "depth_stencil": webgpu.depth_stencil(made),
     })  # fmt: skip
     return found
+
+
+def pipelines(
+    plan: Mapping[str, Any], shaders: Sequence[Mapping[str, Any]]
+) -> Iterator[dict[str, Any]]:
+    """The formats of what steps draw to, once for each pipeline that they use."""
+    found: dict[tuple[int, tuple[str, ...], str | None], None] = {}
+    for step in plan["steps"]:
+        if step["kind"] == "draw":
+            targets = tuple(_format(plan, row) for row in step["targets"])
+            depth = step["depth"] and _format(plan, step["depth"])
+            for drawn in step["draws"]:
+                found |= {(use["shader"], targets, depth): None for use in drawn["uses"]}
+        elif step["kind"] == "run":
+            is_computed = COMPUTE.name in shaders[step["shader"]]["texts"].get(WGSL, ())
+            images = () if is_computed else step["images"]
+            found[step["shader"], tuple(_format(plan, row) for row in images), None] = None
+    for shader, targets, depth in found:
+        if shaders[shader]["webgpu"]:
+            yield {"shader": shader, "targets": list(targets), "depth": depth}
+
+
+def _format(plan: Mapping[str, Any], row: Mapping[str, Any]) -> str:
+    return format_of(plan["textures"][row["texture"]])
+
+
+def format_of(texture: Mapping[str, Any]) -> str:
+    """The format of a texture of a plan."""
+    name = texture["format"]
+    return DEPTH_FORMATS.get(name) or FORMATS[name]
 
 
 def _names(reflection: Mapping[str, Any]) -> _Names:

@@ -153,6 +153,7 @@ WEBGPU = Profile(
     doc="WGSL as browsers and wgpu take it.",
     agrees=AGREES,
     draws_edges=False,
+    blends_floats=False,
     single_file=True,
     # Tint takes 127 nested statements, of which each loop and each branch is two.
     limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),

@@ -313,6 +313,23 @@ def test_explaining_a_pixel_of_a_frame() -> None:
     assert (result.exit_code, result.stderr) == (1, "error: no output has a pixel 72,0\n")
 
 
+def test_why_a_frame_proves_little() -> None:
+    """The step that loses precision; or the input that has lost it before."""
+    rough = "fract(sin(uv.x * 913) * 43758.5453)"
+    text = FRAME.replace("sin(uv.x)", rough)
+    alone = "frame Alone { rough = Rough(screen)  output value = rough.value }"
+    Path("f.burnish").write_text(text + alone)
+    result = invoke("conform", "f.burnish", "--routes", "llvmpipe:gl330")
+    assert result.stderr.count(" proves little\n") == 2
+    assert (
+        "\n  `scaled` has most of the error from `source`, which is `rough.value`\n"
+        in result.stderr
+    )
+    assert (
+        f"\n  `rough`: `{rough}` magnifies rounding 4·10^4 times (f.burnish:3)\n" in result.stderr
+    )
+
+
 NOT_EXPLAINED = {
     "72,0": (2, "there is no pixel 72,0: pictures have 72 columns and 56 rows, counted"),
     "3": (2, "'3' is no pixel, which would be like 36,28"),

@@ -294,6 +294,31 @@ def test_another_image_of_a_kernel_is_named(tmp_path: Path) -> None:
     assert (seen == seen[0, 0]).all() and 0 < seen[0, 0, 0] < 255
 
 
+SHADOWED = """\
+import std.shadows.{ShadowedSpot}
+import std.terms.{lambert}
+material Clay { color = lambert(#b5651d) }
+rig Street { left : ShadowedSpot, right : ShadowedSpot }
+"""
+UNMADE = (
+    "note: `left.shadow` is made by steps of its light, which only a frame draws; here it is "
+    "`far`: --set left.shadow=PICTURE sets another\n"
+)
+
+
+def test_a_shadow_map_that_nobody_makes_is_told(tmp_path: Path) -> None:
+    """Who compiles for a host that binds it is not told."""
+    (tmp_path / "m.burnish").write_text(SHADOWED)
+    render = ("render", tmp_path / "m.burnish", "-o", tmp_path / "m.png", "--size", "8")
+    result = invoke(*render)
+    assert (result.exit_code, result.stderr) == (0, UNMADE + UNMADE.replace("left", "right"))
+    Image.new("L", (2, 2), 64).save(tmp_path / "near.png")
+    given = (f"--set={name}.shadow={tmp_path / 'near.png'}" for name in ("left", "right"))
+    assert invoke(*render, *given).stderr == ""
+    compiled = invoke("compile", tmp_path / "m.burnish", "-o", tmp_path / "out")
+    assert (compiled.exit_code, compiled.stderr) == (0, "")
+
+
 def test_a_kernel_that_needs_a_picture_gets_a_chart(tmp_path: Path) -> None:
     image = "result i : image2d<rgba8>[given.size()] = given.load(texel)"
     (tmp_path / "k.burnish").write_text(f"kernel K {{ map given : texture2d  {image} }}")

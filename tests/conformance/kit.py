@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -15,6 +16,8 @@ from burnish.api import CompiledMaterial
 from burnish.compiler.diagnostics.source import Span
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.closing import Closing
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
 from burnish.targets.runner.drivers.draw_job import Job
@@ -87,12 +90,24 @@ class Studio(Closing):
         (picture,) = self.runner.draw(route, Job(made, (state.draw(),)))
         return arrays(picture)
 
+    def judged(self, route: str, name: str, subject: CompiledMaterial) -> Row:
+        """What ``conform`` says of a material or a kernel."""
+        (row,) = conform([(name, subject)], [ROUTES[route]], self.runner, self.toolchain)
+        return row
+
 
 def compiled(source: str | Path, **options: Any) -> CompiledMaterial:
     """The only material of a text, or of a file of this folder, compiled for all routes."""
     where = FOLDER / source if isinstance(source, str) and source.endswith(".burnish") else source
     (material,) = burnish.compile(where, PROFILES, **options).materials
     return material
+
+
+@lru_cache(maxsize=1)
+def all_of(file: Path) -> burnish.CompileResult:
+    """All of a file, each of it compiled for those of the routes' profiles that have what it
+    needs."""
+    return burnish.compile(file, PROFILES, partial=True)
 
 
 def keeping_the_last(find: Callable[[Key], Found]) -> Callable[[Key], Found]:

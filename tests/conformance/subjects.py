@@ -66,10 +66,13 @@ def compiled(name: str, *profiles: str) -> CompiledMaterial:
 def row(studio: Studio, name: str, route: str) -> Row:
     """The row of a conformance run for one of ``NAMES``, compiled again, and a route.
 
-    What the reference draws is not kept: nobody draws the same again, where an error is planted.
+    It ends with the first picture that differs. What the reference draws is not kept: nobody draws
+    the same again, where an error is planted.
     """
     material, drawn = compiled(name, ROUTES[route].profile), [ROUTES[route]]
-    (found,) = conform([(name, material)], drawn, studio.runner, studio.toolchain, keep=False)
+    (found,) = conform(
+        [(name, material)], drawn, studio.runner, studio.toolchain, keep=False, brief=True
+    )
     return found
 
 

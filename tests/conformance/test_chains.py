@@ -29,7 +29,7 @@ from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
-from .kit import Floats, Studio
+from .kit import Floats, Studio, compiled
 from .planted.planting import Plant, form, replaced, supplied
 from .test_patches import CLEAR, EVERYWHERE, SIZE, state_of, text
 from .test_tessellation_stages import ON, PROFILES
@@ -154,9 +154,8 @@ def test_stages_make_the_triangles_that_are_meant(studio: Studio, level: str, ro
 
 def given() -> CompiledMaterial:
     """The material whose vertices say themselves what they are."""
-    profiles = sorted({route.profile for route in ROUTES.values()})
     members = "attribute given : float  attribute whole : int"
-    return burnish.compile(text(members, "given", "whole"), profiles).materials[0]
+    return compiled(text(members, "given", "whole"))
 
 
 def by_hand(level: str) -> SceneState:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
 from ..targets.standings import routes
-from .kit import Studio
+from .kit import Studio, all_of
 from .planted import in_image_kernels
 from .planted.planting import Planted
 
@@ -24,17 +23,10 @@ WRITTEN = {"Stored", "Alone", "Branches"}
 WITHOUT_BUFFERS = routes("absent", "storage buffers at fragments")
 
 
-@lru_cache(maxsize=1)
-def compiled() -> burnish.CompileResult:
-    profiles = sorted({route.profile for route in ROUTES.values()})
-    return burnish.compile(FILE, profiles, partial=True)
-
-
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("route", ROUTES)
 def test_it_agrees(studio: Studio, route: str, name: str) -> None:
-    kernel = compiled()[name]
-    (row,) = conform([(name, kernel)], [ROUTES[route]], studio.runner, studio.toolchain)
+    row = studio.judged(route, name, all_of(FILE)[name])
     if name == "Floats" and route in WITHOUT_BUFFERS:
         assert row.status == "not run"
         assert "storage buffers" in row.problem
@@ -57,7 +49,7 @@ def test_a_planted_error_is_found(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_profiles_with_kernels_write_images_where_they_can(name: str) -> None:
-    backends = compiled()[name].reflection["backends"]
+    backends = all_of(FILE)[name].reflection["backends"]
     for profile in ("glsl:vulkan", "hlsl:sm6", "wgsl:webgpu"):
         stages = [row["stage"] for row in backends[profile]["files"]]
         assert stages == (["compute"] if name in WRITTEN else ["vertex", "fragment"])
@@ -67,4 +59,4 @@ def test_profiles_with_kernels_write_images_where_they_can(name: str) -> None:
 
 
 def test_all_kernels_are_run() -> None:
-    assert {kernel.name for kernel in compiled()} == set(NAMES)
+    assert {kernel.name for kernel in all_of(FILE)} == set(NAMES)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -25,24 +24,17 @@ from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.routes import ROUTES
 
 from ..targets.standings import routes
-from .kit import Studio
+from .kit import Studio, all_of
 
 FILE = Path(__file__).with_name("kernels.burnish")
 ROUTES_WITHOUT = routes("absent", "kernels over buffers")
 NAMES = ("Structures", "Numbers", "Vectors", "Sums", "Fixed", "Scattered", "Bits")
 
 
-@lru_cache(maxsize=1)
-def compiled() -> burnish.CompileResult:
-    profiles = sorted({route.profile for route in ROUTES.values()})
-    return burnish.compile(FILE, profiles, partial=True)
-
-
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("route", ROUTES)
 def test_it_agrees(studio: Studio, route: str, name: str) -> None:
-    kernel = compiled()[name]
-    (row,) = conform([(name, kernel)], [ROUTES[route]], studio.runner, studio.toolchain)
+    row = studio.judged(route, name, all_of(FILE)[name])
     if route in ROUTES_WITHOUT:
         assert row.status == "not run"
         assert "has no compute stage" in row.problem
@@ -52,7 +44,7 @@ def test_it_agrees(studio: Studio, route: str, name: str) -> None:
 
 
 def test_all_kernels_are_run() -> None:
-    assert {kernel.name for kernel in compiled()} == set(NAMES)
+    assert {kernel.name for kernel in all_of(FILE)} == set(NAMES)
 
 
 # --- planted errors ------------------------------------------------------------------------------

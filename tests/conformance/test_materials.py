@@ -14,7 +14,7 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
 from . import test_work_groups
-from .kit import Studio, keeping_the_last
+from .kit import Studio, all_of, keeping_the_last
 from .subjects import DEFECTS, LACKING, MAY_PROVE_LITTLE, NAMES, called, compiled
 
 CASES = [
@@ -57,5 +57,5 @@ def test_it_agrees(rows: Callable[[str], dict[str, Row]], route: str, name: str)
 def test_every_builtin_is_called() -> None:
     """By a material, by a kernel whose groups join values, or it is an operator that the first
     pass has replaced."""
-    subjects = [compiled(name) for name in NAMES] + [*test_work_groups.compiled()]
+    subjects = [compiled(name) for name in NAMES] + [*all_of(test_work_groups.FILE)]
     assert not set(BUILTINS) - set().union(*map(called, subjects))

@@ -37,7 +37,7 @@ from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
 from . import kit
-from .kit import Floats, Studio
+from .kit import Floats, Studio, compiled
 from .planted.planting import Plant, form, supplied, target
 from .test_tessellation_stages import ON, PROFILES, SPACINGS
 
@@ -242,8 +242,7 @@ def test_vertices_find_out_where_they_lie(studio: Studio, spacing: Spacing, rout
 @cache
 def given() -> CompiledMaterial:
     """The material whose vertices say themselves what they are."""
-    profiles = sorted({route.profile for route in ROUTES.values()})
-    return burnish.compile(text(GIVEN, "given", "whole"), profiles).materials[0]
+    return compiled(text(GIVEN, "given", "whole"))
 
 
 def in_triangles(state: SceneState, spacing: Spacing) -> SceneState:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from burnish.targets.conformance.rows import Row
+from burnish.targets.conformance.rows import CaseResult, Row
 
 from .kit import Studio
 from .planted import (
@@ -38,6 +38,14 @@ def test_it_is_found(
         planted.plant(patch, tmp_path)
         found = row(studio, planted.material, planted.route)
     assert found.status == planted.status, _told(found)
+    # Nothing is drawn when the error has been found.
+    *before, last = [_differs(result) for result in found.results] or [False]
+    assert not any(before)
+    assert last == (planted.status == "differs")
+
+
+def _differs(result: CaseResult) -> bool:
+    return bool(result.comparison.wrong or result.comparison.changed)
 
 
 def _told(found: Row) -> str:

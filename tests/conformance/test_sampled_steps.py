@@ -38,6 +38,20 @@ pass Bright : LeftOf {{
     raster {{ samples = 4 }}
     target value : rgba16f = vec4(8)
 }}
+pass Sloped : LeftOf {{
+    raster {{ samples = 4 }}
+    target value : rgba16f = vec4({SIZE[0]} * uv.x)
+}}
+pass Tilted {{
+    raster {{ samples = 4 }}
+    param slope : vec2                                  /// Of depths, from side to side
+    param near  : float = 0
+    column : float = if vertex_index == 1u then 3 else -1
+    row    : float = if vertex_index == 2u then 3 else -1
+    depth  : float = near + dot(slope, vec2(0.5 + 0.5 * column, 0.5 - 0.5 * row))
+    clip_position = vec4(column, row, depth, 1)
+    target value : rgba16f = vec4(near)
+}}
 pass Box {{
     raster {{ samples = 4 }}
     param corner : vec2
@@ -51,14 +65,6 @@ pass Hiding : LeftOf {{
     depth {{ compare = less, write = true }}
     param away : float = 0.5
     clip_position = @vertex (vec4(across, above, away, 1) as point<clip>)
-    target value : rgba8 = vec4(shade)
-}}
-pass Sloped : LeftOf {{
-    raster {{ samples = 4 }}
-    depth {{ compare = less, write = true }}
-    param crossing : float = 0                     /// Where the depth is 1/2, in pixels
-    beyond = (across + 1) / 2 - crossing / {SIZE[0]}
-    clip_position = @vertex (vec4(across, above, 0.5 + 0.005 * beyond, 1) as point<clip>)
     target value : rgba8 = vec4(shade)
 }}
 pass Faded : FullScreen {{
@@ -121,6 +127,42 @@ def test_a_pixel_has_the_mean_of_the_samples_that_are_covered(studio: Studio, wh
 
 
 @EVERYWHERE
+@pytest.mark.parametrize("across", [True, False])
+def test_depths_are_those_of_the_places(studio: Studio, where: str, across: bool) -> None:
+    """Something at one depth is drawn over something that goes away to the right, or downwards: it
+    is seen where that is behind it."""
+    axis = 0 if across else 1
+    slope = "vec2(0.25, 0)" if across else "vec2(0, 0.25)"
+    cuts = (1.25, 1.5, 1.75)
+    steps = f"tilted = Tilted(screen) with {{ slope = {slope} }}\n" + "\n".join(
+        f"""tilted{n} = Tilted(screen) with {{ slope = {slope} }}
+        level{n} = Tilted(screen, tilted{n}) with {{
+            slope = vec2(0), near = {0.25 * cut / SIZE[axis]}
+        }}
+        output shown{n} = level{n}.value"""
+        for n, cut in enumerate(cuts)
+    )
+    (found,) = outputs(f"{PASSES}\nframe F {{ {steps} }}", where, studio)
+    pixels = np.stack(np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1])), axis=-1)
+    for n, cut in enumerate(cuts):
+        seen = ((pixels[:, :, None] + PLACES)[..., axis] > cut).mean(axis=-1)
+        picture = found[f"shown{n}"][0, ..., 0] / (0.25 * cut / SIZE[axis])
+        assert np.abs(picture - seen).max() < 0.01
+
+
+@EVERYWHERE
+@pytest.mark.parametrize("quarters", [1, 3])
+def test_values_are_those_of_the_centre(studio: Studio, where: str, quarters: int) -> None:
+    """Also where it lies outside of the triangle."""
+    sloped = f"sloped = Sloped(screen) with {{ edge = {CUT + quarters / 4} }}"
+    frame = f"{PASSES}\nframe F {{ {sloped} output picture = sloped.value }}"
+    found = outputs(frame, where, studio)[-1]["picture"][0, ..., 0]
+    centres = np.where(np.arange(SIZE[0]) < CUT, np.arange(SIZE[0]) + 0.5, 0)
+    centres[CUT] = quarters / 4 * (CUT + 0.5)
+    assert np.abs(found - centres).max() <= 0.01
+
+
+@EVERYWHERE
 def test_others_read_the_mean(studio: Studio, where: str) -> None:
     found = shown(studio, where, f"""
         smooth = Bright(screen) with {{ edge = {CUT + 0.25} }}
@@ -164,18 +206,6 @@ def test_the_depths_of_samples_hide_what_another_step_draws(studio: Studio, wher
         output picture = far.value
     """)  # fmt: skip
     assert np.abs(found - columns(1, (1 + 2 * 0.5) / 4)).max() <= STEP
-
-
-@EVERYWHERE
-@pytest.mark.parametrize("quarters", [0, 1, 2, 3, 4])
-def test_the_depth_of_each_sample_is_its_own(studio: Studio, where: str, quarters: int) -> None:
-    """Two triangles go through each other within a pixel, from the left to the right."""
-    found = shown(studio, where, f"""
-        level = Hiding(screen) with {{ shade = 0 }}
-        steep = Sloped(screen, level) with {{ crossing = {CUT + quarters / 4} }}
-        output picture = steep.value
-    """)  # fmt: skip
-    assert np.abs(found - columns(1, quarters / 4)).max() <= STEP
 
 
 @EVERYWHERE

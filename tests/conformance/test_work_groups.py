@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,7 @@ from burnish.targets.emit import group_functions, stage
 from burnish.targets.runner.routes import ROUTES
 
 from ..targets.standings import routes
-from .kit import Studio
+from .kit import Studio, all_of
 from .test_kernels import JUDGE, _one_element_less
 
 FILE = Path(__file__).with_name("work_groups.burnish")
@@ -29,17 +28,10 @@ ROUTES_WITHOUT = routes("absent", "joined work groups")
 NAMES = ("Joined", "Before", "Odd", "Alone", "Chosen", "Blocks")
 
 
-@lru_cache(maxsize=1)
-def compiled() -> burnish.CompileResult:
-    profiles = sorted({route.profile for route in ROUTES.values()})
-    return burnish.compile(FILE, profiles, partial=True)
-
-
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("route", ROUTES)
 def test_it_agrees(studio: Studio, route: str, name: str) -> None:
-    kernel = compiled()[name]
-    (row,) = conform([(name, kernel)], [ROUTES[route]], studio.runner, studio.toolchain)
+    row = studio.judged(route, name, all_of(FILE)[name])
     if route in ROUTES_WITHOUT:
         assert row.status == "not run"
         return
@@ -47,7 +39,7 @@ def test_it_agrees(studio: Studio, route: str, name: str) -> None:
 
 
 def test_all_kernels_are_run() -> None:
-    assert {kernel.name for kernel in compiled()} == set(NAMES)
+    assert {kernel.name for kernel in all_of(FILE)} == set(NAMES)
 
 
 # --- planted errors ------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
     """A plan in a form that people read."""
     for number, row in enumerate(plan["textures"]):
         layers = f" x {row['layers']}" if row["layers"] > 1 else ""
+        layers += f" of {row['samples']} samples" if row["samples"] > 1 else ""
         kept = ", kept" if row["kept"] else ""
         yield f"texture {number}: {row['format']} {row['dimension']}{layers}{kept}: " + ", ".join(
             row["results"]
@@ -42,6 +43,8 @@ def lines(plan: dict[str, Any]) -> Iterator[str]:
             stored = "" if row["store"] else ", dropped"
             if "stencil" in row:
                 stored += ", with stencil" + ("" if row["stencil"]["store"] else " dropped")
+            if row["resolve"] is not None:
+                stored += f", resolved to {row['resolve']['texture']}"
             yield f"  {row['load']} {row['name']} -> {row['texture']}{place}{stored}"
         for row in inputs_of(step):
             source = {k: v for k, v in row.items() if k != "name"}

@@ -11,7 +11,6 @@ from burnish.compiler.ir.program import (
     Interface,
     Output,
     Program,
-    Region,
     Stage,
     TextureRead,
     Varying,
@@ -27,6 +26,7 @@ from burnish.compiler.ir.shader import (
     Shader,
 )
 from burnish.compiler.ir.stages import CLIP_POSITION, FRAGMENT, TARGET, VARYING, VERTEX
+from burnish.compiler.ir.statements import Region
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,

@@ -8,9 +8,10 @@ from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import HostPlace, Parameter
 from burnish.compiler.ir.node import Graph, Node
-from burnish.compiler.ir.program import Block, Field, Output, Program, Region, Stage
+from burnish.compiler.ir.program import Block, Field, Output, Program, Stage
 from burnish.compiler.ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
 from burnish.compiler.ir.stages import CLIP_POSITION, FRAGMENT, TARGET, VERTEX
+from burnish.compiler.ir.statements import Region
 from burnish.compiler.ir.storage import alignment, byte_size, stored_type
 from burnish.compiler.ir.types import VEC4, Type
 from burnish.compiler.layout import layout_blocks

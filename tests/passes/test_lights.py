@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from burnish.compiler.ir.node import formals_of
 from burnish.compiler.ir.operations import FOLD
-from burnish.compiler.ir.program import Loop
+from burnish.compiler.ir.statements import Loop
 
 from .kit import History, history, ops, shader
 

@@ -8,7 +8,7 @@ from typing import TypeVar
 import pytest
 
 from burnish.compiler.ir.node import Node, reachable
-from burnish.compiler.ir.program import Branch, Let, Loop, Region, Statement
+from burnish.compiler.ir.statements import Branch, Let, Loop, Region, Statement
 from burnish.compiler.ir.types import VEC2
 
 from .kit import calls, history, shader

@@ -14,7 +14,7 @@ import pytest
 from burnish.commands.graph.build import picture
 from burnish.commands.graph.text import written
 from burnish.compiler.ir import build
-from burnish.compiler.ir.program import Field, Let, Stage
+from burnish.compiler.ir.program import Field, Stage
 from burnish.compiler.ir.shader import (
     RenderTarget,
     Result,
@@ -34,6 +34,7 @@ from burnish.compiler.ir.stages import (
     StageRow,
     SystemInput,
 )
+from burnish.compiler.ir.statements import Let
 from burnish.compiler.ir.types import FLOAT, INT, UINT, VEC2, VEC3, VEC4
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes.pipeline import Options, Staged, stage

@@ -52,12 +52,15 @@ def names(drawn: Expected) -> set[str]:
 
 LEVEL = [(0.5, 0.5), (2.5, 0.5), (0.5, 2.5)]
 """The upper edge goes through the middles of pixels."""
+SHORT = [(0.75, 0.5), (1.25, 0.5), (0.5, 2.5)]
+"""It goes through the same row, but between two of them."""
 SLOPING = [(0.0, 0.0), (3.0, 1.0), (1.0, 4.0)]
 
 
 def test_a_level_edge_through_the_middles_of_pixels_is_told() -> None:
     assert names(picture(PLAIN, mesh(LEVEL), RULES)) == LEVEL_EDGES
     assert names(picture(PLAIN, mesh(SLOPING), RULES)) == set()
+    assert names(picture(PLAIN, mesh(SHORT), replace(RULES, subpixel_bits=8))) == set()
 
 
 def test_lines_and_neighbours_are_told() -> None:

@@ -153,6 +153,27 @@ PROBES: Mapping[str, Probe] = {
         "material M { color = vec3(uv, 0) } pass P : Forward { raster { fill = lines } }",
         options={"pass_": "P"},
     ),
+    "blending by target": Probe(
+        """material M { color = vec3(uv, 0) }
+        pass P : Forward {
+            target color : rgba16f = vec4(color, 1) blend add
+            target other : rgba8   = vec4(color, 1)
+        }""",
+        options={"pass_": "P"},
+    ),
+    "equations by target": Probe(
+        """material M { color = vec3(uv, 0) }
+        pass P : Forward {
+            target color : rgba16f = vec4(color, 1) blend add
+            target other : rgba8   = vec4(color, 1) blend multiply
+        }""",
+        options={"pass_": "P"},
+    ),
+    "blending of floats": Probe(
+        """material M { color = vec3(uv, 0) }
+        pass P : Forward { target color : rgba32f = vec4(color, 1) blend add }""",
+        options={"pass_": "P"},
+    ),
     "storage buffers at fragments": Probe(
         "material M { buffer tints : rgb[]  color = tints[int(uv.x * 4)] }"
     ),

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter, Resource
 from burnish.compiler.ir.node import Node
-from burnish.compiler.ir.program import Let, Program, Region
+from burnish.compiler.ir.program import Program
+from burnish.compiler.ir.statements import Let, Region
 from burnish.compiler.ir.types import (
     FLOAT,
     INT,

@@ -7,15 +7,11 @@ from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Formal, Graph, Node, reachable
 from burnish.compiler.ir.program import (
     Block,
-    Branch,
     Field,
     Function,
     Interface,
-    Let,
-    Loop,
     Output,
     Program,
-    Region,
     Stage,
     StoredMember,
     Varying,
@@ -37,6 +33,7 @@ from burnish.compiler.ir.stages import (
     StageRow,
     inputs_of,
 )
+from burnish.compiler.ir.statements import Branch, Let, Loop, Region
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,

@@ -12,7 +12,7 @@ import burnish
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
-from burnish.compiler.ir.program import Branch, Region, Statement
+from burnish.compiler.ir.statements import Branch, Region, Statement
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4, Matrix, TallMatrix
 from burnish.targets.emit.precedence import Binding, Printed, choice, prefix, writer
 

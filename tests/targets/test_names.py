@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 import burnish
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
-from burnish.compiler.ir.program import Let, Program, Region
+from burnish.compiler.ir.program import Program
+from burnish.compiler.ir.statements import Let, Region
 from burnish.compiler.ir.types import FLOAT
 from burnish.targets.description.reserved import Reserved
 from burnish.targets.emit.namer import Namer

@@ -78,7 +78,7 @@ def shader(
     }  # fmt: skip
     given = {stage: {"text": text, "entry": "main"} for stage, text in texts.items()}
     empty: dict[str, Any] = {
-        kind: {} for kind in ("values", "roles", "textures", "texture_roles", "buffers")
+        kind: {} for kind in ("values", "roles", "lights", "textures", "texture_roles", "buffers")
     }
     pipeline = {
         "groups": [slots], "buffers": [], "targets": [{"writeMask": 15} for _ in TARGET],
@@ -194,6 +194,11 @@ def package() -> dict[str, Any]:
     )  # fmt: skip
     return {
         "package": 1, "plan": plan, "shaders": [filled, doubled, added], "size": [WIDTH, HEIGHT],
+        "formats": ["rgba32float"] * 4, "pipelines": [
+            {"shader": 0, "targets": ["rgba32float"], "depth": None},
+            {"shader": 1, "targets": [], "depth": None},
+            {"shader": 2, "targets": ["rgba32float"], "depth": None},
+        ],
         "camera": {"view_projection": [], "eye": [0, 0, 0]}, "values": {"glow": 3},
         "roles": {"size": "size"}, "models": [], "geometries": [], "given": [],
         "textures": {}, "buffers": {}, "pictures": [],
@@ -243,7 +248,6 @@ def changed(whole: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
             "shaders/1/reflection/format", 2,
             "this host knows reflections of version 1, and this one is of version 2",
         ),
-        ("plan/textures/0/format", "rgb9e5", "this host does not know the format rgb9e5"),
         ("shaders/0/texts", {}, "the package of ByHand has no texts for a browser"),
         ("values", {}, "ByHand needs a value for `glow`"),
         ("values/glow", 11, "`glow` is declared in 0..10: 11 is not"),

@@ -38,7 +38,7 @@ _MESH = """({reflection, geometry}) => {
   return {
     attributes: Object.fromEntries(streams.flat()),
     indices: indices && [...new Uint32Array(indices.buffer)],
-    elements: Object.fromEntries(elements.map(([name, bytes]) => [name, [...bytes]])),
+    elements: Object.fromEntries(elements.map(({ name, bytes }) => [name, [...bytes]])),
     count,
     instances: instance_count,
   };
@@ -58,7 +58,7 @@ def seen(reflection: Mapping[str, Any], geometry: Any) -> dict[str, Any]:
     numbers."""
     further = [("geometry.js", "bareMesh"), ("webgl2/vertices.js", "interleaved")]
     given = {"reflection": reflection, "geometry": geometry}
-    (found,) = in_node("geometry.js", "meshOf", _MESH, [given], *further)
+    (found,) = in_node("geometry.js", "unpacked", _MESH, [given], *further)
     return dict(found)
 
 

@@ -112,6 +112,12 @@ NOT_SCATTERED = error(
 
 # Expansions
 
+WITHIN_STRIP = error(
+    "B0519",
+    "this differs between the vertices of a strip, which is there as a whole or not at all",
+    "The condition of a group may depend on the number of the strip, on `primitive_index` and on "
+    "values at corners with a number that is the same for all of the strip's vertices.",
+)
 NO_SUCH_CORNER = error(
     "B0520",
     "there is no {what} {index}: the last one is {last}",

@@ -101,11 +101,16 @@ def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
 
 
 def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
-    """Whether samples may lie exactly on a level edge, so that it counts which of two faces owns
-    them."""
+    """Whether a sample may lie exactly on a level edge, so that it counts which of two faces owns
+    it."""
     x, y = faces.x, faces.y
-    is_level = (y == np.roll(y, -1, axis=1)) & (x != np.roll(x, -1, axis=1))
-    return any(bool((is_level & (y % 1.0 == at.y)).any()) for at in locations(rules))
+    to_x, to_y = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
+    is_level = (y == to_y) & (x != to_x)
+    begin, end, row = np.minimum(x, to_x)[is_level], np.maximum(x, to_x)[is_level], y[is_level]
+    return any(
+        bool(((row % 1.0 == at.y) & (np.ceil(begin - at.x) <= np.floor(end - at.x))).any())
+        for at in locations(rules)
+    )
 
 
 def _covered(

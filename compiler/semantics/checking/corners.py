@@ -20,6 +20,11 @@ def numbered(ctx: Context, corners: Corners, number: Node | Failure, span: Span)
     last = len(corners.numbers) - 1
     known = ctx.constants.known_integer(position)
     if known is None:
+        fact = ctx.ranges.of(position)
+        if fact.lo > last or fact.hi < 0:
+            end = f"{fact.lo:.0f} or above" if fact.lo > last else f"{fact.hi:.0f} or below"
+            ctx.report.add(rules.NO_SUCH_CORNER, span, what=corners.word, index=end, last=last)
+            return FAILURE
         inner = ctx.crossings.checked_at_vertex(position, span)
         if isinstance(inner, Failure):
             return FAILURE

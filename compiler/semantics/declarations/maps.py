@@ -87,7 +87,8 @@ def resource(ctx: Context, definition: Definition, name: str, group: str) -> Res
             unknown_word(ctx, "texture default", member.default, kind.defaults)
     state = _sampler_state(ctx, member, kind, declared.text)
     found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
-    return ResourceInfo(found, member.doc, member.name.span)
+    is_brought = member.brought is not None
+    return ResourceInfo(found, member.doc, member.name.span, is_brought=is_brought)
 
 
 def _check_bringer(ctx: Context, definition: Definition) -> None:

@@ -56,7 +56,7 @@ from ..state.scope import (
     Scope,
     Value,
 )
-from .made import by_vertices, pass_of, slots_set
+from .made import by_vertices, differs_in_strip, pass_of, slots_set
 
 MOST_VERTICES = 4096
 """So many vertices may come of one primitive."""
@@ -237,14 +237,14 @@ class _Expanding:
             turns, strips, emitted = self._turns(written.turns)
             names[written.turns.variable.text] = turns
         if written.condition is not None:
-            holds = self._of_strips(written.condition, names, BOOL, "bool")
+            holds = self._condition(written.condition, names, written.vertex)
             if isinstance(holds, Node) and isinstance(emitted, Node):
                 emitted = ctx.tree.node("call", BOOL, (emitted, holds), "and")
             elif isinstance(holds, Failure):
                 emitted = holds
         vertices = self._vertices(written)
         if written.vertex is not None:
-            names[written.vertex.text] = self._input(STRIP_VERTEX)
+            names[written.vertex.text] = self._counted(STRIP_VERTEX)
         corner = self._corner(written, vertices, names)
         known = None
         if vertices is not None:
@@ -254,6 +254,17 @@ class _Expanding:
             if written.turns is not None:
                 known = changed(known, strip_name=written.turns.variable.text)
         return _Group(known, emitted, corner, names)
+
+    def _condition(
+        self, written: ast.Expression, names: Mapping[str, Value], vertex: ast.Name | None
+    ) -> Node | Failure:
+        """Whether a strip is there, which is the same for all of its vertices."""
+        of_vertex = {} if vertex is None else {vertex.text: self._counted(STRIP_VERTEX)}
+        holds = self._of_strips(written, {**of_vertex, **names}, BOOL, "bool")
+        if isinstance(holds, Node) and (place := differs_in_strip(self._ctx, holds, written.span)):
+            self._ctx.report.add(rules.WITHIN_STRIP, place)
+            return FAILURE
+        return holds
 
     def _turns(self, written: ast.Turns) -> tuple[Value, int, Node | Failure]:
         """The number of a strip as it is called, how many there may be, and whether one is."""
@@ -265,7 +276,7 @@ class _Expanding:
         found = turns_of(ctx, written, nodes, written.variable.span)
         if isinstance(found, Failure):
             return FAILURE, 1, FAILURE
-        number = self._input(STRIP)
+        number = self._counted(STRIP)
         index = substitute(ctx.tree, found.index, {found.formal: number}, ctx.follow)
         if found.known:
             return index, found.bound, build.constant(ctx.tree, BOOL, True)
@@ -298,7 +309,7 @@ class _Expanding:
                 count=vertices, primitive=self._member.primitive.text, corners=self._slots.corners,
             )  # fmt: skip
             return FAILURE
-        return self._input(STRIP_VERTEX)
+        return self._counted(STRIP_VERTEX)
 
     def _of_strips(
         self, written: ast.Expression, names: dict[str, Value], type_: Type, text: str
@@ -338,6 +349,12 @@ class _Expanding:
 
     def _input(self, row: SystemInput) -> Node:
         return self._ctx.tree.node("input", row.type, (), row)
+
+    def _counted(self, row: SystemInput) -> Node:
+        """The number of a strip, or of a vertex in it."""
+        number = self._input(row)
+        self._ctx.ranges.assume_counting(number, MOST_VERTICES)
+        return number
 
     def _number(self, value: int) -> Node:
         return build.constant(self._ctx.tree, INT, value)

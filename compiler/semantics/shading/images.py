@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from ...diagnostics import rules
@@ -18,10 +19,32 @@ from ..state.scope import Failure, Scope
 from ..types.typenames import IMAGE_TYPE
 from .formats import texel_value
 
+_OTHER_IMAGES = re.compile(
+    r"[iu]?image_?(\d?d|cube|buffer|rect)\w*|rw_?texture\w*|texture_storage\w*"
+)
+"""What other languages call images, or may call them, in small letters."""
+
 
 def is_image(member: ast.Result | ast.Scatter) -> bool:
-    """Whether a result is an image; else it is a buffer, as all is that is scattered to."""
-    return member.type.name.text == IMAGE_TYPE
+    """Whether a result is an image, or means to be one; else it is a buffer, as all is that is
+    scattered to."""
+    return member.type.name.text == IMAGE_TYPE or is_other_image(member)
+
+
+def is_other_image(member: ast.Result | ast.Scatter) -> bool:
+    """Whether the type of a result is an image that there is not here."""
+    word = member.type.name.text
+    return word != IMAGE_TYPE and _OTHER_IMAGES.fullmatch(word.lower()) is not None
+
+
+def report_other_image(ctx: Context, member: ast.Result) -> None:
+    """Report the type of an image that there is not."""
+    name = member.type.name
+    hint = (
+        f"kernels write `{IMAGE_TYPE}<format>[size]`; each layer of something larger is a result "
+        "of its own"
+    )
+    ctx.report.add(rules.UNKNOWN_NAME, name.span, kind="type", name=name.text, hint=hint)
 
 
 def extent_type(member: ast.Result) -> Type:
@@ -36,6 +59,8 @@ def extent_words(member: ast.Result) -> str:
 
 def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | None:
     """An image with the value of one of its texels; ``None`` after reporting what is wrong."""
+    if member.type.name.text != IMAGE_TYPE:
+        return None  # It has been reported that there is no such image.
     if len(member.type.arguments) != 1:
         ctx.report.add(rules.NO_FORMAT, member.type.name.span, name=member.name.text)
         return None

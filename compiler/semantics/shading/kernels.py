@@ -31,7 +31,15 @@ from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
 from .extents import ELEMENTS, declared_extent, exists_in_kernels, known_extent, written_buffer
 from .group_results import check_no_groups, is_per_group, of_each_group
-from .images import extent_type, extent_words, image_result, is_image, mixed
+from .images import (
+    extent_type,
+    extent_words,
+    image_result,
+    is_image,
+    is_other_image,
+    mixed,
+    report_other_image,
+)
 from .instances import instance_of
 from .scattering import scattered
 from .slot_checks import check_instance
@@ -149,6 +157,9 @@ def _extents(ctx: Context, record: Record, instance: Instance) -> list[_Extent]:
     for member, owner, level in record.every(ast.Result):
         if is_per_group(ctx, member):
             continue
+        if is_other_image(member):
+            report_other_image(ctx, member)
+            continue
         name, what = member.name.text, extent_words(member)
         scope = _scope(owner, instance, level)
         node = declared_extent(ctx, name, member.type, scope, extent_type(member), what)
@@ -165,7 +176,7 @@ def _lowered(
     Where they are written, equal extents are values of their own; in the graph they are one.
     """
     roots = [*(result.value for result in results), *(extent.node for extent in extents)]
-    (every,), graph, notes = lowered(ctx, roots)
+    every, graph, notes = lowered(ctx, roots)
     values, same = every[: len(results)], every[len(results) :]
     pairs = zip(extents, same, strict=True)
     differ = [extent for extent, node in pairs if node is not same[0]]

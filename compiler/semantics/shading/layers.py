@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...diagnostics import rules
+from ...diagnostics.source import Span
 from ...ir import build
-from ...ir.node import Node, reachable
-from ...ir.operations import INPUT
+from ...ir.node import Node
 from ...ir.shader import Result
-from ...ir.stages import GEOMETRY, LAYER, STRIP_VERTEX
+from ...ir.stages import GEOMETRY, LAYER
 from ...ir.types import INT
 from ...syntax import ast
 from ..checking.slots import slot
@@ -21,9 +21,24 @@ from ..inheritance.records import Record
 from ..state.context import Context
 from ..state.scope import Instance, Scope
 from .assembly import is_declared_abstract
+from .made import differs_in_strip
 
 MOST_LAYERS = 256
 """All APIs guarantee so many."""
+
+
+def _place(ctx: Context, holder: Instance, declared: Span) -> Span:
+    """Where it is said that the vertices of a strip have different layers."""
+    slots = holder.made
+    for number, group in enumerate(() if slots is None else slots.groups):
+        assert slots is not None
+        equation = group.equations.get(LAYER)
+        value = slots.values.get((number, LAYER))
+        if equation is None or equation.value is None or not isinstance(value, Node):
+            continue
+        if place := differs_in_strip(ctx, value, equation.value.span):
+            return place
+    return declared
 
 
 def layer_count(ctx: Context, drawn: Record) -> int:
@@ -61,8 +76,8 @@ def layer_of(ctx: Context, passing: Instance, count: int) -> Iterator[Result]:
     layer = ctx.crossings.checked_at_vertex(value, span) if isinstance(value, Node) else value
     if not isinstance(layer, Node):
         return
-    if any(node.op == "input" and INPUT.data(node) == STRIP_VERTEX for node in reachable([layer])):
-        ctx.report.add(rules.LAYER_WITHIN_STRIP, span)
+    if differs_in_strip(ctx, layer, span):
+        ctx.report.add(rules.LAYER_WITHIN_STRIP, _place(ctx, holder, span))
         return
     ends = (build.constant(ctx.tree, INT, end) for end in (0, count - 1))
     yield Result(LAYER, GEOMETRY, ctx.tree.node("call", INT, (layer, *ends), "clamp"))

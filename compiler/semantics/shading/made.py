@@ -11,6 +11,9 @@ from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
+from ...ir.node import Node, reachable
+from ...ir.operations import INPUT
+from ...ir.stages import STRIP_VERTEX
 from ...syntax import ast
 from ..checking.unknown_names import unknown
 from ..state.context import Context
@@ -57,3 +60,12 @@ def pass_of(surface: Instance, passing: Instance | None) -> Instance | None:
         if given.within is passing:
             surface.replaced[name] = changed(given, within=own)
     return own
+
+
+def differs_in_strip(ctx: Context, value: Node, written: Span) -> Span | None:
+    """Where a value that is written somewhere depends on the number of a strip's vertex, if it
+    does."""
+    for node in reachable([value]):
+        if node.op == "input" and INPUT.data(node) == STRIP_VERTEX:
+            return ctx.places.within(node, written)
+    return None

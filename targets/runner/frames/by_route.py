@@ -387,7 +387,8 @@ class _Job:
 
 def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     """Two steps that draw to the same attachments, as one render pass: it begins as the first one
-    does, and leaves what the second one leaves. They stay two if their settings differ."""
+    does, and leaves what the second one leaves. What this resolves to is ready from the beginning.
+    They stay two if their settings differ."""
     settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
     if settings[0] != settings[1]:
         return [before, step]
@@ -398,7 +399,10 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     depth = step.depth and before.depth and joined(before.depth, step.depth)
     targets = tuple(map(joined, before.targets, step.targets))
     draws = (*before.draws, *step.draws)
-    return [replace(before, targets=targets, depth=depth, draws=draws)]
+    resolved = {each.resolve.texture for each in step.targets if each.resolve is not None}
+    waiting = (each for each in step.barriers if each.texture in resolved)
+    barriers = (*before.barriers, *waiting)
+    return [replace(before, barriers=barriers, targets=targets, depth=depth, draws=draws)]
 
 
 def _shared_memory(host: FrameHost) -> dict[int, int]:

@@ -72,9 +72,12 @@ def _spans(plan: Row) -> dict[int, tuple[int, int]]:
     for row in plan["results"]:
         if row["texture"] is not None:
             add(row["texture"], row["first"], row["last"])
+    begin = 0
     for number, step in enumerate(plan["steps"]):
+        # What a render pass resolves to has its memory when the pass begins.
+        begin = begin if step.get("continues", False) else number
         for texture in drawn_to(step):
-            add(texture, number, number)
+            add(texture, begin, number)
     return found
 
 

@@ -79,6 +79,14 @@ export interface FramePackage {
    */
   shaders: PackagedShader[];
   /**
+   * The pipelines of WebGPU that steps use; empty without texts for it.
+   */
+  pipelines: PipelineRow[];
+  /**
+   * The formats of the plan's textures, as WebGPU calls them. All APIs can draw to these; lanes of ten bits have eight, which are clamped and blended in the same way.
+   */
+  formats: GPUTextureFormat[];
+  /**
    * Width and height, until somebody resizes the frame.
    *
    * @minItems 2
@@ -1097,6 +1105,12 @@ export interface PackagedShader {
    * What each parameter is of the scene, by name, if it is something of it.
    */
   roles: {
+    [k: string]: string;
+  };
+  /**
+   * What its parameters of lights are of the plan's, by name. Behind an array of which one light is meant stands `[]`.
+   */
+  lights: {
     [k: string]: string;
   };
   /**
@@ -2130,6 +2144,23 @@ export interface Slot {
   sampler?: GPUSamplerDescriptor;
 }
 /**
+ * A pipeline of a shader: the formats of what it draws to.
+ */
+export interface PipelineRow {
+  /**
+   * The number of the shader.
+   */
+  shader: number;
+  /**
+   * The formats of the targets; none of a kernel that is computed.
+   */
+  targets: GPUTextureFormat[];
+  /**
+   * The format of the depths; null where there are none.
+   */
+  depth: GPUTextureFormat | null;
+}
+/**
  * What looks at the scene. Both are values of the scene, by their roles.
  */
 export interface Camera {
@@ -2211,7 +2242,7 @@ export interface Picture {
   /**
    * The format, as WebGPU calls it.
    */
-  format: string;
+  format: GPUTextureFormat;
   /**
    * The dimension.
    */

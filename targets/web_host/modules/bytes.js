@@ -7,20 +7,6 @@ export function bytesOf(base64) {
         bytes[at] = text.charCodeAt(at);
     return bytes;
 }
-/** The format of a texture for each format of the language. All APIs can draw to these; lanes of
- * ten bits are drawn with eight, which are clamped and blended in the same way. */
-const FORMATS = {
-    r8: "r8unorm", rg8: "rg8unorm", rgba8: "rgba8unorm", rgba8_srgb: "rgba8unorm-srgb",
-    bgra8: "rgba8unorm", bgra8_srgb: "rgba8unorm-srgb", rgb10a2: "rgba8unorm",
-    r16f: "r16float", rg16f: "rg16float", rgba16f: "rgba16float",
-    r32f: "r32float", rg32f: "rg32float", rgba32f: "rgba32float",
-    depth32f: "depth32float", depth32f_stencil8: "depth32float-stencil8",
-};
-export function formatOf(name) {
-    if (!(name in FORMATS))
-        throw new Error(`this host does not know the format ${name}`);
-    return FORMATS[name];
-}
 export const isDepth = (format) => format.startsWith("depth");
 export const hasStencil = (format) => format.endsWith("stencil8");
 /** A side of a mip level. */

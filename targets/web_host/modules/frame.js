@@ -1,6 +1,6 @@
 // Executes the plan of a frame, step by step, with the renderer of an API: see docs/plans.md.
 import { bytesOf, halved } from "./bytes.js";
-import { bareMesh, checkLevels, meshOf } from "./geometry.js";
+import { bareMesh, checkLevels, unpacked } from "./geometry.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
 import { settingsOf } from "./settings.js";
 import { Values } from "./values.js";
@@ -9,15 +9,15 @@ const VERSION = 1;
 const NUMBERS = 2 ** 24;
 /** An error for a package that this host cannot draw. */
 export function checkVersions({ package: version, plan, shaders }) {
-    const check = (what, found) => {
-        if (found === VERSION)
-            return;
+    const reflections = shaders.map(({ reflection }) => reflection.format);
+    const found = { packages: [version], plans: [plan.plan], reflections };
+    for (const [what, versions] of Object.entries(found)) {
+        const other = versions.find((each) => each !== VERSION);
+        if (other === undefined)
+            continue;
         const known = `this host knows ${what} of version ${VERSION}`;
-        throw new Error(`${known}, and this one is of version ${found}`);
-    };
-    check("packages", version);
-    check("plans", plan.plan);
-    shaders.forEach(({ reflection }) => check("reflections", reflection.format));
+        throw new Error(`${known}, and this one is of version ${other}`);
+    }
 }
 /** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a
  * sentence. */
@@ -33,8 +33,8 @@ export class PlanFrame {
     size;
     drawn = 0;
     isFirst = true;
+    /** Each with the storage buffers that stand for its vertex inputs. */
     meshes = new Map();
-    elements = new WeakMap();
     constructor(from, renderer) {
         this.from = from;
         this.renderer = renderer;
@@ -139,8 +139,7 @@ export class PlanFrame {
     }
     outputOf(name) {
         const { outputs, frame } = this.plan;
-        const isWanted = (row) => name === undefined ? row.texture !== null : row.name === name;
-        const row = outputs.find(isWanted);
+        const row = outputs.find((each) => name === undefined ? each.texture !== null : each.name === name);
         const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
         if (!row)
             throw new Error(`${frame} has no output ${wanted}`);
@@ -162,7 +161,8 @@ export class PlanFrame {
     drawStep(step) {
         const first = step.targets[0] ?? step.depth;
         const sides = this.resources.sizeOf(first.texture).map((side) => halved(side, first.level));
-        const settings = this.settings(step, sides);
+        const { viewport, scissor, blend_constant: constant } = step;
+        const settings = settingsOf(sides, ...[viewport, scissor, constant].map((value) => value === null ? null : this.resources.number(value)));
         const [, , wide, high] = settings.viewport;
         const calls = step.draws.flatMap((drawn) => this.calls(drawn, wide / high));
         const layers = first.layer === null ? this.plan.textures[first.texture].layers : 1;
@@ -182,11 +182,6 @@ export class PlanFrame {
             this.renderer.draw(step.targets.map(attachment), depth, calls, settings);
         }
     }
-    settings(step, [width, height]) {
-        const { viewport, scissor, blend_constant } = step;
-        const [seen, drawn, constant] = [viewport, scissor, blend_constant].map((value) => value === null ? null : this.resources.number(value));
-        return settingsOf(width, height, seen, drawn, constant);
-    }
     /** What a target is cleared to, or a depth, which is within 0 and 1. */
     cleared({ texture, clear }) {
         const isDepths = this.plan.textures[texture].format.startsWith("depth");
@@ -205,63 +200,57 @@ export class PlanFrame {
     }
     calls(drawn, aspect) {
         const models = this.from.models.filter(({ tags }) => tags.includes(drawn.models));
-        return this.lights(drawn.light).flatMap((light) => (drawn.models === null ? [null] : models).map((model) => {
-            const use = useFor(drawn, model);
-            return this.call(use, model, light, aspect, this.mesh(drawn, use.shader, model));
-        }));
+        return this.lights(drawn.light).flatMap((light) => (drawn.models === null ? [null] : models).map((model) => this.call(drawn, model, light, aspect)));
     }
-    mesh({ vertices }, shader, model) {
-        if (model) {
-            const number = model.geometries[shader];
-            return this.known(`${number}`, () => meshOf(this.from.geometries[number]));
-        }
-        const [count] = this.resources.number(vertices);
-        if (!(count >= 0 && count <= NUMBERS))
-            throw new Error(`a step would draw ${count} vertices`);
-        return this.vertices(shader, count);
+    meshOf({ vertices }, shader, model) {
+        if (!model)
+            return this.vertices(shader, this.resources.number(vertices)[0]);
+        const number = model.geometries[shader];
+        return this.known(`${number}`, () => unpacked(this.from.geometries[number]));
     }
     vertices(shader, count) {
+        if (!(count >= 0 && count <= NUMBERS))
+            throw new Error(`a step would draw ${count} vertices`);
         const { reflection } = this.from.shaders[shader];
         return this.known(`${count} vertices of ${shader}`, () => bareMesh(reflection, count));
     }
     known(key, make) {
-        const found = this.meshes.get(key) ?? make();
+        const known = this.meshes.get(key);
+        if (known)
+            return known;
+        const mesh = make();
+        const elements = mesh.elements.map(({ name, bytes }) => {
+            return [name, this.renderer.makeBuffer(bytes)];
+        });
+        const found = { mesh, elements };
         this.meshes.set(key, found);
         return found;
     }
-    /** Each light of an entry of the rig. */
+    /** The number of each light of an entry of the rig; null where it is a single one, or none is
+     * meant. */
     lights(entry) {
-        if (entry === null)
-            return [null];
-        const { capacity, count } = this.light(entry);
-        if (capacity === null)
-            return [{ entry, number: null }];
-        const lit = count === null ? capacity : this.values.get(count)[0];
-        return Array.from({ length: lit }, (_, number) => ({ entry, number }));
-    }
-    /** The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it is
-     * that of something else as well. */
-    light(entry) {
+        // Plans put the rig's name before it where it is that of something else as well.
         const { rig, lights } = this.plan;
-        return lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
+        const row = lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
+        if (!row || row.capacity === null)
+            return [null];
+        const lit = row.count === null ? row.capacity : this.values.get(row.count)[0];
+        return Array.from({ length: lit }, (_, number) => number);
     }
-    call(use, model, light, aspect, mesh) {
+    call(drawn, model, light, aspect) {
+        const use = useFor(drawn, model);
         const shader = this.from.shaders[use.shader];
         const bound = this.bind(use, model);
         this.apply(bound.values, shader.roles, { ...model?.values, ...this.camera }, aspect);
-        this.shine(bound.values, shader, light);
+        for (const [name, source] of Object.entries(shader.lights)) {
+            bound.values.set(name, this.values.get(source.replace("[]", `[${light}]`)));
+        }
         this.give(bound, use);
         checkLevels(shader, bound.values);
-        for (const [name, buffer] of this.elementsOf(mesh))
+        const { mesh, elements } = this.meshOf(drawn, use.shader, model);
+        for (const [name, buffer] of elements)
             this.giveBuffer(bound, name, buffer);
         return { ...bound, mesh };
-    }
-    /** The storage buffers that stand for vertex inputs. */
-    elementsOf(mesh) {
-        const found = this.elements.get(mesh)
-            ?? mesh.elements.map(([name, bytes]) => [name, this.renderer.makeBuffer(bytes)]);
-        this.elements.set(mesh, found);
-        return found;
     }
     // --- what shaders read ---
     /** A shader with the values of its material, and with what the host has for it. */
@@ -276,27 +265,6 @@ export class PlanFrame {
         });
         const buffers = values.declared.buffers.map(({ name }) => [name, known.get(hostBuffer(values.name, name))]);
         return { shader: number, values, textures: new Map(textures), buffers: new Map(buffers) };
-    }
-    /** Give a shader the lights of the frame; of a single one, that of its entry. */
-    shine(values, { reflection }, light) {
-        for (const row of reflection.lights) {
-            const entry = row.name.replace(`${reflection.rig}.`, "");
-            const own = this.light(entry);
-            if (!own)
-                continue;
-            if (row.capacity !== null) {
-                values.set(row.name, this.values.get(own.name));
-                if (row.count !== null)
-                    values.set(row.count, this.values.get(own.count));
-                continue;
-            }
-            const number = light?.entry === entry ? light.number : null;
-            const source = number === null ? own.name : `${own.name}[${number}]`;
-            for (const name of row.parameters) {
-                const member = name.slice(row.name.length);
-                values.set(name, this.values.get(`${source}${member}`));
-            }
-        }
     }
     /** Give a shader what the frame sets. */
     give(bound, { inputs }) {
@@ -336,7 +304,7 @@ export class PlanFrame {
     run(step) {
         const bound = this.bind(step, null);
         this.give(bound, step);
-        const extent = this.resources.running(step.name, bound);
+        const extent = this.resources.extent(step, bound);
         const { reflection } = this.from.shaders[step.shader];
         const images = step.images.map(({ texture }) => this.resources.texture(texture));
         if (images.length && !Object.keys(reflection.backends[this.renderer.profile].images).length) {
@@ -345,9 +313,8 @@ export class PlanFrame {
             const targets = images.map((texture) => ({
                 target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
             }));
-            const [width, height] = this.resources.sizeOf(step.images[0].texture);
-            const settings = settingsOf(width, height, null, null, null);
-            const call = { ...bound, mesh: this.vertices(step.shader, 3) };
+            const settings = settingsOf(this.resources.sizeOf(step.images[0].texture));
+            const call = { ...bound, mesh: this.vertices(step.shader, 3).mesh };
             this.renderer.draw(targets, null, [call], settings);
             return;
         }

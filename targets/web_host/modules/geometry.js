@@ -1,13 +1,18 @@
 // What a draw call gets of a mesh: see `draw`, "Expansions" and "Patches" in docs/reflection.md.
 import { bytesOf } from "./bytes.js";
-export function meshOf({ count, instance_count, ...packed }) {
+/** What packages hold in base64, as bytes. Without indices, vertices are drawn one after the
+ * other. */
+export function unpacked({ count, instance_count, ...packed }) {
     return {
         count,
         instance_count,
         vertices: bytesOf(packed.vertices),
         instances: bytesOf(packed.instances),
         indices: packed.indices === null ? null : bytesOf(packed.indices),
-        elements: Object.entries(packed.elements).map(([name, bytes]) => [name, bytesOf(bytes)]),
+        /** By the name of a storage buffer that stands for vertex inputs. */
+        elements: Object.entries(packed.elements).map(([name, bytes]) => {
+            return { name, bytes: bytesOf(bytes) };
+        }),
     };
 }
 /** So many vertices one after the other, which have nothing but their numbers. Of primitives that

@@ -1,5 +1,5 @@
 // The textures and buffers of a plan: which size they have, and what is kept for the next frame.
-import { formatOf, halved } from "./bytes.js";
+import { halved } from "./bytes.js";
 export class Resources {
     from;
     renderer;
@@ -11,8 +11,8 @@ export class Resources {
     textures = new Map();
     /** How many bytes of a buffer its elements are: of those that kernels have written. */
     lengths = new Map();
-    /** The kernels that this frame has run, by step. */
-    kernels = new Map();
+    /** How many texels, or elements, the kernels compute that this frame has run, by step. */
+    extents = new Map();
     constructor(from, renderer, values) {
         this.from = from;
         this.renderer = renderer;
@@ -24,8 +24,8 @@ export class Resources {
         const { kept } = this.from.plan;
         const finds = !isFirst && kept.every(({ previous: at }) => at === null || this.fits(at));
         if (!finds)
-            this.forget();
-        this.kernels = new Map();
+            kept.forEach((row) => [row.texture, row.previous].forEach((at) => this.free(at)));
+        this.extents.clear();
         return finds;
     }
     /** Behind the last step: what was drawn is then what the next frame finds. */
@@ -60,7 +60,9 @@ export class Resources {
     /** The width and height of a texture's first level. */
     sizeOf(texture) {
         const { value, extent_of, level } = this.from.plan.textures[texture].size;
-        const sides = value !== null ? this.number(value) : this.extent(extent_of);
+        const sides = value !== null ? this.number(value) : this.extents.get(extent_of);
+        if (!sides)
+            throw new Error(`the size of \`${extent_of}\` is needed before it is run`);
         if (!(Math.min(...sides) >= 1)) {
             const { frame } = this.from.plan;
             throw new Error(`a texture of ${frame} would have ${sides.join(" x ")} texels`);
@@ -74,23 +76,27 @@ export class Resources {
         this.free(number);
         const row = this.from.plan.textures[number];
         const [width, height] = this.sizeOf(number);
-        const format = formatOf(row.format);
+        const format = this.from.formats[number];
         const texture = this.renderer.makeTexture({ ...row, format, width, height });
         this.textures.set(number, texture);
         return texture;
     }
-    /** Remember a kernel that is run; returns how many texels, or elements, it computes. */
-    running(step, kernel) {
-        this.kernels.set(step, kernel);
-        return this.extent(step);
+    /** How many texels, or elements, a kernel computes that is run. */
+    extent(step, kernel) {
+        const { extent } = this.from.shaders[step.shader].reflection;
+        const found = this.evaluated(extent, kernel);
+        this.extents.set(step.name, found);
+        return found;
+    }
+    evaluated(steps, { values, textures }) {
+        return values.evaluated(steps, (name) => this.renderer.sizeOf(textures.get(name)));
     }
     /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
     giveWritten({ buffers, shader }, bound) {
         const { results } = this.from.shaders[shader].reflection;
         for (const { name, result } of buffers) {
             const { count, stride, initial } = results.find((each) => each.name === name);
-            const sizeOf = (texture) => this.renderer.sizeOf(bound.textures.get(texture));
-            const [elements] = bound.values.evaluated(count, sizeOf);
+            const [elements] = this.evaluated(count, bound);
             const bytes = new Uint8Array(Math.max(elements, 1) * stride);
             if (initial !== null)
                 new Int32Array(bytes.buffer).fill(initial | 0);
@@ -107,20 +113,12 @@ export class Resources {
             return known;
         }
         if (known) {
-            this.renderer.freeBuffer(known);
+            this.renderer.free(known);
             this.lengths.delete(known);
         }
         const made = this.renderer.makeBuffer(bytes);
         this.buffers.set(result, made);
         return made;
-    }
-    extent(step) {
-        const kernel = this.kernels.get(step);
-        if (!kernel)
-            throw new Error(`the size of what \`${step}\` writes is needed before it is run`);
-        const { extent } = this.from.shaders[kernel.shader].reflection;
-        const sizeOf = (name) => this.renderer.sizeOf(kernel.textures.get(name));
-        return kernel.values.evaluated(extent, sizeOf);
     }
     fits(texture) {
         const made = this.textures.get(texture);
@@ -130,18 +128,10 @@ export class Resources {
         return this.sizeOf(texture).every((side, axis) => side === sides[axis]);
     }
     free(texture) {
-        const made = this.textures.get(texture);
+        const made = this.textures.get(texture ?? -1);
         if (made)
-            this.renderer.freeTexture(made);
-        this.textures.delete(texture);
-    }
-    forget() {
-        for (const { texture, previous } of this.from.plan.kept) {
-            if (texture !== null)
-                this.free(texture);
-            if (previous !== null)
-                this.free(previous);
-        }
+            this.renderer.free(made);
+        this.textures.delete(texture ?? -1);
     }
 }
 /** What a buffer is called that the last frame has left. */

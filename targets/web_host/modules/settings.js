@@ -1,12 +1,12 @@
 // What a step sets for all that it draws: see `viewport`, `scissor` and `blend_constant` in
 // docs/plans.md.
-/** The settings for targets of a size; what is null is not set. */
-export function settingsOf(width, height, viewport, scissor, constant) {
+/** The settings for targets of a size; of viewport, scissor and the constant, what is null is not
+ * set. */
+export function settingsOf([width, height], ...[viewport, scissor, constant]) {
     const whole = [0, 0, width, height];
     const seen = (viewport ?? whole);
     const [left, top, wide, high] = seen;
-    const isInside = left >= 0 && top >= 0 && left + wide <= width && top + high <= height;
-    if (!isInside || Math.min(wide, high) < 1) {
+    if (Math.min(wide, high) < 1 || common(seen, whole).some((side, at) => side !== seen[at])) {
         const wrong = `the viewport of ${wide} x ${high} texels at ${left}, ${top}`;
         throw new Error(`${wrong} is not within targets of ${width} x ${height}`);
     }

@@ -3,18 +3,20 @@
 import { LANEWISE, WHOLE } from "./generated/builtins.js";
 /** The value of the last step. `element` is the number of the element of an array, if it is one's
  * value. */
-export function compute(steps, inputs, element) {
+export function compute(steps, parameter, sizeOf, element) {
     const bound = element === undefined ? [] : [[element]];
-    return new Computation(steps, inputs).body(steps.length - 1, bound);
+    return new Computation(steps, parameter, sizeOf).body(steps.length - 1, bound);
 }
 class Computation {
     steps;
-    inputs;
+    parameter;
+    sizeOf;
     depths;
     constant = new Map();
-    constructor(steps, inputs) {
+    constructor(steps, parameter, sizeOf) {
         this.steps = steps;
-        this.inputs = inputs;
+        this.parameter = parameter;
+        this.sizeOf = sizeOf;
         this.depths = depthsOf(steps);
     }
     /** The value of a step; `bound` are the variables around it, the innermost first. */
@@ -44,9 +46,9 @@ class Computation {
         const values = operands;
         switch (row.op) {
             case "parameter":
-                return this.inputs.parameter(row.parameter);
+                return this.parameter(row.parameter);
             case "resource":
-                return this.inputs.size(row.texture);
+                return this.sizeOf(row.texture);
             case "constant":
                 return constantOf(row.value);
             case "native":
@@ -57,12 +59,11 @@ class Computation {
                 return evaluate(row.function, values, kindOf(this.steps[row.args[0]].type));
             case "bound":
                 return bound[row.binder];
-            case "index": {
-                const part = operands[0][values[1][0]];
+            case "index":
+            case "member": {
+                const part = operands[0][row.member ?? values[1][0]];
                 return typeof part === "number" ? [part] : part;
             }
-            case "member":
-                return operands[0][row.member];
             case "swizzle":
                 return row.lanes.map((lane) => values[0][lane]);
             case "vector":
@@ -123,9 +124,8 @@ function depthsOf(steps) {
     return depths;
 }
 function constantOf(value) {
-    if (!Array.isArray(value))
-        return [Number(value)];
-    return value.map((lane) => (Array.isArray(lane) ? lane.map(Number) : Number(lane)));
+    const lanes = Array.isArray(value) ? value : [value];
+    return lanes.map((lane) => (Array.isArray(lane) ? lane.map(Number) : Number(lane)));
 }
 /** The type of the lanes of a number, vector or matrix. */
 export function kindOf(type) {

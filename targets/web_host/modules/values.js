@@ -77,7 +77,7 @@ export class Values {
     }
     /** The value that steps compute. `size` tells the sizes of the textures that they read. */
     evaluated(steps, size = noTexture, element) {
-        return compute(steps, { parameter: (name) => this.get(name), size }, element);
+        return compute(steps, (name) => this.get(name), size, element);
     }
     /** The bytes of every block, those of derived values included. */
     blocks() {
@@ -177,7 +177,7 @@ function check(value, name, count, orFewer = false) {
     throw new Error(`\`${name}\` takes ${count} elements`);
 }
 function vector({ layout, type = "", representation, range }, value, name) {
-    const given = (Array.isArray(value) ? value : [value]).map((lane) => typeof lane === "boolean" ? Number(lane) : lane);
+    const given = [value].flat().map((lane) => (typeof lane === "boolean" ? Number(lane) : lane));
     const { lanes: count, columns } = layout;
     const refuse = (why) => new Error(`\`${name}\` ${why}`);
     if (given.length !== count || given.some((lane) => typeof lane !== "number")) {

@@ -66,7 +66,9 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     return this.own(makePicture(this.context, picture));
   }
 
-  freeTexture(texture: Texture): void {
+  free(texture: Texture | Uint8Array): void {
+    // Storage buffers are only counted here: no text of this profile reads them.
+    if (texture instanceof Uint8Array) return;
     this.textures.delete(texture);
     freeTexture(this.gl, texture);
   }
@@ -76,10 +78,8 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     return texture;
   }
 
-  // Storage buffers are only counted here: no text of this profile reads them.
   makeBuffer = (bytes: Uint8Array<ArrayBuffer>) => bytes;
   readBuffer = async (buffer: Uint8Array<ArrayBuffer>) => buffer;
-  freeBuffer(): void {}
   bytesIn = (buffer: Uint8Array) => buffer.length;
   fill(): void {}
   sizeOf = ({ sides }: Texture) => sides;

@@ -134,8 +134,7 @@ export function attach(
  * v = 0. */
 export function makePicture(context: Context, picture: Picture): Texture {
   const { gl } = context;
-  const { dimension, width, height, depth, levels } = picture;
-  const format = picture.format as GPUTextureFormat;
+  const { format, dimension, width, height, depth, levels } = picture;
   if (format === "rgba32float") {
     context.need("OES_texture_float_linear", "filter pictures of floats");
   }

@@ -89,7 +89,7 @@ export class Arena {
     private readonly size = 1 << 18,
   ) {}
 
-  /** Where a piece lies, until `begin` is called again. It is there before what is submitted next. */
+  /** Where a piece lies, until `begin` is called again; it is there for what is submitted next. */
   put(bytes: Uint8Array<ArrayBuffer>): GPUBufferBinding {
     if (this.used + bytes.length > this.size) {
       this.chunk += 1;

@@ -1,7 +1,8 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 
-import { formatOf } from "../bytes.js";
-import type { FramePackage, PackagedShader, ShaderText, Slot } from "../generated/documents.js";
+import type {
+  FramePackage, PackagedShader, PipelineRow, ShaderText, Slot,
+} from "../generated/documents.js";
 import type { Device } from "./device.js";
 
 export const PROFILE = "wgsl:webgpu";
@@ -14,10 +15,7 @@ export interface Pipeline {
 }
 
 /** The formats of what a pipeline draws to. */
-interface Formats {
-  targets: GPUTextureFormat[];
-  depth: GPUTextureFormat | null;
-}
+type Formats = Omit<PipelineRow, "shader">;
 
 /** All pipelines of a frame, by shader and formats. */
 export class Pipelines {
@@ -25,22 +23,15 @@ export class Pipelines {
 
   private constructor(private readonly device: Device) {}
 
-  static async of(device: Device, { plan, shaders }: FramePackage): Promise<Pipelines> {
+  static async of(device: Device, { pipelines, shaders }: FramePackage): Promise<Pipelines> {
     const found = new Pipelines(device);
-    const wanted = new Map<string, () => Promise<Pipeline>>();
-    const want = (shader: number, formats: Formats) =>
-      wanted.set(keyOf(shader, formats), () => found.make(shaders[shader], formats));
-    const format = ({ texture }: { texture: number }) => formatOf(plan.textures[texture].format);
-    for (const step of plan.steps) {
-      if (step.kind === "draw") {
-        const formats = { targets: step.targets.map(format), depth: step.depth && format(step.depth) };
-        step.draws.forEach(({ uses }) => uses.forEach(({ shader }) => want(shader, formats)));
-      } else if (step.kind === "run") {
-        const isDrawn = "fragment" in (shaders[step.shader].texts[PROFILE] ?? {});
-        want(step.shader, { targets: isDrawn ? step.images.map(format) : [], depth: null });
-      }
-    }
-    await Promise.all([...wanted].map(async ([key, make]) => found.made.set(key, await make())));
+    const lacking = shaders.find(({ webgpu }) => !webgpu)?.reflection.material;
+    if (lacking) throw new Error(`${lacking} has no text for ${PROFILE}`);
+    await Promise.all(
+      pipelines.map(async ({ shader, ...formats }) => {
+        found.made.set(keyOf(shader, formats), await found.make(shaders[shader], formats));
+      }),
+    );
     device.check();
     return found;
   }
@@ -50,8 +41,8 @@ export class Pipelines {
   }
 
   private async make(shader: PackagedShader, formats: Formats): Promise<Pipeline> {
-    const { reflection: { material, render_state: state }, texts, webgpu } = shader;
-    if (!webgpu) throw new Error(`${material} has no text for ${PROFILE}`);
+    const { reflection: { material, render_state: state }, texts } = shader;
+    const webgpu = shader.webgpu!;
     const { compute, vertex, fragment } = texts[PROFILE];
     const { gpu } = this.device;
     const groups = webgpu.groups.map((slots) => {
@@ -70,7 +61,10 @@ export class Pipelines {
     const vertices = await this.stage(material, vertex);
     const fragments = await this.stage(material, fragment);
     const targets = formats.targets.map((format, at) => ({ ...webgpu.targets[at], format }));
-    this.checkBlending(material, targets);
+    const hard = targets.find(({ blend, format }) => blend && format.includes("32float"));
+    if (hard && !gpu.features.has("float32-blendable")) {
+      throw new Error(`this device cannot blend ${hard.format}, which ${material} draws to`);
+    }
     const render = await gpu.createRenderPipelineAsync({
       layout,
       vertex: { ...vertices, buffers: webgpu.buffers },
@@ -92,12 +86,6 @@ export class Pipelines {
       throw new Error(`the browser refuses a text of ${material}:${wrong.join("")}`);
     }
     return { module, entryPoint: entry };
-  }
-
-  private checkBlending(material: string, targets: GPUColorTargetState[]): void {
-    if (this.device.gpu.features.has("float32-blendable")) return;
-    const wrong = targets.find(({ blend, format }) => blend && format.includes("32float"));
-    if (wrong) throw new Error(`this device cannot blend ${wrong.format}, which ${material} draws to`);
   }
 }
 

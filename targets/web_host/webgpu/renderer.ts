@@ -25,10 +25,8 @@ type Call = DrawCall<Texture, GPUBuffer>;
 
 export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   readonly profile = PROFILE;
-  readonly shaders: PackagedShader[];
   private encoder!: GPUCommandEncoder;
   private readonly arena: Arena;
-  private readonly samplers = new Map<string, GPUSampler>();
   private readonly uploaded = new Map<Mesh, Uploaded>();
   private readonly owned = new Set<GPUTexture | GPUBuffer>();
 
@@ -36,9 +34,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     private readonly device: Device,
     private readonly pipelines: Pipelines,
     private readonly presenter: Presenter | null,
-    shaders: PackagedShader[],
+    readonly shaders: PackagedShader[],
   ) {
-    this.shaders = shaders;
     this.arena = new Arena(device.gpu);
   }
 
@@ -60,19 +57,13 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   }
 
   makeBuffer(bytes: Uint8Array<ArrayBuffer>): GPUBuffer {
-    const buffer = this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
-    this.owned.add(buffer);
-    return buffer;
+    return this.own(this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC));
   }
 
-  freeTexture({ gpu }: Texture): void {
-    this.owned.delete(gpu);
-    gpu.destroy();
-  }
-
-  freeBuffer(buffer: GPUBuffer): void {
-    this.owned.delete(buffer);
-    buffer.destroy();
+  free(made: Texture | GPUBuffer): void {
+    const memory = "gpu" in made ? made.gpu : made;
+    this.owned.delete(memory);
+    memory.destroy();
   }
 
   sizeOf = ({ sides }: Texture) => sides;
@@ -88,9 +79,9 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     if (!this.presenter) this.device.gpu.destroy();
   }
 
-  private own(texture: Texture): Texture {
-    this.owned.add(texture.gpu);
-    return texture;
+  private own<Made extends Texture | GPUBuffer>(made: Made): Made {
+    this.owned.add("gpu" in made ? made.gpu : made);
+    return made;
   }
 
   // --- steps ---
@@ -166,7 +157,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     const blocks = bound.values.blocks();
     const resource = ({ kind, name, number, layout, sampler }: Slot): GPUBindingResource => {
       if (kind === "block") return this.arena.put(blocks.get(name)!);
-      if (kind === "sampler") return this.sampler(sampler!);
+      if (kind === "sampler") return this.device.gpu.createSampler(sampler);
       if (kind === "storage_texture") return viewOf(images[number], "2d");
       const found = kind === "buffer" ? bound.buffers.get(name) : bound.textures.get(name);
       if (!found) throw new Error(`nobody gives ${bound.values.name} its \`${name}\``);
@@ -178,13 +169,6 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
       });
       pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
     });
-  }
-
-  private sampler(state: GPUSamplerDescriptor): GPUSampler {
-    const key = JSON.stringify(state);
-    const found = this.samplers.get(key) ?? this.device.gpu.createSampler(state);
-    this.samplers.set(key, found);
-    return found;
   }
 
   private drawMesh(pass: GPURenderPassEncoder, mesh: Mesh): void {
@@ -203,11 +187,8 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   private upload(mesh: Mesh): Uploaded {
     const known = this.uploaded.get(mesh);
     if (known) return known;
-    const buffer = (bytes: Uint8Array<ArrayBuffer>, usage: number) => {
-      const made = this.device.buffer(bytes, usage);
-      this.owned.add(made);
-      return made;
-    };
+    const buffer = (bytes: Uint8Array<ArrayBuffer>, usage: number) =>
+      this.own(this.device.buffer(bytes, usage));
     const streams = [mesh.vertices, mesh.instances].filter(({ length }) => length);
     const made = {
       vertices: streams.map((bytes) => buffer(bytes, GPUBufferUsage.VERTEX)),

@@ -88,7 +88,9 @@ class Studio(ExitStack):
         self.drawn += 1
         for size in (SMALL, SIZE)[: 1 + (self.drawn <= LARGE_PICTURES)]:
             subjects = [(place, subject)]
-            (found,) = conform(subjects, [row], self._runner, self._toolchain, size=size)
+            (found,) = conform(
+                subjects, [row], self._runner, self._toolchain, size=size, brief=True
+            )
             if found.status in NOTICED:
                 return f"{place}: {found.status}"
         return ""

@@ -70,6 +70,8 @@ class _Needs:
         last |= dict.fromkeys(self._outputs, len(self._steps) - 1)
         for row in (*self._plan["outputs"], *self._plan["kept"]):
             self._check_place(f"result {row['result']}", row["result"], row["texture"])
+        for name in first.keys() - self._results.keys():
+            fail(self._plan, name, "no row says where it is")
         for name, row in self._results.items():
             if name not in first:
                 fail(self._plan, name, "no step leaves it")
@@ -202,6 +204,8 @@ class _Needs:
         """Whether a step draws on in the render pass of the one before is said rightly."""
         before = self._steps[number - 1] if number else {"kind": "copy"}
         here, there = _places(step), _places(before)
+        resolved = {row["resolve"]["texture"] for row in attachments(step)
+                    if row["resolve"] is not None}  # fmt: skip
         continues = (
             before["kind"] == "draw"
             and here == there
@@ -210,10 +214,20 @@ class _Needs:
             and all(row["load"] == "load" and row["layer"] is not None for row in attachments(step))
             and all(row["resolve"] is None for row in attachments(before))
             and not step["buffer_barriers"]
-            and {row["texture"] for row in step["barriers"]} <= {texture for texture, *_ in here}
+            and {row["texture"] for row in step["barriers"]}
+            <= {texture for texture, *_ in here} | resolved
+            and resolved.isdisjoint(self._read_in_pass(number - 1))
         )
         if step["continues"] != continues:
             fail(self._plan, step_name(step), "whether it draws on is said wrongly")
+
+    def _read_in_pass(self, number: int) -> Iterator[int | None]:
+        """The textures that are read in the render pass which the step of this number is part
+        of."""
+        for step in reversed(self._steps[: number + 1]):
+            yield from (texture for _, texture in read_now(step, is_first=True))
+            if not step.get("continues", False):
+                return
 
     def _is_needed(self, number: int, result: str) -> bool:
         """Whether anybody needs behind a step what it draws."""

@@ -41,7 +41,10 @@ export class WebGl2Renderer {
     makePicture(picture) {
         return this.own(makePicture(this.context, picture));
     }
-    freeTexture(texture) {
+    free(texture) {
+        // Storage buffers are only counted here: no text of this profile reads them.
+        if (texture instanceof Uint8Array)
+            return;
         this.textures.delete(texture);
         freeTexture(this.gl, texture);
     }
@@ -49,10 +52,8 @@ export class WebGl2Renderer {
         this.textures.add(texture);
         return texture;
     }
-    // Storage buffers are only counted here: no text of this profile reads them.
     makeBuffer = (bytes) => bytes;
     readBuffer = async (buffer) => buffer;
-    freeBuffer() { }
     bytesIn = (buffer) => buffer.length;
     fill() { }
     sizeOf = ({ sides }) => sides;

@@ -112,8 +112,7 @@ export function attach(gl, framebuffer, point, { gl: texture, dimension, samples
  * v = 0. */
 export function makePicture(context, picture) {
     const { gl } = context;
-    const { dimension, width, height, depth, levels } = picture;
-    const format = picture.format;
+    const { format, dimension, width, height, depth, levels } = picture;
     if (format === "rgba32float") {
         context.need("OES_texture_float_linear", "filter pictures of floats");
     }

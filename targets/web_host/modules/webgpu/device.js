@@ -70,7 +70,7 @@ export class Arena {
         this.gpu = gpu;
         this.size = size;
     }
-    /** Where a piece lies, until `begin` is called again. It is there before what is submitted next. */
+    /** Where a piece lies, until `begin` is called again; it is there for what is submitted next. */
     put(bytes) {
         if (this.used + bytes.length > this.size) {
             this.chunk += 1;

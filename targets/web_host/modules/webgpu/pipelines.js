@@ -1,5 +1,4 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
-import { formatOf } from "../bytes.js";
 export const PROFILE = "wgsl:webgpu";
 /** All pipelines of a frame, by shader and formats. */
 export class Pipelines {
@@ -8,22 +7,14 @@ export class Pipelines {
     constructor(device) {
         this.device = device;
     }
-    static async of(device, { plan, shaders }) {
+    static async of(device, { pipelines, shaders }) {
         const found = new Pipelines(device);
-        const wanted = new Map();
-        const want = (shader, formats) => wanted.set(keyOf(shader, formats), () => found.make(shaders[shader], formats));
-        const format = ({ texture }) => formatOf(plan.textures[texture].format);
-        for (const step of plan.steps) {
-            if (step.kind === "draw") {
-                const formats = { targets: step.targets.map(format), depth: step.depth && format(step.depth) };
-                step.draws.forEach(({ uses }) => uses.forEach(({ shader }) => want(shader, formats)));
-            }
-            else if (step.kind === "run") {
-                const isDrawn = "fragment" in (shaders[step.shader].texts[PROFILE] ?? {});
-                want(step.shader, { targets: isDrawn ? step.images.map(format) : [], depth: null });
-            }
-        }
-        await Promise.all([...wanted].map(async ([key, make]) => found.made.set(key, await make())));
+        const lacking = shaders.find(({ webgpu }) => !webgpu)?.reflection.material;
+        if (lacking)
+            throw new Error(`${lacking} has no text for ${PROFILE}`);
+        await Promise.all(pipelines.map(async ({ shader, ...formats }) => {
+            found.made.set(keyOf(shader, formats), await found.make(shaders[shader], formats));
+        }));
         device.check();
         return found;
     }
@@ -31,9 +22,8 @@ export class Pipelines {
         return this.made.get(keyOf(shader, { targets, depth }));
     }
     async make(shader, formats) {
-        const { reflection: { material, render_state: state }, texts, webgpu } = shader;
-        if (!webgpu)
-            throw new Error(`${material} has no text for ${PROFILE}`);
+        const { reflection: { material, render_state: state }, texts } = shader;
+        const webgpu = shader.webgpu;
         const { compute, vertex, fragment } = texts[PROFILE];
         const { gpu } = this.device;
         const groups = webgpu.groups.map((slots) => {
@@ -52,7 +42,10 @@ export class Pipelines {
         const vertices = await this.stage(material, vertex);
         const fragments = await this.stage(material, fragment);
         const targets = formats.targets.map((format, at) => ({ ...webgpu.targets[at], format }));
-        this.checkBlending(material, targets);
+        const hard = targets.find(({ blend, format }) => blend && format.includes("32float"));
+        if (hard && !gpu.features.has("float32-blendable")) {
+            throw new Error(`this device cannot blend ${hard.format}, which ${material} draws to`);
+        }
         const render = await gpu.createRenderPipelineAsync({
             layout,
             vertex: { ...vertices, buffers: webgpu.buffers },
@@ -73,13 +66,6 @@ export class Pipelines {
             throw new Error(`the browser refuses a text of ${material}:${wrong.join("")}`);
         }
         return { module, entryPoint: entry };
-    }
-    checkBlending(material, targets) {
-        if (this.device.gpu.features.has("float32-blendable"))
-            return;
-        const wrong = targets.find(({ blend, format }) => blend && format.includes("32float"));
-        if (wrong)
-            throw new Error(`this device cannot blend ${wrong.format}, which ${material} draws to`);
     }
 }
 const keyOf = (shader, { targets, depth }) => [shader, ...targets, depth].join(" ");

@@ -10,11 +10,10 @@ export class WebGpuRenderer {
     device;
     pipelines;
     presenter;
-    profile = PROFILE;
     shaders;
+    profile = PROFILE;
     encoder;
     arena;
-    samplers = new Map();
     uploaded = new Map();
     owned = new Set();
     constructor(device, pipelines, presenter, shaders) {
@@ -38,17 +37,12 @@ export class WebGpuRenderer {
         return this.own(makePicture(this.device, picture));
     }
     makeBuffer(bytes) {
-        const buffer = this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
-        this.owned.add(buffer);
-        return buffer;
+        return this.own(this.device.buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC));
     }
-    freeTexture({ gpu }) {
-        this.owned.delete(gpu);
-        gpu.destroy();
-    }
-    freeBuffer(buffer) {
-        this.owned.delete(buffer);
-        buffer.destroy();
+    free(made) {
+        const memory = "gpu" in made ? made.gpu : made;
+        this.owned.delete(memory);
+        memory.destroy();
     }
     sizeOf = ({ sides }) => sides;
     bytesIn = ({ size }) => size;
@@ -61,9 +55,9 @@ export class WebGpuRenderer {
         if (!this.presenter)
             this.device.gpu.destroy();
     }
-    own(texture) {
-        this.owned.add(texture.gpu);
-        return texture;
+    own(made) {
+        this.owned.add("gpu" in made ? made.gpu : made);
+        return made;
     }
     // --- steps ---
     begin() {
@@ -128,7 +122,7 @@ export class WebGpuRenderer {
             if (kind === "block")
                 return this.arena.put(blocks.get(name));
             if (kind === "sampler")
-                return this.sampler(sampler);
+                return this.device.gpu.createSampler(sampler);
             if (kind === "storage_texture")
                 return viewOf(images[number], "2d");
             const found = kind === "buffer" ? bound.buffers.get(name) : bound.textures.get(name);
@@ -142,12 +136,6 @@ export class WebGpuRenderer {
             });
             pass.setBindGroup(group, this.device.gpu.createBindGroup({ layout, entries }));
         });
-    }
-    sampler(state) {
-        const key = JSON.stringify(state);
-        const found = this.samplers.get(key) ?? this.device.gpu.createSampler(state);
-        this.samplers.set(key, found);
-        return found;
     }
     drawMesh(pass, mesh) {
         const { count, instance_count: instances } = mesh;
@@ -167,11 +155,7 @@ export class WebGpuRenderer {
         const known = this.uploaded.get(mesh);
         if (known)
             return known;
-        const buffer = (bytes, usage) => {
-            const made = this.device.buffer(bytes, usage);
-            this.owned.add(made);
-            return made;
-        };
+        const buffer = (bytes, usage) => this.own(this.device.buffer(bytes, usage));
         const streams = [mesh.vertices, mesh.instances].filter(({ length }) => length);
         const made = {
             vertices: streams.map((bytes) => buffer(bytes, GPUBufferUsage.VERTEX)),

@@ -1,5 +1,6 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
 import { bytesOf, halved, hasStencil, isDepth, lanesOf } from "../bytes.js";
+import { cover, coverPipeline } from "./cover.js";
 /** What kernels can store to. */
 const STORABLE = /^(rgba8unorm|rgba16float|(r|rg|rgba)32float)$/;
 export function makeTexture({ gpu }, size) {
@@ -29,8 +30,7 @@ export function viewOf({ gpu }, dimension) {
     return gpu.createView({ dimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
 }
 export function makePicture(device, picture) {
-    const { dimension, width, height, depth, levels } = picture;
-    const format = picture.format;
+    const { format, dimension, width, height, depth, levels } = picture;
     if (format === "rgba32float" && !device.gpu.features.has("float32-filterable")) {
         throw new Error("this device cannot filter pictures of floats: it lacks float32-filterable");
     }
@@ -79,37 +79,20 @@ function clearDepths(gpu, texture) {
     }
     gpu.queue.submit([encoder.finish()]);
 }
-const DEPTHS = `
-@group(0) @binding(0) var<storage, read> depths: array<f32>;
-@vertex fn corner(@builtin(vertex_index) i: u32, @builtin(instance_index) first: u32) -> Corner {
-  return Corner(vec4f(f32(i & 1) * 4 - 1, f32(i >> 1) * 4 - 1, 0, 1), first);
-}
-struct Corner { @builtin(position) at: vec4f, @location(0) @interpolate(flat) first: u32 }
-@fragment fn depth(corner: Corner) -> @builtin(frag_depth) f32 {
-  return depths[corner.first + u32(corner.at.y) * WIDTHu + u32(corner.at.x)];
+const AS_DEPTH = `
+@fragment fn depth(@builtin(position) at: vec4f) -> @builtin(frag_depth) f32 {
+  return textureLoad(texels, vec2u(at.xy), 0).r;
 }`;
 /** WebGPU cannot copy to textures of 32-bit depths, so they are drawn, layer by layer. */
-function drawDepths(device, texture, bytes, level, [width, height, layers]) {
+function drawDepths(device, texture, bytes, level, size) {
     const { gpu } = device;
-    const module = gpu.createShaderModule({ code: DEPTHS.replace("WIDTH", `${width}`) });
-    const pipeline = gpu.createRenderPipeline({
-        layout: "auto",
-        vertex: { module },
-        fragment: { module, targets: [] },
-        depthStencil: { format: texture.format, depthWriteEnabled: true, depthCompare: "always" },
-    });
-    const depths = device.buffer(bytes, GPUBufferUsage.STORAGE);
-    const group = gpu.createBindGroup({
-        layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource: { buffer: depths } }],
-    });
-    const encoder = gpu.createCommandEncoder();
-    for (let layer = 0; layer < layers; layer++) {
-        const pass = encoder.beginRenderPass(depthPass(texture, layer, level));
-        pass.setPipeline(pipeline);
-        pass.setBindGroup(0, group);
-        pass.draw(3, 1, 0, layer * width * height);
-        pass.end();
+    const state = { depthWriteEnabled: true, depthCompare: "always" };
+    const pipeline = coverPipeline(gpu, AS_DEPTH, [], { format: texture.format, ...state });
+    const usage = GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST;
+    const texels = gpu.createTexture({ format: "r32float", size, usage });
+    writeTexels(device, texels, bytes, 0, size);
+    for (let layer = 0; layer < texels.depthOrArrayLayers; layer++) {
+        cover(gpu, pipeline, layerOf(texels, layer, 0), depthPass(texture, layer, level));
     }
-    gpu.queue.submit([encoder.finish()]);
-    depths.destroy();
+    texels.destroy();
 }

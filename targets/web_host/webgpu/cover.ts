@@ -1,0 +1,37 @@
+// Draws over all of a picture, pixel by pixel, what a text makes of the texels of a texture.
+
+const CORNERS = `
+@group(0) @binding(0) var texels: texture_2d<f32>;
+@vertex fn corner(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
+  return vec4f(f32(i & 1) * 4 - 1, f32(i >> 1) * 4 - 1, 0, 1);
+}`;
+
+/** A pipeline that draws to these targets, or depths. */
+export function coverPipeline(
+  gpu: GPUDevice, text: string, targets: GPUColorTargetState[], depthStencil?: GPUDepthStencilState,
+): GPURenderPipeline {
+  const texture = { sampleType: "unfilterable-float" } as const;
+  const group = gpu.createBindGroupLayout({ entries: [{ binding: 0, visibility: 2, texture }] });
+  const module = gpu.createShaderModule({ code: CORNERS + text });
+  return gpu.createRenderPipeline({
+    layout: gpu.createPipelineLayout({ bindGroupLayouts: [group] }),
+    vertex: { module },
+    fragment: { module, targets },
+    ...(depthStencil && { depthStencil }),
+  });
+}
+
+export function cover(
+  gpu: GPUDevice, pipeline: GPURenderPipeline, texels: GPUTextureView,
+  descriptor: GPURenderPassDescriptor,
+): void {
+  const encoder = gpu.createCommandEncoder();
+  const pass = encoder.beginRenderPass(descriptor);
+  pass.setPipeline(pipeline);
+  pass.setBindGroup(0, gpu.createBindGroup({
+    layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource: texels }],
+  }));
+  pass.draw(3);
+  pass.end();
+  gpu.queue.submit([encoder.finish()]);
+}
