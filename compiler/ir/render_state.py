@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import Literal
 
 from ...frozen import frozen
-from .stages import PLACING
 
 Cull = Literal["none", "back", "front"]
 """Which faces are not drawn."""
@@ -142,8 +141,3 @@ class RenderState:
         if self.invariant is None:
             return self.depth.compare in HANGS_ON_EQUAL
         return self.invariant
-
-    @property
-    def placing(self) -> frozenset[str]:
-        """The kinds of results that have to be the same in them."""
-        return PLACING if self.is_invariant else frozenset()

@@ -18,7 +18,7 @@ from .kernel import ScatterOperator, WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .render_state import RenderState
-from .stages import RASTERISED, Chain, StageRow
+from .stages import PLACING, RASTERISED, Chain, StageRow
 from .tessellation import Tessellation
 
 ConstantValue = float | int | bool | tuple["ConstantValue", ...]
@@ -319,7 +319,7 @@ class Shader:
     def placing(self) -> frozenset[str]:
         """The kinds of results whose values all shaders have to compute alike that compute them
         in the same way."""
-        return self.render_state.placing
+        return PLACING if self.render_state.is_invariant else frozenset()
 
     @property
     def layers(self) -> int:

@@ -36,6 +36,7 @@ from ..examples.kit import jobs_of
 from ..passes.agreement import disagreements
 from ..passes.hardware import flat
 from ..passes.kit import Alike, World, shaders
+from ..passes.positions import differing
 from ..passes.value_ranges import LARGEST, broken
 from ..targets.standings import PROFILES
 from .equivalence import differences
@@ -178,6 +179,21 @@ def _passes(case: Case) -> Iterator[Finding]:
             yield Finding("passes", each.partition(",")[0], "", f"hoist={hoist}: {each}")
 
 
+def _placed(case: Case) -> Iterator[Finding]:
+    """Several passes compute a position by the same operations."""
+    if api.has_frames(case.text):
+        return
+    try:
+        for each in differing(case.text, PLACED):
+            yield Finding("placed", "", "", each)
+    except CompileError as error:
+        yield from _refusals(error)
+
+
+PLACED = ("glsl:vulkan", "wgsl:webgpu")
+"""The profiles for which positions are compared: one needs fewer guards than the other."""
+
+
 def _rewritten(case: Case) -> Iterator[Finding]:
     """Another program that means the same has the same value."""
     if case.tree is None:
@@ -260,6 +276,7 @@ ORACLES: Mapping[str, Question] = {
     "compiles": _compiles,
     "facts": _facts,
     "passes": _passes,
+    "placed": _placed,
     "rewritten": _rewritten,
     "accepted": _accepted,
     "drawn": _drawn,

@@ -57,6 +57,11 @@ def test_programs_that_mean_the_same_have_the_same_value(number: int, tools: Too
     _pass(number, tools, "rewritten")
 
 
+@pytest.mark.parametrize("number", range(92, 104))
+def test_passes_place_vertices_alike(number: int, tools: Tools) -> None:
+    _pass(number, tools, "placed")
+
+
 @pytest.mark.parametrize("number", range(86, 92))
 def test_a_driver_draws_what_is_meant(number: int, tools: Tools) -> None:
     _pass(number, tools, "drawn")

@@ -2,103 +2,51 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-import burnish
-from burnish.compiled import CompiledMaterial
-from burnish.compiler.ir.leaves import Parameter
-from burnish.compiler.ir.node import Binder, Formal, Node, formals_of
-from burnish.compiler.ir.stages import CLIP_POSITION
-from burnish.frozen import changed
-
 from ..examples.kit import EXAMPLES, FOLDER, VARIANTS
+from .positions import differing
 
-PASSES = """
-pass Early {
-    raster { invariant = true }
-    clip_position = position in clip
-    target nothing : r8 = 0
-}
-pass Late : Forward { raster { invariant = true } }
-pass Surfaces {
-    raster { invariant = true }
-    clip_position = position in clip
-    target a : rgba16f = vec4(normal, distance(position, eye))
-    target b : rgba16f = vec4(position, 1) * 0.5
-}
-"""
 PROFILES = ("glsl:vulkan", "glsl:es300", "wgsl:webgpu")
 """They differ in the guards that they need, and in what they lack."""
-
-
-Operations = tuple[object, ...]
-
-
-class Known:
-    """Numbers for computations, which are equal where these are the same, whatever they are
-    called."""
-
-    def __init__(self) -> None:
-        self._numbers: dict[Operations, int] = {}
-
-    def position(self, material: CompiledMaterial, profile: str) -> list[int]:
-        """What a text computes for a position."""
-        shader = material.emitted(profile)
-        derived = {value.parameter: value.expression for value in material.staged.derived}
-        return [self._number(r.value, derived) for r in shader.results_of(CLIP_POSITION)]
-
-    def _number(self, root: Node, derived: dict[Parameter, Node]) -> int:
-        found: dict[Node, int] = {}
-        formals: dict[Formal, int] = {}
-        for node in in_order_of_need(root):
-            data: object = node.data
-            bound = tuple(formals.setdefault(each, len(formals)) for each in formals_of(node))
-            if isinstance(data, Parameter) and data in derived:
-                data = self._number(derived[data], derived)  # The host computes it.
-            elif isinstance(data, Formal):
-                data = formals.setdefault(data, len(formals))
-            elif isinstance(data, Binder):
-                data = changed(data, formals=None)
-            operands = tuple(found[operand] for operand in node.operands)
-            key = node.op, str(node.type), repr(data), bound, operands
-            found[node] = self._numbers.setdefault(key, len(self._numbers))
-        return found[root]
-
-
-def in_order_of_need(root: Node) -> Iterator[Node]:
-    """Operands before users, in an order that hangs on nothing but them."""
-    seen: set[Node] = set()
-    pending = [root]
-    while pending:
-        node = pending.pop()
-        missing = [operand for operand in node.operands if operand not in seen]
-        if missing:
-            pending += [node, *missing[::-1]]
-        elif node not in seen:
-            seen.add(node)
-            yield node
-
-
-def differing(text: str, rig: str | None = None) -> list[str]:
-    """The materials of a text of which two passes compute a position otherwise, with profiles."""
-    known = Known()
-    early, *others = (
-        burnish.compile(text, PROFILES, rig=rig, pass_=pass_, search_path=[FOLDER], partial=True)
-        for pass_ in ("Early", "Late", "Surfaces")
-    )
-    return [
-        f"{material.name}, {profile}"
-        for material in early
-        for other in others
-        for profile in set(PROFILES) - {*material.lacking, *other[material.name].lacking}
-        if known.position(material, profile) != known.position(other[material.name], profile)
-    ]
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_passes_over_one_material_place_it_by_the_same_operations(path: Path) -> None:
     rig = next(variant.rig for variant in VARIANTS if variant.path == path)
-    assert not differing(path.read_text("utf-8") + PASSES, rig)
+    assert not differing(path.read_text("utf-8"), PROFILES, rig, [FOLDER])
+
+
+PROGRAMS = {
+    "a function that others call as well": """
+        fn bent(v: vec3) -> vec3 = normalize(v + sin(v.yzx)) * sqrt(1 + dot(v, v.zxy))
+        material M {
+            position = inherited.position + 0.1 * bent(inherited.normal)
+            color    = bent(position) + bent(normal) * bent(vec3(uv, 1))
+        }
+    """,
+    "a root that is used elsewhere without a condition": """
+        material M {
+            x : float = vertex_position.x
+            position = inherited.position * (if x > 0.5 then 1 + sqrt(x) else 1)
+            color    = vec3(@vertex (sqrt(x)), uv)
+        }
+    """,
+    "a sum whose terms others need": """
+        material M {
+            param many : int in 0..8 = 4
+            one : float = sum i in 0..many : sin(float(i) * vertex_position.x)
+            two : float = sum i in 0..many : cos(float(i) * vertex_position.y)
+            some : float = one + vertex_position.z
+            position = inherited.position * (some + two)
+            color    = vec3(@vertex (some), uv)
+        }
+    """,
+}
+
+
+@pytest.mark.parametrize("text", PROGRAMS.values(), ids=PROGRAMS.keys())
+def test_what_others_need_has_no_say(text: str) -> None:
+    assert not differing(text, PROFILES)

@@ -100,8 +100,8 @@ class _Checking:
     ) -> Frame:
         lights = tuple(leaves for _, leaves in self._entries)
         everything = (self._leaves, *lights)
-        (values,), _graph, _notes = lowered(self._ctx, self._steps.numbers.nodes)
-        shaders, steps = with_invariant_positions(self._shaders, needed)
+        values, _graph, _notes = lowered(self._ctx, self._steps.numbers.nodes)
+        shaders, steps = with_invariant_positions(self._shaders.made, needed)
         return Frame(
             name=self._symbol.name,
             doc=declaration.doc,

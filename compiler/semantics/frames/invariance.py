@@ -14,24 +14,23 @@ from collections.abc import Iterator, Sequence
 from ....frozen import changed
 from ...ir.frame import Drawn, FrameShader, RenderStep, Step, Use
 from ...ir.shared_depths import SharedDepths, shared_depths
-from .shaders import Shaders
 
 Made = dict[FrameShader, FrameShader]
 """Shaders with invariant positions, by what they were before."""
 
 
 def with_invariant_positions(
-    shaders: Shaders, steps: Sequence[Step]
+    shaders: Sequence[FrameShader], steps: Sequence[Step]
 ) -> tuple[tuple[FrameShader, ...], tuple[Step, ...]]:
     """The shaders and steps of a frame, with invariant positions where these are needed."""
     needed = (use.shader for depths in shared_depths(steps) for use in _alike(depths))
     made: Made = {
-        shader: shaders.invariant(shader)
+        shader: _invariant(shader)
         for shader in dict.fromkeys(needed)
-        if shader.shader.render_state.invariant is None and not _is_invariant(shader)
+        if shader.shader.render_state.invariant is None
     }
     return (
-        tuple(made.get(shader, shader) for shader in shaders.made),
+        tuple(made.get(shader, shader) for shader in shaders),
         tuple(_with(made, step) for step in steps),
     )
 
@@ -39,7 +38,7 @@ def with_invariant_positions(
 def _alike(depths: SharedDepths) -> Iterator[Use]:
     """The uses of shaders that have to place vertices as others do."""
     uses = [use for step in depths.steps for drawn in step.draws for use in drawn.uses]
-    if any(_is_invariant(use.shader) for use in uses):
+    if any(use.shader.shader.render_state.is_invariant for use in uses):
         yield from uses
         return
     drawn_by: dict[str, set[FrameShader]] = {}
@@ -48,8 +47,9 @@ def _alike(depths: SharedDepths) -> Iterator[Use]:
     yield from (use for use in uses if use.material and len(drawn_by[use.material]) > 1)
 
 
-def _is_invariant(shader: FrameShader) -> bool:
-    return shader.shader.render_state.is_invariant
+def _invariant(shader: FrameShader) -> FrameShader:
+    state = changed(shader.shader.render_state, invariant=True)
+    return changed(shader, shader=changed(shader.shader, render_state=state))
 
 
 def _with(made: Made, step: Step) -> Step:

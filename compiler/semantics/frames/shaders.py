@@ -16,7 +16,7 @@ from ..inheritance.flattening import Records
 from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
 from ..shading.assembly import Parts, set_up
-from ..shading.elaborate import Checked, check
+from ..shading.elaborate import elaborate
 from ..shading.kernels import kernel_shader
 
 Input = ParameterInfo | ResourceInfo | BufferInfo
@@ -47,8 +47,6 @@ class Shaders:
     records: Records
     reached: set[Symbol]
     known: dict[Key, FrameShader | None] = fresh(factory=dict)
-    checked: dict[FrameShader, Checked] = fresh(factory=dict)
-    """What the shaders of passes were made of."""
 
     @property
     def made(self) -> tuple[FrameShader, ...]:
@@ -79,19 +77,9 @@ class Shaders:
         rig = self.rig if light is None else _alone(self.rig, light)
         parts = Parts(key.material or self.root, rig, key.step, self.module)
         setting = set_up(parts, self.report.apart(), self.records)
-        checked = check(setting, self.reached)
+        shader = elaborate(setting, self.reached)
         self.report.extend(setting.ctx.report.since(0))
-        if checked is None:
-            return None
-        made = self._named(key, checked.shader())
-        self.checked[made] = checked
-        return made
-
-    def invariant(self, shader: FrameShader) -> FrameShader:
-        """The same pass with the same material, but with invariant positions."""
-        made = self.checked[shader].shader(invariant=True)
-        name, doc = shader.shader.name, shader.shader.doc
-        return FrameShader(shader.name, changed(made, name=name, doc=doc))
+        return None if shader is None else self._named(key, shader)
 
     def _named(self, key: Key, shader: Shader) -> FrameShader:
         parts = (self.frame, key.step.name, key.material and key.material.name, key.light)

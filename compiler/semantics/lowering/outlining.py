@@ -35,14 +35,10 @@ _Candidate: TypeAlias = tuple[Callee, Fixed, tuple[Node, Formals]]
 """A body that calls may share, as a tree, with its variables."""
 
 
-def lowered(ctx: Context, *parts: Iterable[Node]) -> tuple[list[list[Node]], Graph, Notes]:
-    """Checked trees as bare numbers in one graph, where functions called repeatedly are applied.
-
-    What is called in one of the ``parts`` has no say in what becomes of the others.
-    """
+def lowered(ctx: Context, roots: Iterable[Node]) -> tuple[list[Node], Graph, Notes]:
+    """Checked trees as bare numbers in a graph, where functions called repeatedly are applied."""
     graph = Interning(ctx.notes)
-    values = [_Sharing(ctx, graph).roots(graph.interned(roots)) for roots in parts]
-    return values, graph.graph, graph.notes
+    return _Sharing(ctx, graph).roots(graph.interned(roots)), graph.graph, graph.notes
 
 
 @record

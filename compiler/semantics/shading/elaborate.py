@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
-from ....frozen import changed, frozen
+from ....frozen import changed
 from ...diagnostics import rules
-from ...ir.node import Graph, Node
-from ...ir.render_state import RenderState
+from ...ir.node import Node
 from ...ir.shader import (
-    Notes,
     PatchPattern,
     RenderTarget,
     Result,
@@ -89,12 +87,6 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     ``reached`` gets every declaration that was checked on the way. The setting can be used on:
     what is checked in it later is no part of the shader's graph.
     """
-    checked = check(setting, reached)
-    return None if checked is None else checked.shader()
-
-
-def check(setting: Setting, reached: set[Symbol]) -> Checked | None:
-    """The same before it is lowered to a graph."""
     ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)
     check_rig(ctx, setting.surface)
@@ -102,67 +94,34 @@ def check(setting: Setting, reached: set[Symbol]) -> Checked | None:
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
     if ctx.report.failed or not delivers_vertices(results):
         return None
-    return Checked(setting, results)
-
-
-@frozen
-class Checked:
-    """A material under a pass and a rig in which nothing is wrong."""
-
-    setting: Setting
-    results: tuple[Result, ...]
-    """As typed trees."""
-
-    def shader(self, *, invariant: bool | None = None) -> Shader:
-        """The shader. ``invariant`` says whether it has invariant positions, if it is not for the
-        pass alone to say."""
-        setting, ctx = self.setting, self.setting.ctx
-        declaration = setting.parts.material.declaration
-        assert isinstance(declaration, ast.Record)
-        state = render_state_of(ctx, setting.passing.record)
-        if invariant is not None:
-            state = changed(state, invariant=invariant)
-        steps = setting.surface.steps
-        leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
-        everything = (*leaves, *lights)
-        results, told, graph, notes = _lowered(ctx, self.results, _of_pattern(steps), state)
-        return Shader(
-            name=setting.surface.record.name,
-            doc=declaration.doc,
-            pass_name=setting.passing.record.name,
-            rig_name=setting.parts.rig.name,
-            graph=graph,
-            notes=notes,
-            parameters=all_parameters(everything, ctx.externs.infos),
-            resources=tuple(resource for part in everything for resource in part.resources),
-            attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
-            results=results,
-            externs=ctx.externs.infos,
-            chain=_chain(setting),
-            expansion=next((step.expansion for step in steps if step.expansion is not None), None),
-            tessellation=next((s.tessellation for s in steps if s.tessellation is not None), None),
-            pattern=PatchPattern(*told) if told else None,
-            capture=capture_of(setting.passing.record, results),
-            buffers=tuple(buffer for part in everything for buffer in part.buffers),
-            render_state=state,
-        )
-
-
-def _lowered(
-    ctx: Context, results: Sequence[Result], told: Sequence[Node], state: RenderState
-) -> tuple[tuple[Result, ...], list[Node], Graph, Notes]:
-    """Results, and what is told of a pattern, as nodes of one graph. Of positions that have to be
-    invariant nothing may hang on what else there is."""
-    placing = [r.value for r in results if r.kind in state.placing]
-    others = [r.value for r in results if r.kind not in state.placing]
-    if placing:
-        (placed, values), graph, notes = lowered(ctx, [*told, *placing], others)
-    else:
-        (placed,), graph, notes = lowered(ctx, [*told, *others])
-        placed, values = placed[: len(told)], placed[len(told) :]
-    apart, beside = iter(placed[len(told) :]), iter(values)
-    found = (changed(r, value=next(apart if r.kind in state.placing else beside)) for r in results)
-    return tuple(found), placed[: len(told)], graph, notes
+    declaration = parts.material.declaration
+    assert isinstance(declaration, ast.Record)
+    steps = setting.surface.steps
+    leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
+    everything = (*leaves, *lights)
+    told = _of_pattern(steps)
+    values, graph, notes = lowered(ctx, [*(result.value for result in results), *told])
+    values, told = values[: len(results)], values[len(results) :]
+    return Shader(
+        name=setting.surface.record.name,
+        doc=declaration.doc,
+        pass_name=setting.passing.record.name,
+        rig_name=parts.rig.name,
+        graph=graph,
+        notes=notes,
+        parameters=all_parameters(everything, ctx.externs.infos),
+        resources=tuple(resource for part in everything for resource in part.resources),
+        attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
+        results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
+        externs=ctx.externs.infos,
+        chain=_chain(setting),
+        expansion=next((step.expansion for step in steps if step.expansion is not None), None),
+        tessellation=next((s.tessellation for s in steps if s.tessellation is not None), None),
+        pattern=PatchPattern(*told) if told else None,
+        capture=capture_of(setting.passing.record, results),
+        buffers=tuple(buffer for part in everything for buffer in part.buffers),
+        render_state=render_state_of(ctx, setting.passing.record),
+    )
 
 
 def _of_pattern(steps: Iterable[MadeSlots]) -> list[Node]:

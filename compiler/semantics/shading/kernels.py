@@ -176,7 +176,7 @@ def _lowered(
     Where they are written, equal extents are values of their own; in the graph they are one.
     """
     roots = [*(result.value for result in results), *(extent.node for extent in extents)]
-    (every,), graph, notes = lowered(ctx, roots)
+    every, graph, notes = lowered(ctx, roots)
     values, same = every[: len(results)], every[len(results) :]
     pairs = zip(extents, same, strict=True)
     differ = [extent for extent, node in pairs if node is not same[0]]
