@@ -6,7 +6,7 @@ has to lie between two numbers.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -17,11 +17,11 @@ from ..ir.kernel import invocations
 from ..ir.leaves import Resource
 from ..ir.node import Node
 from ..ir.operations import joins_group
-from ..ir.scattering import scattered
-from ..ir.shader import Shader, Store
+from ..ir.scattering import Scattered, scattered
+from ..ir.shader import Result, Shader, Store
 from ..ir.stages import COMPUTED, STORE
-from .bounds import Bounded, Errors, exact
-from .evaluate import Evaluator
+from .bounds import Bounded, Errors, all_remembered, exact
+from .evaluate import Evaluator, LeafValues
 from .held_values import HeldValues, as_rounded
 from .in_groups import Groups, InGroups, PlainInGroups
 from .namespace import Lanes, Namespace
@@ -69,22 +69,6 @@ def computed(
     """
     if shader.chain != COMPUTED:
         raise ValueError(f"{shader.name} is no kernel.")
-    numbers = np.arange(count, dtype=np.int64)
-    index = numbers if errors is None else exact(numbers)
-    held = HeldValues(values, None if errors is None else as_rounded)
-    readers: dict[Resource, Reader] = {}
-
-    def leaves(node: Node) -> Lanes | None:
-        if node.op == "input":
-            return (index,)
-        if isinstance(node.data, Resource):
-            if node.data not in readers:
-                image = Image(textures[node.data.name], node.data, rules)
-                reader = TextureReader(image)
-                readers[node.data] = PlainReader(reader) if errors is None else reader
-            return (readers[node.data],)
-        return held.value(node)
-
     assert shader.work_group is not None
     size = invocations(shader.work_group)
     groups = PlainInGroups(count, size) if errors is None else InGroups(errors, count, size)
@@ -93,27 +77,65 @@ def computed(
     roots = [*(result.value for result in stores), *joins]
     known = Found.of(roots, textures.values(), rules)
     watch = _Watch(known, (count,), rules, groups, rounds=errors is not None)
+    leaves = _leaves(values, textures, count, rules, has_bounds=errors is not None)
     # Of plain arrays it is NumPy, which mypy does not see.
-    evaluator = Evaluator(leaves, cast("Namespace", groups), watch)
+    evaluator = Evaluator(leaves, cast("Namespace", groups), watch, stored=all_remembered)
     with np.errstate(all="ignore"):
-        lanes = evaluator.values(roots)
-        values_of = {node.id: _of_all(each, count) for node, each in zip(roots, lanes, strict=True)}
-        watch.end(tuple(lane for each in values_of.values() for lane in each))
-        found: list[Lane] = []
-        for result in stores:
-            assert result.store is not None
-            for number, whole in enumerate(values_of[result.value.id]):
-                each = slice(None, None, result.store.of_group or 1)
-                ends = (whole.value, whole.low, whole.high, watch.undecided)
-                arrays = (np.asarray(end)[each] for end in ends)
-                found.append(Lane(result.store, number, whole.kind, *arrays))
-        for row in scatters:
-            parts = (values_of[part.id][0] for part in (row.value, row.place, row.condition))
-            length = lengths[row.store.buffer.name]
-            # What an invocation scatters of which nothing is defined may go anywhere.
-            undecided = np.full(length, watch.undecided.any())
-            found.append(Lane(row.store, 0, "i", *joined(row.store, length, *parts), undecided))
-    return found
+        found = evaluator.values(roots)
+        lanes = {node.id: _of_all(each, count) for node, each in zip(roots, found, strict=True)}
+        watch.end(tuple(lane for each in lanes.values() for lane in each))
+        undecided = watch.undecided
+        return [
+            *(lane for each in stores for lane in _stored(each, lanes[each.value.id], undecided)),
+            *(_joined(row, lanes, lengths[row.store.buffer.name], undecided) for row in scatters),
+        ]
+
+
+def _leaves(
+    values: Mapping[str, Any],
+    textures: Mapping[str, Texels],
+    count: int,
+    rules: RasterRules,
+    *,
+    has_bounds: bool,
+) -> LeafValues:
+    """The leaves of a kernel's graph for all invocations."""
+    numbers = np.arange(count, dtype=np.int64)
+    index = exact(numbers) if has_bounds else numbers
+    held = HeldValues(values, as_rounded if has_bounds else None)
+    readers: dict[Resource, Reader] = {}
+
+    def value(node: Node) -> Lanes | None:
+        if node.op == "input":
+            return (index,)
+        if isinstance(node.data, Resource):
+            if node.data not in readers:
+                reader = TextureReader(Image(textures[node.data.name], node.data, rules))
+                readers[node.data] = reader if has_bounds else PlainReader(reader)
+            return (readers[node.data],)
+        return held.value(node)
+
+    return value
+
+
+def _stored(result: Result, lanes: Sequence[Bounded], undecided: Array) -> Iterator[Lane]:
+    """What each invocation writes, or the first one of each work group."""
+    store = result.store
+    assert store is not None
+    for number, lane in enumerate(lanes):
+        ends = (lane.value, lane.low, lane.high, undecided)
+        arrays = (np.asarray(end)[:: store.of_group or 1] for end in ends)
+        yield Lane(store, number, lane.kind, *arrays)
+
+
+def _joined(
+    row: Scattered, lanes: Mapping[int, Sequence[Bounded]], length: int, undecided: Array
+) -> Lane:
+    """What the elements of a buffer become that is scattered to."""
+    parts = (lanes[part.id][0] for part in (row.value, row.place, row.condition))
+    ends = joined(row.store, length, *parts)
+    # What an invocation scatters of which nothing is defined may go anywhere.
+    return Lane(row.store, 0, "i", *ends, np.full(length, undecided.any()))
 
 
 class _Watch(Watch):

@@ -75,7 +75,7 @@ class BufferReader:
         self._ends = None if written is None else written.reshape(3, -1, stride // LANE)
         self._table: Table = self._lanes(type_.element, 0, is_stored=is_stored)
         self._undecided = None if self._ends is None else np.isnan(self._ends[0]).any(axis=-1)
-        """Of which elements nothing is defined; ``None`` if all are."""
+        """Of which elements nothing is defined; ``None`` if all are defined."""
 
     def element(self, position: Any) -> Lanes:
         """The elements at these positions, which lie within bounds or do not matter.

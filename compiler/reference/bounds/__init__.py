@@ -6,12 +6,13 @@ array library is a ``Bounds``. It needs NumPy, so nothing that compiles imports 
 
 from .bounded import Bounded, as_bounded, exact, joined
 from .functions import Bounds, Errors
-from .lanes import between, given, hull, remembered
+from .lanes import all_remembered, between, given, hull, remembered
 
 __all__ = [
     "Bounded",
     "Bounds",
     "Errors",
+    "all_remembered",
     "as_bounded",
     "between",
     "exact",

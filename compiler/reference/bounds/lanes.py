@@ -30,6 +30,13 @@ def remembered(lane: Any) -> Any:
     return made.made_as(lane)
 
 
+def all_remembered(value: tuple[Any, ...]) -> tuple[Any, ...]:
+    """A value whose lanes' errors are shared by all that is computed from them."""
+    return tuple(
+        all_remembered(lane) if isinstance(lane, tuple) else remembered(lane) for lane in value
+    )
+
+
 def between(value: Array, low: Array, high: Array) -> Bounded:
     """A lane with a device's value from ``low`` to ``high``, which need not contain ``value``."""
     return Bounded(value, np.minimum(value, low), np.maximum(value, high))

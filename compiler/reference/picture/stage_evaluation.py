@@ -19,7 +19,7 @@ from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
-from ..bounds import Bounded, Bounds, Errors, exact, given, hull, joined, remembered
+from ..bounds import Bounded, Bounds, Errors, all_remembered, exact, given, hull, joined
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
 from ..namespace import Lane, Lanes, Namespace
@@ -154,13 +154,13 @@ class StageEvaluator:
                 values = vertices.crossings[node.id]
                 if CROSS.data(node).mode == "flat":
                     return place.flat(values)
-                return _remembered(self._given(place.perspective(values)))
+                return all_remembered(self._given(place.perspective(values)))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._held.value(node)
 
         watch = _Watch(self, (len(front), self.side, self.side))
-        evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
+        evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered)
         discards = (self._discard,) if self._discard else ()
         found = evaluator.values((*discards, *self._targets))
         discarded: Any = found.pop(0)[0] if discards else False
@@ -198,13 +198,6 @@ class _Watch(Watch):
 
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:
     return 0.0
-
-
-def _remembered(value: Lanes) -> Lanes:
-    """A value whose lanes' errors are shared by all that is computed from them."""
-    return tuple(
-        _remembered(lane) if isinstance(lane, tuple) else remembered(lane) for lane in value
-    )
 
 
 def difference_taken(lane: Lane, builtin: str, rules: RasterRules) -> Lane:
