@@ -1,6 +1,6 @@
 """Writes the pictures of frames: one, numbered ones, or one file that moves.
 
-``frames.py`` calls ``write_pictures``.
+``frames.py`` calls ``write_pictures``, and the gallery ``moving``.
 """
 
 from __future__ import annotations
@@ -30,7 +30,8 @@ def write_pictures(rows: Sequence[Sequence[Floats]], path: Path) -> list[Path]:
     if len(rows) == 1:
         return _write(path.parent, {path.name: _still(rows[0], path)})
     if path.suffix.lower() in MOVING:
-        return _write(path.parent, {path.name: _moving(rows, path)})
+        images = [_beside([image_of(each) for each in row]) for row in rows]
+        return _write(path.parent, {path.name: moving(images, path)})
     digits = max(len(str(len(rows) - 1)), 3)
     names = [f"{path.stem}-{number:0{digits}}{path.suffix}" for number in range(len(rows))]
     files = {name: _still(row, path) for name, row in zip(names, rows, strict=True)}
@@ -63,11 +64,11 @@ def _beside(images: Sequence[Image]) -> Image:
     return whole
 
 
-def _moving(rows: Sequence[Sequence[Floats]], path: Path) -> bytes:
-    """One file that shows a picture after the other."""
+def moving(images: Sequence[Image], path: Path) -> bytes:
+    """One file that shows a picture after the other, in the format that its name says."""
     from ..targets.runner.pictures import encoded
 
-    first, *others = [_beside([image_of(each) for each in row]) for row in rows]
+    first, *others = images
     further = {"save_all": True, "append_images": others, "duration": DURATION, "loop": 0}
     return encoded(first, path, **further)
 

@@ -50,7 +50,9 @@ class Figure(TypedDict):
     note: str
     """The device that has drawn it, or why there is no picture."""
     picture: str
-    """The name of the picture; empty if there is none."""
+    """The name of the picture; empty if there is none. Of several frames it shows the last one."""
+    moving: str
+    """The name of a picture that moves, of what evolves from frame to frame; else empty."""
     status: str
     """``drawn``, ``not run`` or ``failed``."""
 
@@ -90,7 +92,7 @@ class Entry(TypedDict):
     errors: list[str]
     """What has gone wrong, each as a command tells it."""
     pictures: dict[str, str]
-    """Files in PNG, as Base64, by their names."""
+    """Files in PNG and WebP, as Base64, by their names."""
     inputs: dict[str, str]
     """The digests of all files that were read, by their paths; empty where none was there."""
 

@@ -34,7 +34,7 @@ from ...targets.toolchain import Toolchain
 from .. import compared, frames, panels, subjects
 from ..conform import conform
 from ..failures import told
-from ..frame_files import image_of
+from ..frame_files import image_of, moving
 from ..graph.command import as_svg
 from ..progress import Progress
 from ..render import render
@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from ...targets.conformance.rows import Row
 
 REFERENCE = "reference"
+EVOLVED = 24
+"""So many frames are drawn of what evolves from frame to frame."""
 _COMMAND = re.compile(r"burnish (render \S+\.burnish -o \S+.*)")
 """A command in the first comment of a file, which says how it is drawn."""
 _FILE_DOC = re.compile(r"^//!(.*)$", re.MULTILINE)
@@ -166,7 +168,7 @@ class _Making:
     # --- pictures ---
 
     def _draw(self, found: compared.Subjects) -> None:
-        words = self._command()
+        words = self._command(found)
         self._entry["command"] = shlex.join(["burnish", "render", *words])
         routes: list[Route | None] = [None, *self._shown]
         with self._told(render, [*words, "--size", str(self._size)]) as chosen:
@@ -180,14 +182,17 @@ class _Making:
             if not drawn:
                 self._draw_materials(request, routes)
 
-    def _command(self) -> list[str]:
+    def _command(self, compiled: compared.Subjects) -> list[str]:
         """The words behind ``burnish render``: those that the first comment of the file says, or
-        the plain ones."""
+        the plain ones; with several frames, if some frame goes on from the last one."""
         for line in _FILE_DOC.findall(self._entry["source"]):
             if found := _COMMAND.search(line):
                 words = shlex.split(found[1])[1:]
                 if words[0] == self._file.name:
                     return words
+        frames = [each for _label, each in compiled if isinstance(each, CompiledFrame)]
+        if any(frame.plan["kept"] for frame in frames):
+            return [self._file.name, "-o", f"{self._file.stem}.webp", "--frames", str(EVOLVED)]
         return [self._file.name, "-o", f"{self._file.stem}.png"]
 
     def _draw_materials(self, request: subjects.Request, routes: Sequence[Route | None]) -> None:
@@ -196,7 +201,8 @@ class _Making:
         progress = Progress("drawing")
         for panel in panels.panels(found, routes, request.target, self._runner, progress):
             *titles, route = panel.titles
-            self._figure(", ".join(titles), route, panel.note, panel.image, panel.problem)
+            images = [panel.image] if panel.image else []
+            self._figure(", ".join(titles), route, panel.note, images, panel.problem)
 
     def _draw_frame(
         self, frame: CompiledFrame, request: subjects.Request, routes: Sequence[Route | None]
@@ -206,7 +212,7 @@ class _Making:
             name = REFERENCE if route is None else route.name
             problem = route and (self._runner.problem(route) or lacking(frame, route))
             if problem:
-                self._figure(frame.name, name, problem, None, panels.NOT_RUN)
+                self._figure(frame.name, name, problem, (), panels.NOT_RUN)
                 continue
             with self._failure_of(frame.name, name):
                 progress = Progress("drawing")
@@ -214,8 +220,8 @@ class _Making:
                     route, made, request, self._runner, self._toolchain, progress
                 )
                 for output in frames.frame_outputs(frame, request.target):
-                    image = image_of(drawn[-1][output])
-                    self._figure(f"{frame.name}.{output}", name, self._device(route), image, "")
+                    images = [image_of(each[output]) for each in drawn]
+                    self._figure(f"{frame.name}.{output}", name, self._device(route), images, "")
 
     def _device(self, route: Route | None) -> str:
         """What has drawn."""
@@ -234,21 +240,28 @@ class _Making:
         try:
             yield
         except (CodeError, DriverError, PlanError) as error:
-            self._figure(label, route, str(error), None, panels.BROKEN)
+            self._figure(label, route, str(error), (), panels.BROKEN)
 
-    def _figure(self, label: str, route: str, note: str, image: Image | None, problem: str) -> None:
-        name = ""
-        if image is not None:
-            name = f"{len(self._entry['pictures'])}-{route.replace(':', '-')}.png"
-            content = encoded(image, Path(name))
-            self._entry["pictures"][name] = base64.b64encode(content).decode("ascii")
+    def _figure(
+        self, label: str, route: str, note: str, images: Sequence[Image], problem: str
+    ) -> None:
+        """Add what a route has drawn: an image for each frame, if it could draw."""
+        name = f"{len(self._entry['figures'])}-{route.replace(':', '-')}"
         figure: Figure = {
-            "label": label, "route": route, "note": note, "picture": name,
+            "label": label, "route": route, "note": note, "picture": "", "moving": "",
             "status": problem or "drawn",
         }  # fmt: skip
+        if images:
+            figure["picture"] = self._picture(f"{name}.png", encoded(images[-1], Path("a.png")))
+        if len(images) > 1:
+            figure["moving"] = self._picture(f"{name}.webp", moving(images, Path("a.webp")))
         self._entry["figures"].append(figure)
         if problem == panels.BROKEN:
             self._entry["errors"].append(f"{label}, {route}: {note}")
+
+    def _picture(self, name: str, content: bytes) -> str:
+        self._entry["pictures"][name] = base64.b64encode(content).decode("ascii")
+        return name
 
     # --- verdicts ---
 

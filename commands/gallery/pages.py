@@ -64,6 +64,7 @@ def pages(
     environment.filters |= {"words": _marked, "shader": shader_text}
     found = {name: (FOLDER / name).read_bytes() for name in STATIC}
     shown = _named([file for group in groups for file in group.files], entries)
+    users = _users(shown)
     for number, page in enumerate(shown):
         before, after = shown[number - 1], shown[(number + 1) % len(shown)]
         text = environment.get_template("page.html.j2").render(
@@ -73,6 +74,7 @@ def pages(
             figures=_by_label(page.entry["figures"]),
             verdicts=_by_label(page.entry["verdicts"]),
             summary=in_short(page.entry), state=_state(page.entry),
+            used_by=[_card(user, {}) for user in users.get(page.listed.name, ())],
         )  # fmt: skip
         found[page.address] = text.encode()
         for name, content in page.entry["pictures"].items():
@@ -84,7 +86,7 @@ def pages(
             {
                 "title": group.title,
                 "intro": group.intro,
-                "cards": [_card(by_name[file.name]) for file in group.files],
+                "cards": [_card(by_name[file.name], users) for file in group.files],
             }
             for group in groups
         ],
@@ -119,12 +121,35 @@ def _named(files: Sequence[Listed], entries: Mapping[str, Entry]) -> list[_Page]
     return found
 
 
-def _card(page: _Page) -> dict[str, Any]:
+def _users(shown: Sequence[_Page]) -> dict[str, list[_Page]]:
+    """The files with pictures that import a file which draws nothing itself, by its name."""
+    return {
+        page.listed.name: [
+            user
+            for user in shown
+            if str(page.listed.path.resolve()) in user.entry["inputs"] and _picture(user)
+        ]
+        for page in shown
+        if page.entry["kinds"] == ["module"]
+    }
+
+
+def _picture(page: _Page) -> str:
+    """The name of the first picture of a file; empty if there is none."""
+    figures = page.entry["figures"]
+    shown = next((each["picture"] for each in figures if each["picture"]), "")
+    return f"{page.slug}-{shown}" if shown else ""
+
+
+def _card(page: _Page, users: Mapping[str, Sequence[_Page]]) -> dict[str, Any]:
+    """What is shown of a file among others. One that draws nothing itself has a picture of the
+    first one that imports it."""
     entry = page.entry
-    shown = next((each["picture"] for each in entry["figures"] if each["picture"]), "")
+    user = next(iter(users.get(page.listed.name, ())), None)
     words = [page.listed.name, page.listed.what, *entry["names"], *_comment(entry["source"])]
     return {
-        "page": page, "picture": f"{page.slug}-{shown}" if shown else "", "kinds": entry["kinds"],
+        "page": page, "picture": _picture(user or page), "kinds": entry["kinds"],
+        "drawn_by": user.listed.name if user else "",
         "words": " ".join(words).lower(), "state": _state(entry), "summary": in_short(entry),
     }  # fmt: skip
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PIL import Image, ImageSequence
 from playwright.sync_api import Browser, Page
 
 from burnish.commands.catalogue import catalogue, title_of
@@ -127,6 +128,9 @@ def test_the_first_page_shows_all_files_as_the_readme_groups_them(page: Page) ->
     assert page.locator(".group h2").all_inner_texts() == ["Samples", "Whole frames", "Others"]
     titles = ["A colour for each direction", "Two passes: Forward and another", "tints.burnish"]
     assert cards(page) == titles
+    pictures = [each.get_attribute("src") for each in page.locator(".cards img").all()]
+    assert pictures[0] == pictures[2], "what draws nothing itself is seen in what imports it"
+    assert page.locator(".cards img").last.get_attribute("alt") == "as up.burnish uses it"
     assert page.evaluate("[...document.images].filter(i => !i.naturalWidth).length") == 0
     assert page.evaluate("document.documentElement.scrollWidth") <= 500
     assert page.locator(".routes tbody tr").all_inner_texts()[0].startswith("llvmpipe:gl330\t")
@@ -179,6 +183,8 @@ def test_the_page_of_a_frame(page: Page) -> None:
     assert page.locator("#graph svg title").first.text_content() == "Twice, rig Daylight"
     page.click("#after")
     assert page.locator("h1").inner_text() == "tints.burnish"
+    page.click("#used-by .card")
+    assert page.locator("h1").inner_text() == "A colour for each direction"
 
 
 def test_only_what_has_changed_is_made_anew(made: tuple[Path, str]) -> None:
@@ -192,6 +198,43 @@ def test_only_what_has_changed_is_made_anew(made: tuple[Path, str]) -> None:
     assert "frames/twice.burnish: unchanged\n" in told
     assert "up.burnish: 1 agrees\n" in told, "it imports what has changed"
     assert "3 files, 2 of them made anew" in told
+
+
+GROWN = """
+import std.frames.{FullScreen}
+
+pass Grown : FullScreen {
+    map before : texture2d with { filter = nearest, mip = none }
+    target color : rgba8 = vec4(before(uv).rgb + 1 / 51.0, 1)
+}
+
+frame Brighter {
+    grown = Grown(screen) with { before = previous(grown.color) }
+    output picture = grown.color
+}
+"""
+
+
+def test_what_evolves_moves(tmp_path: Path) -> None:
+    """A still shows the last frame, for the first page and for those who want no movement."""
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "brighter.burnish").write_text(GROWN)
+    result = invoke("gallery", tmp_path / "in", "-o", tmp_path / "out", *OPTIONS)
+    assert (result.exit_code, result.stderr) == (0, "")
+    page = (tmp_path / "out" / "brighter.html").read_text("utf-8")
+    assert "burnish render brighter.burnish -o brighter.webp --frames 24" in page
+    for number, route in enumerate(("reference", "llvmpipe-gl330")):
+        name = f"brighter-{number}-{route}"
+        assert f'srcset="{name}.webp"' in page
+        with Image.open(tmp_path / "out" / f"{name}.png") as still:
+            # 24 / 51 in linear light.
+            assert still.convert("RGB").getpixel((8, 8)) == (182, 182, 182)
+        with Image.open(tmp_path / "out" / f"{name}.webp") as moving:
+            shades = [each.convert("L").tobytes()[0] for each in ImageSequence.Iterator(moving)]
+            assert moving.size == (24, 24)
+        assert len(shades) > 12, "frames that look alike are one"
+        assert shades == sorted(shades)
+    assert "brighter-0-reference.png" in (tmp_path / "out" / "index.html").read_text("utf-8")
 
 
 def test_a_file_with_errors_has_a_page_that_says_so(tmp_path: Path) -> None:
