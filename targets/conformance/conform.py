@@ -32,10 +32,14 @@ from .kernels import KernelPlan
 from .plan import Plan
 from .rows import CaseResult, Row, Status
 
-THREADS = 2 * (os.cpu_count() or 1)
-"""How many rows are made at once."""
 Done = Callable[[int, int], None]
 """Called with the number of finished rows and the number of all rows."""
+
+
+AnyPlan = Plan | KernelPlan | CapturePlan | FramePlan
+Planned = AnyPlan | tuple[str, str]
+"""The plan of a material, a kernel or a frame; or its label, and the reason why nothing can draw
+it."""
 
 
 def conform(
@@ -49,28 +53,59 @@ def conform(
     size: Size = SIZE,
     keep: bool = True,
     draw: Draw = expected,
-    threads: int = THREADS,
     brief: bool = False,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Row]:
     """A row for each labelled material, kernel or frame and each route, in this order.
 
+    Arguments are those of ``planned`` and of ``rows_of``.
+    """
+    plans = planned(subjects, seed=seed, size=size, keep=keep, draw=draw, meant=meant)
+    return rows_of(plans, routes, runner, toolchain, done=done, brief=brief)
+
+
+def planned(
+    subjects: Sequence[tuple[str, Subject | FrameSubject]],
+    *,
+    seed: int = 0,
+    size: Size = SIZE,
+    keep: bool = True,
+    draw: Draw = expected,
+    meant: Mapping[str, Subject | FrameSubject] = EMPTY,
+) -> list[Planned]:
+    """What is to be drawn of each labelled material, kernel or frame.
+
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
     programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes
-    use of several processors. ``threads`` says how many rows are made at once, each of which needs
-    the memory for what it draws. Rows that are ``brief`` end with the first picture that differs.
+    use of several processors.
     """
     store = Store(STORE) if keep else Store(STORE, limit=0)
-    plans = [
+    return [
         _plan(label, subject, seed, store, size, draw, meant.get(label))
         for label, subject in subjects
     ]
+
+
+def rows_of(
+    plans: Sequence[Planned],
+    routes: Sequence[Route],
+    runner: Runner,
+    toolchain: Toolchain,
+    *,
+    done: Done | None = None,
+    brief: bool = False,
+) -> list[Row]:
+    """A row for each plan and each route, in this order.
+
+    Plans keep what the reference has drawn, for further routes. Rows that are ``brief`` end with
+    the first picture that differs.
+    """
     rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
     # one material share its pictures, so those of another are what a thread can go on with.
-    with ThreadPoolExecutor(threads) as pool:
+    with ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as pool:
         pending = {
             pool.submit(_row, plan, route, runner, toolchain, interrupted, brief=brief): (i, j)
             for j, route in enumerate(routes)
@@ -88,9 +123,6 @@ def conform(
     return [rows[place] for place in sorted(rows)]
 
 
-AnyPlan = Plan | KernelPlan | CapturePlan | FramePlan
-
-
 def _plan(
     label: str,
     subject: Subject | FrameSubject,
@@ -99,9 +131,7 @@ def _plan(
     size: Size,
     draw: Draw,
     meant: Subject | FrameSubject | None,
-) -> AnyPlan | tuple[str, str]:
-    """The plan of a material, a kernel or a frame; or its label, and the reason why nothing can
-    draw it."""
+) -> Planned:
     if is_frame(subject):
         return FramePlan(label, subject, size)
     assert is_shader(subject)
@@ -117,7 +147,7 @@ def _plan(
 
 
 def _row(
-    plan: AnyPlan | tuple[str, str],
+    plan: Planned,
     route: Route,
     runner: Runner,
     toolchain: Toolchain,

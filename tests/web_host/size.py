@@ -2,7 +2,8 @@
 
 A line counts if it has code: no blank one, and none that only has comment. The host for WebGPU
 consists of the modules that APIs share and of those in ``webgpu``. What is generated is left out:
-types of the documents and the table of builtins, which nobody writes or reads line by line.
+types of the documents, and the table of builtins with the few functions that it needs
+(``builtin_table.py``), which nobody writes or reads line by line.
 """
 
 from __future__ import annotations
