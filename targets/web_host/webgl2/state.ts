@@ -72,7 +72,7 @@ const STENCIL_OPERATIONS: Record<string, Operation> = {
 
 // --- targets -------------------------------------------------------------------------------------
 
-/** Blending and masks: for all targets at once where they are alike, which every device can. */
+/** Blending and masks, which WebGL 2 has for all targets at once. */
 function setTargets(context: Context, { targets, material }: Reflection): void {
   const { gl } = context;
   for (const { blend, format } of targets) {
@@ -82,31 +82,12 @@ function setTargets(context: Context, { targets, material }: Reflection): void {
   }
   const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
   if (!first) return;
-  if (others.every((each) => JSON.stringify(each) === JSON.stringify(first))) {
-    turn(gl, gl.BLEND, first.blend !== null);
-    if (first.blend) setBlend(gl, first.blend);
-    return gl.colorMask(...lanesOf(first.mask));
+  if (others.some((each) => JSON.stringify(each) !== JSON.stringify(first))) {
+    throw new Error(`WebGL 2 cannot blend each target of ${material} in its own way`);
   }
-  const need = `blend each target of ${material} in its own way`;
-  const single = context.need<Indexed>("OES_draw_buffers_indexed", need);
-  targets.forEach(({ blend, mask }, at) => {
-    if (!blend) single.disableiOES(gl.BLEND, at);
-    else {
-      single.enableiOES(gl.BLEND, at);
-      single.blendEquationSeparateiOES(at, operation(gl, blend.color), operation(gl, blend.alpha));
-      single.blendFuncSeparateiOES(at, ...factors(gl, blend));
-    }
-    single.colorMaskiOES(at, ...lanesOf(mask));
-  });
-}
-
-/** `OES_draw_buffers_indexed`, which TypeScript's own types lack. */
-interface Indexed {
-  enableiOES(what: number, at: number): void;
-  disableiOES(what: number, at: number): void;
-  blendEquationSeparateiOES(at: number, color: number, alpha: number): void;
-  blendFuncSeparateiOES(at: number, ...factors: [number, number, number, number]): void;
-  colorMaskiOES(at: number, red: boolean, green: boolean, blue: boolean, alpha: boolean): void;
+  turn(gl, gl.BLEND, first.blend !== null);
+  if (first.blend) setBlend(gl, first.blend);
+  gl.colorMask(...lanesOf(first.mask));
 }
 
 function setBlend(gl: Gl, blend: Blend): void {

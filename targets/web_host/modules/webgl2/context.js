@@ -3,7 +3,7 @@
  * floats; what else is missing is told when it is needed. */
 const EXTENSIONS = [
     "EXT_color_buffer_float", "EXT_float_blend", "OES_texture_float_linear",
-    "OES_draw_buffers_indexed", "EXT_polygon_offset_clamp",
+    "EXT_polygon_offset_clamp",
 ];
 export class Context {
     gl;

@@ -55,7 +55,7 @@ const STENCIL_OPERATIONS = {
     decrement_wrap: "DECR_WRAP",
 };
 // --- targets -------------------------------------------------------------------------------------
-/** Blending and masks: for all targets at once where they are alike, which every device can. */
+/** Blending and masks, which WebGL 2 has for all targets at once. */
 function setTargets(context, { targets, material }) {
     const { gl } = context;
     for (const { blend, format } of targets) {
@@ -66,24 +66,13 @@ function setTargets(context, { targets, material }) {
     const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
     if (!first)
         return;
-    if (others.every((each) => JSON.stringify(each) === JSON.stringify(first))) {
-        turn(gl, gl.BLEND, first.blend !== null);
-        if (first.blend)
-            setBlend(gl, first.blend);
-        return gl.colorMask(...lanesOf(first.mask));
+    if (others.some((each) => JSON.stringify(each) !== JSON.stringify(first))) {
+        throw new Error(`WebGL 2 cannot blend each target of ${material} in its own way`);
     }
-    const need = `blend each target of ${material} in its own way`;
-    const single = context.need("OES_draw_buffers_indexed", need);
-    targets.forEach(({ blend, mask }, at) => {
-        if (!blend)
-            single.disableiOES(gl.BLEND, at);
-        else {
-            single.enableiOES(gl.BLEND, at);
-            single.blendEquationSeparateiOES(at, operation(gl, blend.color), operation(gl, blend.alpha));
-            single.blendFuncSeparateiOES(at, ...factors(gl, blend));
-        }
-        single.colorMaskiOES(at, ...lanesOf(mask));
-    });
+    turn(gl, gl.BLEND, first.blend !== null);
+    if (first.blend)
+        setBlend(gl, first.blend);
+    gl.colorMask(...lanesOf(first.mask));
 }
 function setBlend(gl, blend) {
     gl.blendEquationSeparate(operation(gl, blend.color), operation(gl, blend.alpha));
