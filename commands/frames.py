@@ -48,6 +48,7 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
 
     routes = _those_that_draw(chosen, request)
     frame = _planned(request, routes)
+    routes = those_that_have_all(frame, routes)
     outputs = frame_outputs(frame, request.target)
     with told_contradictions(frame):
         made = host_maker(frame, request)
@@ -88,7 +89,7 @@ def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
         return read_frame(request.file, profiles)
     result = api.compile(
         request.file, profiles, material=request.material, rig=request.rig,
-        search_path=request.search_path, hoist=request.hoist,
+        search_path=request.search_path, hoist=request.hoist, partial=request.draws_everything,
     )  # fmt: skip
     show(result.diagnostics)
     if len(result.frames) > 1:
@@ -132,6 +133,22 @@ def _those_that_draw(routes: Sequence[Route | None], request: Request) -> Sequen
             fail(said)
         remark("note", said)
     return [route for route in routes if route not in others]
+
+
+def those_that_have_all(
+    frame: PlannedFrame, routes: Sequence[Route | None]
+) -> Sequence[Route | None]:
+    """The routes without those whose profiles lack something that a shader needs: such a shader
+    has been compiled for the others only."""
+    found = []
+    for route in routes:
+        every = [] if route is None else [each.lacking.get(route.profile) for each in frame.shaders]
+        problem = next(filter(None, every), None)
+        if route is None or problem is None:
+            found.append(route)
+        else:
+            remark("note", f"{frame.name} is not drawn by {route.name}: {problem}")
+    return found
 
 
 def _by_reference(

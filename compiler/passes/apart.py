@@ -29,9 +29,11 @@ class Apart:
     @classmethod
     def of(cls, results: Iterable[Result], placing: Set[str]) -> Apart:
         """Those of the kinds ``placing`` apart from all others."""
-        kinds = [result.kind in placing for result in results]
-        apart = tuple(number for number, is_placing in enumerate(kinds) if is_placing)
-        return cls(apart, tuple(number for number in range(len(kinds)) if number not in apart))
+        numbered = list(enumerate(results))
+        return cls(
+            tuple(number for number, result in numbered if result.kind in placing),
+            tuple(number for number, result in numbered if result.kind not in placing),
+        )
 
     def each(self, roots: Roots, change: Change) -> Roots:
         """The values of all results, changed apart.

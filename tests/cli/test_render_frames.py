@@ -10,7 +10,10 @@ import numpy as np
 import pytest
 from PIL import Image, ImageSequence
 
+import burnish
 from burnish.commands.frame_files import write_pictures
+from burnish.commands.frames import those_that_have_all
+from burnish.targets.runner.routes import ROUTES
 
 from .kit import invoke, tree
 
@@ -120,3 +123,26 @@ def test_nothing_is_left_where_one_picture_cannot_be_written(folder: Path) -> No
     assert result.exit_code == 1
     assert result.stderr == f"error: cannot write `{folder}/out/f-002.png`: it is a folder\n"
     assert tree(folder / "out") == {"f-002.png"}
+
+
+UNLIKE = """
+material Clay { color = #a08060 }
+pass Both : Forward {
+    target color : rgba16f = vec4(color, 1) blend add
+    target other : rgba8   = vec4(color, 1) blend multiply
+}
+frame Shown { models scene  both = Both(scene)  output picture = both.color }
+"""
+
+
+def test_of_all_routes_those_are_left_out_that_lack_something(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    routes = [None, ROUTES["lavapipe:glsl"], ROUTES["llvmpipe:es310"]]
+    profiles = [route.profile for route in routes if route is not None]
+    (frame,) = burnish.compile(UNLIKE, profiles, partial=True).frames
+    assert those_that_have_all(frame, routes) == routes[:2]
+    assert capsys.readouterr().err == (
+        "note: Shown is not drawn by llvmpipe:es310: glsl:es310 has no blending of its own for "
+        "each target\n"
+    )

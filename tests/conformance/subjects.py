@@ -37,6 +37,9 @@ _NEEDING = {
     "gathered: Levels": ("number of levels",),
     "gathered: Varying": ("gathering texels", "number of levels"),
     "pipeline: Edges": ("edges",),
+    "pipeline: Sampled": ("blending by target",),
+    "pipeline: Stained": ("equations by target",),
+    "pipeline: Veil": ("equations by target",),
     "buffers: Scaled": ("storage buffers at vertices",),
     "buffers: Shapes": ("storage buffers at vertices",),
 }

@@ -17,7 +17,7 @@ from burnish.targets.conformance.conform import Planned, planned, rows_of
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
 
-from ..frames.kit import EXAMPLES
+from ..frames.kit import EXAMPLES, LACKING
 from .kit import Studio, keeping_the_last
 
 ALWAYS = ("lavapipe:glsl", "llvmpipe:gl450", "chromium:webgpu", "chromium:webgl2")
@@ -56,7 +56,7 @@ def plans() -> Callable[[Path], list[Planned]]:
     @keeping_the_last
     def found(path: Path) -> list[Planned]:
         profiles = tuple(dict.fromkeys(ROUTES[name].profile for name in routes_of(path)))
-        (frame,) = burnish.compile(path, profiles).frames
+        (frame,) = burnish.compile(path, profiles, partial=True).frames
         return planned([(path.stem, frame)], size=SIZE)
 
     return found
@@ -67,6 +67,9 @@ def test_it_agrees(
     studio: Studio, plans: Callable[[Path], list[Planned]], path: Path, route: str
 ) -> None:
     (row,) = rows_of(plans(path), [ROUTES[route]], studio.runner, studio.toolchain)
+    if ROUTES[route].profile in LACKING.get(path.stem, ()):
+        assert row.status == "not run", row.status
+        return
     assert row.status == "agrees", "\n".join(details(row)) or row.problem
     assert all(np.isfinite(target).all() for result in row.results for target in result.got)
     # A frame that shows the same everywhere would agree whatever went wrong.

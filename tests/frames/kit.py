@@ -12,8 +12,13 @@ from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total
 from burnish.targets.runner.frames.scenery import in_a_row
 
+from ..targets.standings import profiles
+
 FOLDER = Path(__file__).parents[2] / "examples" / "frames"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
+
+LACKING = {"transparency": profiles("absent", "equations by target")}
+"""By example, the profiles that cannot do what it shows."""
 
 
 @cache

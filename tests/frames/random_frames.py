@@ -1,4 +1,4 @@
-"""Random frames of small passes that read, draw over and remember each other's results."""
+"""Random frames of small passes and kernels that read, draw over and remember what others leave."""
 
 from __future__ import annotations
 
@@ -24,8 +24,20 @@ kernel Doubled {
     map source : texture2d
     result value : image2d<rgba16f>[source.size()] = 2 * source.load(texel)
 }
+kernel Listed {
+    map source : texture2d
+    size = source.size()
+    result list : vec4[256] = sin(source.load(ivec2(index mod size.x, index / size.x mod size.y)))
+}
+pass Unlisted : FullScreen {
+    buffer list : vec4[]
+    here = int(frag_coord.x) + 8 * int(frag_coord.y)
+    target value : rgba16f = list[here] + list[int(4 * list[here].x)]
+}
 """
 MOST_STEPS = 9
+BY_BUFFERS = 0.15
+"""How often a step reads a buffer, which a kernel writes for it."""
 
 
 def random_frame(seed: int) -> str:
@@ -35,11 +47,26 @@ def random_frame(seed: int) -> str:
     lines: list[str] = []
     for number in range(chance.randint(2, MOST_STEPS)):
         name = f"s{number}"
-        lines.append(f"    {name} = {_step(chance, names, name)}")
+        if names and chance.random() < BY_BUFFERS:
+            lines += _by_buffer(chance, names, name)
+        else:
+            lines.append(f"    {name} = {_step(chance, names, name)}")
         names.append(name)
     shown = chance.sample(names, min(len(names), chance.randint(1, 2)))
     lines += [f"    output o{number} = {name}.value" for number, name in enumerate(shown)]
     return f"{HEAD}frame F {{\n" + "\n".join(lines) + "\n}\n"
+
+
+def _by_buffer(chance: random.Random, names: list[str], name: str) -> list[str]:
+    """A kernel that lists a texture, and a pass that shows this list or that of the last frame."""
+    lines = [f"    list_{name} = Listed() with {{ source = {_source(chance, names, name)} }}"]
+    read = f"list_{name}.list"
+    if chance.random() < 0.4:
+        lines.append(
+            f"    first_{name} = Listed() with {{ source = {chance.choice(names)}.value }}"
+        )
+        read = f"previous({read}, first_{name}.list)"
+    return [*lines, f"    {name} = Unlisted(screen) with {{ list = {read} }}"]
 
 
 def _step(chance: random.Random, names: list[str], name: str) -> str:

@@ -121,3 +121,25 @@ def test_faces_that_are_not_drawn_count() -> None:
 def test_textures_that_a_device_has_drawn_may_be_others(is_drawn: bool) -> None:
     lift = Texels(HALVES, False, HALVES, HALVES) if is_drawn else EXACT
     assert undecided(placed=LIFTED, lift=lift) == is_drawn
+
+
+HIDDEN = triangles([(0.5, 20.0, 0.7, 1.0), (-20.0, 0.0, 0.7, 1.0), (0.5, -20.0, 0.7, 1.0)])
+"""A face behind both, of which an edge goes through the middles of the right pixels: rounding tips
+whether it covers these."""
+
+
+@pytest.mark.parametrize(
+    ("state", "unsure"), [("", False), ("stencil { depth_fail = increment_wrap }", True)]
+)
+def test_edges_of_what_is_hidden_matter_to_stencil_values_alone(state: str, unsure: bool) -> None:
+    first, behind = (
+        shader(PROGRAM.format(placed=SCALED, state=each, shown="color"), "P")
+        for each in ("", f"depth {{ compare = less_equal, write = false }} {state}")
+    )
+    canvas = Canvas(4, [(0.0, 0.0, 0.0, 1.0)], written_by(first), rounds=True)
+    rules = at(2, edge_slack=2.0**-10)
+    draw_onto(canvas, first, VALUES, {"lift": EXACT}, triangles(FRONT), rules, few_ulps)
+    draw_onto(canvas, behind, VALUES, {"lift": EXACT}, HIDDEN, rules, few_ulps)
+    assert canvas.stencil.unsure.tolist() == [False, unsure, False, unsure]
+    if not unsure:
+        assert not expected_on(canvas, rules).undecided.any()

@@ -7,7 +7,9 @@ import re
 import pytest
 
 import burnish
+from burnish.targets.toolchain import Toolchain
 
+from ..examples.kit import jobs_of
 from .kit import PROFILES, Selected
 
 PASS = "pass P : Forward { raster { invariant = %s } }\n"
@@ -132,6 +134,21 @@ def test_where_no_stage_makes_vertices_the_one_that_is_there_says_so() -> None:
     for text in (FINS, BUMPS):
         (material,) = burnish.compile(text + PASS % "true", ("glsl:es300",), pass_="P")
         assert saying(material.text("glsl:es300", "vertex")) == ["invariant gl_Position;"]
+
+
+@pytest.mark.parametrize("native_stages", [False, True])
+def test_downstream_compilers_take_it(native_stages: bool) -> None:
+    profiles = [str(selected) for selected in PROFILES]
+    made = (
+        burnish.compile(
+            text + PASS % "true", profiles, pass_="P", native_stages=native_stages, partial=True
+        ).materials[0]
+        for text in (PLAIN, FINS, BUMPS)
+    )
+    with Toolchain() as toolchain:
+        verdicts = toolchain.check([job for material in made for job in jobs_of(material)])
+    for verdict in verdicts:
+        assert verdict.status == "accepted", verdict.report()
 
 
 def test_the_reflection_tells_hosts() -> None:

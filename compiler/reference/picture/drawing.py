@@ -210,8 +210,9 @@ class _Drawing:
 
     def _not_behind(self, doubtful: Fragments) -> Fragments:
         """The doubtful fragments that may be seen before what there was when the draw began, as
-        long as that is still there then."""
-        if self._depth.write and self._depth.compare != "equal":
+        long as that is still there then. What is hidden may change stencil values, too."""
+        is_changed = self._depth.write and self._depth.compare != "equal"
+        if is_changed or self._stencil.writes:
             return doubtful
         depth, off = depths_of(self._faces, doubtful, self._rules)
         return doubtful.only(self._canvas.may_pass(self._depth, doubtful.sample, depth, off))

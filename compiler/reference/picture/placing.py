@@ -33,9 +33,11 @@ def placing_of(
 ) -> bytes | None:
     """The digest; ``None`` where a device may place what is drawn otherwise than another draw that
     has the same."""
+    if not shader.render_state.is_invariant:
+        return None
     held = _Held(values, textures, geometry)
     nodes = list(_in_order([result.value for result in shader.results_of(CLIP_POSITION)]))
-    if not shader.render_state.is_invariant or any(map(held.is_rounded, nodes)):
+    if any(map(held.is_rounded, nodes)):
         return None
     depth = shader.render_state.depth
     bias = depth.bias, depth.slope_bias, depth.bias_clamp
