@@ -47,7 +47,9 @@ class Folder:
         if not self.is_folder:
             return self._root if name == self._root.name else None
         with self._lock:
-            return next((each.path for each in self._files() if each.name == name), None)
+            path = next((each.path for each in self._files() if each.name == name), None)
+        # By now it may be a link.
+        return path if path and _is_within(path, self._root.resolve()) else None
 
     def listing(self) -> list[dict[str, Any]]:
         """The files of the folder that can be drawn, as they are now, for the page's list."""

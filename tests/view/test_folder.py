@@ -9,6 +9,8 @@ from urllib.parse import quote
 import pytest
 from playwright.sync_api import Browser
 
+from burnish.commands.view.folder import Folder
+
 from ..cli.kit import invoke
 from ..suite.processes import LIMIT
 from .kit import Viewer, viewing
@@ -119,6 +121,20 @@ def test_the_list_lies_over_narrow_pages(browser: Browser, viewer: Viewer) -> No
         page.locator("#file-list a").last.click()
         page.wait_for_selector("h2:has-text('Blue')")
         assert page.locator("#files").is_hidden()
+
+
+def test_a_file_that_becomes_a_link(tmp_path: Path) -> None:
+    """It was found as a file, and is not shown as what it leads to."""
+    (tmp_path / "in").mkdir()
+    (tmp_path / "secret.burnish").write_text(SECRET)
+    file = tmp_path / "in" / "plain.burnish"
+    file.write_text(PLAIN.format("Plain", "#ffffff"))
+    folder = Folder(tmp_path / "in", ())
+    assert folder.path("plain.burnish") == file
+    file.unlink()
+    file.symlink_to(tmp_path / "secret.burnish")
+    assert folder.path("plain.burnish") is None
+    assert folder.listing() == []
 
 
 def test_folders_without_anything_to_show(tmp_path: Path) -> None:
