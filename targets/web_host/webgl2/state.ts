@@ -27,7 +27,7 @@ export function setState(
   gl.depthMask(state.depth.write);
   setBias(context, state, (draw?.topology ?? "triangle") === "triangle");
   setStencil(gl, depths !== null && hasStencil(depths) ? state.stencil : null);
-  setTargets(context, reflection);
+  setTargets(gl, reflection);
 }
 
 function turn(gl: Gl, what: number, on: boolean): void {
@@ -72,19 +72,9 @@ const STENCIL_OPERATIONS: Record<string, Operation> = {
 
 // --- targets -------------------------------------------------------------------------------------
 
-/** Blending and masks, which WebGL 2 has for all targets at once. */
-function setTargets(context: Context, { targets, material }: Reflection): void {
-  const { gl } = context;
-  for (const { blend, format } of targets) {
-    if (blend && /32f$/.test(format)) {
-      context.need("EXT_float_blend", `blend ${format}, which ${material} does`);
-    }
-  }
-  const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
+/** Blending and masks. Texts of this profile have the same ones for all targets. */
+function setTargets(gl: Gl, { targets: [first] }: Reflection): void {
   if (!first) return;
-  if (others.some((each) => JSON.stringify(each) !== JSON.stringify(first))) {
-    throw new Error(`WebGL 2 cannot blend each target of ${material} in its own way`);
-  }
   turn(gl, gl.BLEND, first.blend !== null);
   if (first.blend) setBlend(gl, first.blend);
   gl.colorMask(...lanesOf(first.mask));
