@@ -25,7 +25,7 @@ from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
-from burnish.targets.runner.scene_state import SceneState
+from burnish.targets.runner.scene_state import CLEAR, SceneState
 from burnish.targets.toolchain import Toolchain
 
 Floats = NDArray[np.float64]
@@ -101,6 +101,14 @@ def compiled(source: str | Path, **options: Any) -> CompiledMaterial:
     where = FOLDER / source if isinstance(source, str) and source.endswith(".burnish") else source
     (material,) = burnish.compile(where, PROFILES, **options).materials
     return material
+
+
+def assert_one_picture(found: Floats, expected: Floats) -> None:
+    """Two pictures are the same to the bit, and show something."""
+    assert (found == expected).all()
+    covered = (expected != np.array(CLEAR, np.float32)).any(axis=-1)
+    assert covered.sum() > 100
+    assert len(np.unique(expected[covered], axis=0)) > 5
 
 
 @lru_cache(maxsize=1)

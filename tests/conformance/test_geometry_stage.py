@@ -30,7 +30,7 @@ from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
 from ..targets.standings import routes
-from .kit import Floats, Studio
+from .kit import Floats, Studio, assert_one_picture
 from .planted.planting import Plant, form, replaced
 
 ON = tuple(
@@ -130,11 +130,7 @@ def test_every_kind_of_primitive_is_tried() -> None:
 @pytest.mark.parametrize("route", ON)
 @pytest.mark.parametrize("name", EXACT)
 def test_both_forms_are_one_picture(studio: Studio, name: str, route: str) -> None:
-    found, expected = drawn_both(studio, name, route)
-    assert (found == expected).all()
-    covered = (expected != np.array(CLEAR, np.float32)).any(axis=-1)
-    assert covered.sum() > 100
-    assert len(np.unique(expected[covered], axis=0)) > 5
+    assert_one_picture(*drawn_both(studio, name, route))
 
 
 def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:

@@ -154,6 +154,13 @@ class Barycentric:
         return relative
 
     @cached_property
+    def _may_divide_by_zero(self) -> Bools:
+        """Where the divisor may have either sign: near the horizon of a plane, beyond which the
+        centre of a pixel may lie of which only some samples are covered."""
+        lost: Bools = self._far + self._weights_off >= 1.0
+        return lost
+
+    @cached_property
     def _perspective(self) -> tuple[Floats, Floats]:
         """The weights of the second and third corner, with perspective."""
         second, third = self._linear
@@ -211,6 +218,8 @@ class Barycentric:
             a, b, c = self._cut(radius[vertices]).T[:, :, None, None]
             second, third = self._perspective
             off = off + np.abs(1.0 - second - third) * a + np.abs(second) * b + np.abs(third) * c
+        if self._may_divide_by_zero.any():
+            off = np.where(self._may_divide_by_zero, np.inf, off)
         return Bounded(value, value - off, value + off)
 
     def _interpolated(self, corners: Floats) -> Floats:

@@ -84,7 +84,7 @@ class Drawn:
             for end in range(_ENDS)
         )
         has_undefined = any(
-            bool((np.isnan(level[0]).any(axis=-1) & undecided).any())
+            bool(np.isnan(level[0][undecided]).any())
             for level, undecided in zip(self.levels, self.undecided, strict=True)
         )
         return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)

@@ -1551,6 +1551,10 @@ export interface Texture {
    * Which declaration of the library it is, as for parameters; null where it is none of them.
    */
   library: string | null;
+  /**
+   * Whether it is made by steps that a light brings to frames, such as its shadow map. Where there is no frame, a host that wants to see what they make binds a texture of its own.
+   */
+  brought: boolean;
 }
 /**
  * The state of the sampler that reads a texture.

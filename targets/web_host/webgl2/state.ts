@@ -27,7 +27,7 @@ export function setState(
   gl.depthMask(state.depth.write);
   setBias(context, state, (draw?.topology ?? "triangle") === "triangle");
   setStencil(gl, depths !== null && hasStencil(depths) ? state.stencil : null);
-  setTargets(context, reflection);
+  setTargets(gl, reflection);
 }
 
 function turn(gl: Gl, what: number, on: boolean): void {
@@ -72,41 +72,12 @@ const STENCIL_OPERATIONS: Record<string, Operation> = {
 
 // --- targets -------------------------------------------------------------------------------------
 
-/** Blending and masks: for all targets at once where they are alike, which every device can. */
-function setTargets(context: Context, { targets, material }: Reflection): void {
-  const { gl } = context;
-  for (const { blend, format } of targets) {
-    if (blend && /32f$/.test(format)) {
-      context.need("EXT_float_blend", `blend ${format}, which ${material} does`);
-    }
-  }
-  const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
+/** Blending and masks. Texts of this profile have the same ones for all targets. */
+function setTargets(gl: Gl, { targets: [first] }: Reflection): void {
   if (!first) return;
-  if (others.every((each) => JSON.stringify(each) === JSON.stringify(first))) {
-    turn(gl, gl.BLEND, first.blend !== null);
-    if (first.blend) setBlend(gl, first.blend);
-    return gl.colorMask(...lanesOf(first.mask));
-  }
-  const need = `blend each target of ${material} in its own way`;
-  const single = context.need<Indexed>("OES_draw_buffers_indexed", need);
-  targets.forEach(({ blend, mask }, at) => {
-    if (!blend) single.disableiOES(gl.BLEND, at);
-    else {
-      single.enableiOES(gl.BLEND, at);
-      single.blendEquationSeparateiOES(at, operation(gl, blend.color), operation(gl, blend.alpha));
-      single.blendFuncSeparateiOES(at, ...factors(gl, blend));
-    }
-    single.colorMaskiOES(at, ...lanesOf(mask));
-  });
-}
-
-/** `OES_draw_buffers_indexed`, which TypeScript's own types lack. */
-interface Indexed {
-  enableiOES(what: number, at: number): void;
-  disableiOES(what: number, at: number): void;
-  blendEquationSeparateiOES(at: number, color: number, alpha: number): void;
-  blendFuncSeparateiOES(at: number, ...factors: [number, number, number, number]): void;
-  colorMaskiOES(at: number, red: boolean, green: boolean, blue: boolean, alpha: boolean): void;
+  turn(gl, gl.BLEND, first.blend !== null);
+  if (first.blend) setBlend(gl, first.blend);
+  gl.colorMask(...lanesOf(first.mask));
 }
 
 function setBlend(gl: Gl, blend: Blend): void {

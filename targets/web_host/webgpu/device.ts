@@ -12,10 +12,8 @@ declare global {
 }
 type Constants<Name extends string> = { readonly [name in Name]: number };
 
-/** Features that targets and textures of 32 bits need, and stencil values beside such depths. */
-const FEATURES: GPUFeatureName[] = [
-  "float32-blendable", "float32-filterable", "depth32float-stencil8",
-];
+/** Features that textures of 32 bits need, and stencil values beside such depths. */
+const FEATURES: GPUFeatureName[] = ["float32-filterable", "depth32float-stencil8"];
 /** Limits that frames may need to be above the default. */
 const LIMITS = [
   "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",

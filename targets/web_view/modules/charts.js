@@ -16,6 +16,8 @@ const MARGIN = { left: 64, right: 20, top: 16, bottom: 26 };
 const MOST_BARS = 64;
 /** More points than these are drawn smaller. */
 const MANY = 5000;
+/** Of more primitives than these some are left out, evenly: nobody could tell them apart. */
+const MOST_POINTS = 100_000;
 export function paperOf(canvas) {
     const scale = devicePixelRatio;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.round(side * scale));
@@ -172,10 +174,11 @@ function drawPoints(paper, elements, column, orbit) {
     };
     ink.fillStyle = ink.strokeStyle = colors.main;
     const { corners } = elements.layout;
+    const step = corners * Math.ceil(elements.count / corners / MOST_POINTS);
     if (corners > 1) {
         ink.lineWidth = 0.75 * scale;
         ink.beginPath();
-        for (let first = 0; first + corners <= elements.count; first += corners) {
+        for (let first = 0; first + corners <= elements.count; first += step) {
             const ends = Array.from({ length: corners }, (_, corner) => place(first + corner));
             if (ends.includes(null))
                 continue;
@@ -185,7 +188,7 @@ function drawPoints(paper, elements, column, orbit) {
         ink.stroke();
         return;
     }
-    for (let number = 0; number < elements.count; number++) {
+    for (let number = 0; number < elements.count; number += step) {
         const found = place(number);
         if (found)
             ink.fillRect(found[0] - side / 2, found[1] - side / 2, side, side);

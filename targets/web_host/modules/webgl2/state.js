@@ -18,7 +18,7 @@ export function setState(context, reflection, depths) {
     gl.depthMask(state.depth.write);
     setBias(context, state, (draw?.topology ?? "triangle") === "triangle");
     setStencil(gl, depths !== null && hasStencil(depths) ? state.stencil : null);
-    setTargets(context, reflection);
+    setTargets(gl, reflection);
 }
 function turn(gl, what, on) {
     if (on)
@@ -55,35 +55,14 @@ const STENCIL_OPERATIONS = {
     decrement_wrap: "DECR_WRAP",
 };
 // --- targets -------------------------------------------------------------------------------------
-/** Blending and masks: for all targets at once where they are alike, which every device can. */
-function setTargets(context, { targets, material }) {
-    const { gl } = context;
-    for (const { blend, format } of targets) {
-        if (blend && /32f$/.test(format)) {
-            context.need("EXT_float_blend", `blend ${format}, which ${material} does`);
-        }
-    }
-    const [first, ...others] = targets.map(({ blend, mask }) => ({ blend, mask }));
+/** Blending and masks. Texts of this profile have the same ones for all targets. */
+function setTargets(gl, { targets: [first] }) {
     if (!first)
         return;
-    if (others.every((each) => JSON.stringify(each) === JSON.stringify(first))) {
-        turn(gl, gl.BLEND, first.blend !== null);
-        if (first.blend)
-            setBlend(gl, first.blend);
-        return gl.colorMask(...lanesOf(first.mask));
-    }
-    const need = `blend each target of ${material} in its own way`;
-    const single = context.need("OES_draw_buffers_indexed", need);
-    targets.forEach(({ blend, mask }, at) => {
-        if (!blend)
-            single.disableiOES(gl.BLEND, at);
-        else {
-            single.enableiOES(gl.BLEND, at);
-            single.blendEquationSeparateiOES(at, operation(gl, blend.color), operation(gl, blend.alpha));
-            single.blendFuncSeparateiOES(at, ...factors(gl, blend));
-        }
-        single.colorMaskiOES(at, ...lanesOf(mask));
-    });
+    turn(gl, gl.BLEND, first.blend !== null);
+    if (first.blend)
+        setBlend(gl, first.blend);
+    gl.colorMask(...lanesOf(first.mask));
 }
 function setBlend(gl, blend) {
     gl.blendEquationSeparate(operation(gl, blend.color), operation(gl, blend.alpha));

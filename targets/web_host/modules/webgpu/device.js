@@ -1,8 +1,6 @@
 // Opens a device of WebGPU, and keeps what it complains about.
-/** Features that targets and textures of 32 bits need, and stencil values beside such depths. */
-const FEATURES = [
-    "float32-blendable", "float32-filterable", "depth32float-stencil8",
-];
+/** Features that textures of 32 bits need, and stencil values beside such depths. */
+const FEATURES = ["float32-filterable", "depth32float-stencil8"];
 /** Limits that frames may need to be above the default. */
 const LIMITS = [
     "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",

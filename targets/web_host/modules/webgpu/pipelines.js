@@ -42,10 +42,6 @@ export class Pipelines {
         const vertices = await this.stage(material, vertex);
         const fragments = await this.stage(material, fragment);
         const targets = formats.targets.map((format, at) => ({ ...webgpu.targets[at], format }));
-        const hard = targets.find(({ blend, format }) => blend && format.includes("32float"));
-        if (hard && !gpu.features.has("float32-blendable")) {
-            throw new Error(`this device cannot blend ${hard.format}, which ${material} draws to`);
-        }
         const render = await gpu.createRenderPipelineAsync({
             layout,
             vertex: { ...vertices, buffers: webgpu.buffers },
