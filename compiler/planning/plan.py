@@ -12,7 +12,6 @@ from ...frozen import changed, frozen
 from ..ir.frame import Attachment, Elements, Frame, Image, KernelStep, RenderStep, Step
 from .barriers import BufferState, State, Waiting, Waits
 from .lifetimes import (
-    ALWAYS,
     Left,
     Lifetimes,
     attachments_of,
@@ -20,12 +19,10 @@ from .lifetimes import (
     read_by,
     written_by,
 )
+from .needs import DrawnPart, Needs, part_of
 from .stencils import Stencils
 from .textures import PlannedTexture, Shape, Textures
 from .unchanging import unchanging
-
-DrawnPart = tuple[Image, int | None, int]
-"""A layer and a level of a result; ``None`` is all of its layers."""
 
 
 @frozen(eq=False)
@@ -125,6 +122,7 @@ class _Planning:
         self._frame = frame
         self._shares = shares
         self._lifetimes = Lifetimes.of(frame)
+        self._needs = Needs(frame, self._lifetimes)
         self._stencils = Stencils.of(frame)
         self._waits = Waits(self._is_rare)
         self._textures = Textures(self._waits, shares=shares)
@@ -205,7 +203,9 @@ class _Planning:
                 continue
             if image in self._texture_of:
                 yield Copy(over, image)  # What is kept has a texture of its own.
-            elif self._shares and over not in read and self._is_drawn_over(over, image, number):
+            elif (
+                self._shares and over not in read and self._needs.is_drawn_over(over, image, number)
+            ):
                 self._texture_of[image] = self._texture_of[over]
                 self._textures.share(self._texture_of[over], image)
             else:
@@ -214,13 +214,13 @@ class _Planning:
         for left in written_by(step):
             if not isinstance(left, Image) or left in self._texture_of:
                 continue
-            if left.samples == 1 or self._is_resolved(number, left):
+            if left.samples == 1 or self._needs.is_resolved(number, left):
                 self._texture_of[left] = self._found(step, left, self._shape(left))
 
     def _place_samples(self, step: Step, attachment: Attachment) -> None:
         """Find a texture for the samples to which a step draws: the one over which it draws."""
         image, over = attachment.image, attachment.over
-        if _part(attachment) in self._samples_of:
+        if part_of(attachment) in self._samples_of:
             return
         if over is None:
             shape = Shape.of_samples(self._frame, self._stencils, image, attachment.level)
@@ -228,24 +228,13 @@ class _Planning:
         else:
             texture = self._samples_of[over, attachment.layer, attachment.level]
             self._textures.share(texture, image)
-        self._samples_of[_part(attachment)] = texture
+        self._samples_of[part_of(attachment)] = texture
 
     def _found(self, step: Step, image: Image, shape: Shape) -> int:
         """A texture for what a step leaves."""
         if step.name in self._rare:
             return self._textures.new(shape, image, lasts=True)
         return self._textures.allot(shape, image)
-
-    def _is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
-        """Whether nobody needs what is there from a step on but those that draw an image over it:
-        there may be a step for each of its layers."""
-        if over in self._lifetimes.kept or self._lifetimes.last[over] == ALWAYS:
-            return False
-        return all(
-            over not in read_by(step)
-            and all(each.image is image for each in attachments_of(step) if each.over is over)
-            for step in self._frame.steps[number:]
-        )
 
     def _release(self, number: int, step: Step) -> None:
         """Free the textures that nothing needs behind a step."""
@@ -257,8 +246,8 @@ class _Planning:
                 if texture is not None:
                     self._textures.release(texture, left)
         for attachment in attachments_of(step):
-            if attachment.image.samples > 1 and not self._finds_samples(number, attachment):
-                self._textures.release(self._samples_of[_part(attachment)], attachment.image)
+            if attachment.image.samples > 1 and not self._needs.finds_samples(number, attachment):
+                self._textures.release(self._samples_of[part_of(attachment)], attachment.image)
 
     # --- steps ---
 
@@ -273,64 +262,22 @@ class _Planning:
 
     def _planned(self, number: int, step: Step) -> PlannedStep:
         targets = [self._target(number, each) for each in attachments_of(step)]
-        self._drawn.update(_part(target.attachment) for target in targets)
+        self._drawn.update(part_of(target.attachment) for target in targets)
         waiting = self._waits.before(self._used(step, targets), _buffers_used(step))
         has_depth = not isinstance(step, KernelStep) and step.depth is not None
         depth = targets.pop() if has_depth else None
         return PlannedStep(step, waiting, tuple(targets), depth, step.name in self._rare)
 
     def _target(self, number: int, attachment: Attachment) -> Target:
-        image, part = attachment.image, _part(attachment)
+        image, part = attachment.image, part_of(attachment)
         loads = part in self._drawn or attachment.over is not None
         stencil = image in self._stencils.images, self._stencils.are_needed(number, attachment)
         if image.samples == 1:
-            needed = self._is_needed(number, image)
+            needed = self._needs.is_needed(number, image)
             return Target(attachment, self._texture_of[image], loads, needed, *stencil)
-        resolved = self._texture_of[image] if self._resolves(number, attachment) else None
-        finds = self._finds_samples(number, attachment)
+        resolved = self._texture_of[image] if self._needs.resolves(number, attachment) else None
+        finds = self._needs.finds_samples(number, attachment)
         return Target(attachment, self._samples_of[part], loads, finds, *stencil, resolved)
-
-    def _is_needed(self, number: int, image: Image) -> bool:
-        """Whether somebody reads an image behind a step that draws it."""
-        if image in self._lifetimes.kept or self._lifetimes.last[image] == number:
-            return image in self._lifetimes.kept
-        later = self._frame.steps[number + 1 :]
-        reads = any(image in set(read_by(step)) for step in later)
-        drawn_over = any(
-            each.over is image and each.image.samples == 1
-            for step in later
-            for each in attachments_of(step)
-        )
-        return reads or drawn_over or any(o.source is image for o in self._frame.outputs)
-
-    def _is_resolved(self, number: int, image: Image) -> bool:
-        """Whether somebody reads the means of a result's samples behind a step."""
-        return not image.is_depth and self._is_needed(number, image)
-
-    def _resolves(self, number: int, attachment: Attachment) -> bool:
-        """Whether somebody reads what a step has drawn before another one draws there, too."""
-        image, part = attachment.image, _part(attachment)
-        if not self._is_resolved(number, image):
-            return False
-        for step in self._frame.steps[number + 1 :]:
-            if image in set(read_by(step)):
-                return True
-            if any(_part(each) == part for each in attachments_of(step)):
-                return False
-        return True
-
-    def _finds_samples(self, number: int, attachment: Attachment) -> bool:
-        """Whether a later step draws on where a step with several samples has drawn."""
-        image, layer, level = _part(attachment)
-        return any(
-            _part(each) == (image, layer, level)
-            or (
-                each.image.samples > 1
-                and (each.over, each.layer, each.level) == (image, layer, level)
-            )
-            for step in self._frame.steps[number + 1 :]
-            for each in attachments_of(step)
-        )
 
     def _used(self, step: Step, targets: Iterable[Target]) -> Iterator[tuple[int, State]]:
         for left in read_by(step):
@@ -393,11 +340,6 @@ class _Planning:
     def _left(self) -> Iterator[Left]:
         yield from (output.source for output in self._frame.outputs)
         yield from self._lifetimes.kept
-
-
-def _part(attachment: Attachment) -> DrawnPart:
-    """What an attachment draws to."""
-    return attachment.image, attachment.layer, attachment.level
 
 
 def _buffers_used(step: Step) -> Iterator[tuple[Elements, BufferState]]:

@@ -1,0 +1,79 @@
+"""Who needs what a step has drawn, behind this step: whether it is stored, resolved, or drawn over.
+
+``plan.py`` asks for each target of each step, by the number of the step.
+"""
+
+from __future__ import annotations
+
+from ...frozen import record
+from ..ir.frame import Attachment, Frame, Image
+from .lifetimes import ALWAYS, Lifetimes, attachments_of, read_by
+
+DrawnPart = tuple[Image, int | None, int]
+"""A layer and a level of a result; ``None`` is all of its layers."""
+
+
+def part_of(attachment: Attachment) -> DrawnPart:
+    """What an attachment draws to."""
+    return attachment.image, attachment.layer, attachment.level
+
+
+@record
+class Needs:
+    """The needs of a frame's steps."""
+
+    frame: Frame
+    lifetimes: Lifetimes
+
+    def is_needed(self, number: int, image: Image) -> bool:
+        """Whether somebody reads an image behind a step that draws it."""
+        if image in self.lifetimes.kept or self.lifetimes.last[image] == number:
+            return image in self.lifetimes.kept
+        later = self.frame.steps[number + 1 :]
+        reads = any(image in set(read_by(step)) for step in later)
+        drawn_over = any(
+            each.over is image and each.image.samples == 1
+            for step in later
+            for each in attachments_of(step)
+        )
+        return reads or drawn_over or any(o.source is image for o in self.frame.outputs)
+
+    def is_resolved(self, number: int, image: Image) -> bool:
+        """Whether somebody reads the means of a result's samples behind a step."""
+        return not image.is_depth and self.is_needed(number, image)
+
+    def resolves(self, number: int, attachment: Attachment) -> bool:
+        """Whether somebody reads what a step has drawn before another one draws there, too."""
+        image, part = attachment.image, part_of(attachment)
+        if not self.is_resolved(number, image):
+            return False
+        for step in self.frame.steps[number + 1 :]:
+            if image in set(read_by(step)):
+                return True
+            if any(part_of(each) == part for each in attachments_of(step)):
+                return False
+        return True
+
+    def finds_samples(self, number: int, attachment: Attachment) -> bool:
+        """Whether a later step draws on where a step with several samples has drawn."""
+        image, layer, level = part_of(attachment)
+        return any(
+            part_of(each) == (image, layer, level)
+            or (
+                each.image.samples > 1
+                and (each.over, each.layer, each.level) == (image, layer, level)
+            )
+            for step in self.frame.steps[number + 1 :]
+            for each in attachments_of(step)
+        )
+
+    def is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
+        """Whether nobody needs what is there from a step on but those that draw an image over it:
+        there may be a step for each of its layers."""
+        if over in self.lifetimes.kept or self.lifetimes.last[over] == ALWAYS:
+            return False
+        return all(
+            over not in read_by(step)
+            and all(each.image is image for each in attachments_of(step) if each.over is over)
+            for step in self.frame.steps[number:]
+        )
