@@ -8,7 +8,6 @@ have ``Plan`` before their names there, as reflections have some of the same nam
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -71,15 +70,3 @@ def _reference(reference: str, document: str) -> str:
     prefix = DOCUMENTS[name][1]
     key = path.removeprefix("/$defs/")
     return f"#/$defs/{prefix}{key}" if key else f"#/$defs/{name}"
-
-
-def references(schema: Any) -> Iterator[str]:
-    """All definitions that a schema refers to."""
-    if isinstance(schema, list):
-        for each in schema:
-            yield from references(each)
-    elif isinstance(schema, dict):
-        if "$ref" in schema:
-            yield schema["$ref"]
-        for each in schema.values():
-            yield from references(each)

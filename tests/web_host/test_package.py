@@ -9,6 +9,7 @@ import pytest
 from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
 
+from ..layout.test_reflection import objects
 from .document_types import DOCUMENTS, ROOT
 from .test_geometry import hosted
 
@@ -20,6 +21,17 @@ def validator() -> Draft202012Validator:
     resources = [(name, Resource.from_contents(each)) for name, each in schemas.items()]
     registry: Registry[Any] = Registry().with_resources(resources)
     return Draft202012Validator(schemas["package.schema.json"], registry=registry)
+
+
+def test_the_schema_describes_every_property(validator: Draft202012Validator) -> None:
+    schema: Any = validator.schema
+    Draft202012Validator.check_schema(schema)
+    for path, part in objects(schema):
+        if path.endswith(".properties"):
+            continue
+        assert part["additionalProperties"] is False, path
+        for name, row in part["properties"].items():
+            assert "description" in row or "$ref" in row, f"{path}.{name}"
 
 
 @pytest.mark.parametrize("name", ["instances", "displacement", "thorns"])
