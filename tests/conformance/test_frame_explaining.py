@@ -32,6 +32,11 @@ pass Copied : FullScreen {
     map source : texture2d with { filter = nearest, mip = none }
     target value : rgba32f = source.load(ivec2(frag_coord.xy))
 }
+pass Many : FullScreen {
+    raster { samples = 4 }
+    map source : texture2d with { filter = nearest, mip = none }
+    target value : rgba16f = source.load(ivec2(frag_coord.xy)) * 1000
+}
 pass Added : FullScreen blend add {
     map source : texture2d with { filter = nearest, mip = none }
     target value : rgba16f = source.load(ivec2(frag_coord.xy)) + 1
@@ -140,6 +145,19 @@ def test_layers_of_an_output_stand_one_below_the_other() -> None:
     """
     found = [made(frame, (3, row)) for row in (1, 5)]
     assert all(one is not None and one.step.startswith("layered") for one in found)
+
+
+def test_of_several_samples_the_mean_is_followed() -> None:
+    frame = """
+        rough = Rough(screen)
+        many  = Many(screen) with { source = rough.value }
+        output value = many.value
+    """
+    found = made(frame)
+    assert found is not None
+    assert (found.step, [one.result for one in found.carried]) == ("many", ["rough.value"])
+    assert found.carried[0].apart < found.apart / 2
+    assert found.explanation is not None
 
 
 def test_the_words() -> None:

@@ -90,6 +90,7 @@ def differing(
     profiles: Sequence[str],
     rig: str | None = None,
     search_path: Sequence[Path] = (),
+    passes: Sequence[str] = ("Early", "Late", "Surfaces"),
 ) -> list[str]:
     """The materials of a text of which two of the ``PASSES`` compute a position otherwise, with
     the profiles. Left out is what has more vertex inputs in one of them than there are."""
@@ -98,7 +99,7 @@ def differing(
         burnish.compile(
             text + PASSES, profiles, rig=rig, pass_=pass_, search_path=search_path, partial=True
         )
-        for pass_ in ("Early", "Late", "Surfaces")
+        for pass_ in passes
     )
     return [
         f"{one.name}, {profile}"
