@@ -317,8 +317,8 @@ def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope)
         ctx.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name="with")
         return FAILURE
     check_once(ctx.report, (name for name, _ in e.replacements))
-    if isinstance(e.operand, ast.Call) and (name := _unknown_callee(e.operand, scope)):
-        _not_callable(ctx, name, e.operand, scope)
+    if isinstance(e.operand, ast.Call) and (called := _unknown_callee(e.operand, scope)):
+        _not_callable(ctx, called, e.operand, scope)
         return FAILURE
     known = _known_replacements(e, surface)
     given: dict[str, Node | Failure] = {}

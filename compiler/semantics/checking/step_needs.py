@@ -165,6 +165,10 @@ class Dependencies:
                     last, *initial = part.arguments or ((),)
                     waiting += [(last, False, bound), (tuple(initial), before, bound)]
                     continue
+                if isinstance(part, ast.FoldOver):
+                    # `rig`, `cube` and `mips(n)` are words there, whatever else is called so.
+                    waiting.append((part.body, before, bound))
+                    continue
                 waiting += [(getattr(part, f), before, bound) for f in type(part).__match_args__]
 
     def ordered(self, roots: Sequence[Need]) -> list[Key]:
