@@ -168,6 +168,15 @@ def _of_side(side: str, said: Said) -> Said:
     }
 
 
+def of_a_pass(name: str) -> str:
+    """Where a setting of passes is written, for who sets it elsewhere; empty if it is none."""
+    for node, settings in SETTINGS.items():
+        if name in settings:
+            word = next(word for word, kind in ast.MEMBERS.items() if kind.node is node)
+            return f"the pass says that: `{word} {{ {name} = … }}`"
+    return ""
+
+
 def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
     """The settings in the members of one kind that mean something; the nearest record's count, and
     in one record those of one side before those of both."""
