@@ -23,6 +23,10 @@ PREVIOUS = "previous"
 SCREEN = "screen"
 """What a pass draws that draws one triangle over everything."""
 
+VIEWPORT, SCISSOR, BLEND_CONSTANT = OF_STEPS = "viewport", "scissor", "blend_constant"
+"""What is set of a step as a whole, and of no pass: any pass may be drawn into a part of something.
+"""
+
 STEPS = ("pass", "kernel")
 """Kinds of records that a frame applies."""
 
