@@ -19,11 +19,12 @@ from .arguments import expect, expect_all
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
+from .compiler.diagnostics.source import Span
 from .compiler.frontend import Frontend
 from .compiler.ir.frame import Frame, FrameShader
 from .compiler.ir.program import Program
 from .compiler.ir.shader import Shader
-from .compiler.ir.stages import COMPUTED
+from .compiler.ir.stages import COMPUTED, TARGET
 from .compiler.passes.lower_stages import keep_stages, lower_stages
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
@@ -38,7 +39,7 @@ from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
 from .targets.legalise.forms import form_for
 from .targets.legalise.guards import keeps
 from .targets.legalise.legalise import legalise
-from .targets.legalise.limits import excesses, lacks
+from .targets.legalise.limits import Lack, excesses, lacks
 from .targets.selection import DEFAULT, full_name, select_targets
 
 if TYPE_CHECKING:
@@ -325,13 +326,20 @@ def _lacking(
         for lack in lacks(program, profile):
             report.add(
                 rules.UNSUPPORTED,
-                expanded if lack.of_expansion else shader.notes.spans.get(lack.node),
+                expanded if lack.of_expansion else _place_of(shader, lack),
                 target=name, feature=lack.feature,
                 hint=lack.instead or way_out(lack.feature, profile, lack.needed_for),
             )  # fmt: skip
         if report.diagnostics:
             found[name] = report.diagnostics
     return found
+
+
+def _place_of(shader: Shader, lack: Lack) -> Span | None:
+    """Where something is written that a profile has not got."""
+    if lack.target is not None:
+        return shader.results_of(TARGET)[lack.target].span
+    return shader.notes.spans.get(lack.node)
 
 
 def _warn_of_targets_without_lines(chosen: list[tuple[Language, Profile]], report: Report) -> None:

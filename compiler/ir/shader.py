@@ -188,6 +188,8 @@ class Result:
     """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
     """For a result of the kind ``STORE`` or ``SCATTER``, and those beside it."""
+    span: Span | None = None
+    """Where a result of the kind ``TARGET`` is declared."""
 
 
 @record

@@ -55,6 +55,7 @@ class PlannedTexture:
 
     shape: Shape
     images: list[Image]
+    """Each once, also where several layers or levels of one are drawn here, each with samples."""
     uses: tuple[State, ...] = ()
     """All that it is used as, also where it is exchanged with the one that the last frame left."""
     kept: bool = False
@@ -71,12 +72,15 @@ class Textures:
         self._shares = shares
         self._free: dict[Shape, list[int]] = {}
         self._lasting: set[int] = set()
+        self._held: dict[int, Image] = {}
+        """What each texture holds by now."""
 
     def new(self, shape: Shape, image: Image, *, lasts: bool = False) -> int:
         """A texture of its own; one that ``lasts`` is never shared."""
         self.made.append(PlannedTexture(shape, [image]))
         number = len(self.made) - 1
         self._waits.add(number)
+        self._held[number] = image
         if lasts:
             self._lasting.add(number)
         return number
@@ -95,14 +99,15 @@ class Textures:
         return number
 
     def share(self, number: int, image: Image) -> None:
-        """Have a texture hold one more result, behind those that it holds."""
-        self.made[number].images.append(image)
+        """Have a texture hold a result, behind those that it held before."""
+        self._held[number] = image
+        if image not in self.made[number].images:
+            self.made[number].images.append(image)
 
     def release(self, number: int, image: Image) -> None:
         """Let others have a texture, unless it holds another result by now."""
-        texture = self.made[number]
-        if texture.images[-1] is image and number not in self._lasting:
-            self._free.setdefault(texture.shape, []).append(number)
+        if self._held[number] is image and number not in self._lasting:
+            self._free.setdefault(self.made[number].shape, []).append(number)
 
     def exchange(self, one: int, other: int) -> None:
         """Have two textures take turns from frame to frame: the next one finds what they hold."""

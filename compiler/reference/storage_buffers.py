@@ -7,9 +7,10 @@ is the value of the ``buffer`` leaf.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
+from uuid import UUID, uuid4
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,6 +61,9 @@ class Contents:
     which numbers that of a device is, (3, words). It is not rounded to 32 bits, and float64 has
     every integer of 32 bits. NaN stands for what is not defined. Without it, devices have just what
     ``data`` says."""
+    written: UUID = field(default_factory=uuid4, compare=False)
+    """A name of its own. Two kernels that have written the same here may not on a device, but
+    whoever reads the same contents finds the same numbers there."""
 
 
 class BufferReader:

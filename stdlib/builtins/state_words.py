@@ -1,4 +1,5 @@
-"""What other APIs call the words for the state of pipelines and samplers: comparisons, factors.
+"""What other APIs call the words for the state of pipelines and samplers: comparisons, factors,
+and the settings themselves.
 
 The hints for unknown words are made from it: ``GL_LEQUAL`` is ``less_equal`` here. WebGPU's words
 are those of the language, with ``-`` for ``_``.
@@ -41,6 +42,13 @@ _WORDS: Mapping[str, str] = MappingProxyType(
         "line": "lines", "wireframe": "lines", "fill": "faces", "solid": "faces",
         "clamp_to_edge": "clamp", "mirrored_repeat": "mirror", "wrap": "repeat",
         "point": "nearest",
+        "msaa": "samples", "multisample": "samples", "sample_count": "samples",
+        "cull_mode": "cull", "cullmode": "cull", "front_face": "front", "frontface": "front",
+        "polygon_mode": "fill", "fill_mode": "fill",
+        "depth_write": "write", "depthwriteenabled": "write", "depthcompare": "compare",
+        "depthbias": "bias", "depthbiasslopescale": "slope_bias", "depthbiasclamp": "bias_clamp",
+        "zfail": "depth_fail", "depthfailop": "depth_fail", "failop": "fail", "zpass": "pass",
+        "passop": "pass",
     }
 )  # fmt: skip
 """Without what they begin or end with, in small letters."""

@@ -74,6 +74,8 @@ class Lack:
     """What a user can do, if it is no matter of other profiles alone."""
     needed_for: Capability | None = None
     """The capability for which it is needed, if the feature alone does not say."""
+    target: int | None = None
+    """The number of the render target that needs it, if it is not its value that does."""
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
@@ -232,7 +234,7 @@ def _blended(program: Program, profile: Profile) -> Iterator[Lack]:
     for capability, number in _ways_of_blending(program.targets):
         for feature in standing(capability, profile).missing[:1]:
             root = program.results_of(TARGET)[number].value.id
-            yield Lack(feature, root, needed_for=capability)
+            yield Lack(feature, root, needed_for=capability, target=number)
 
 
 def _ways_of_blending(targets: Sequence[RenderTarget]) -> Iterator[tuple[Capability, int]]:

@@ -100,6 +100,22 @@ def test_a_profile_that_lacks_something_is_an_error_or_goes_without() -> None:
     assert list(material.reflection["backends"]) == ["wgsl:webgpu"]
 
 
+MASKED = """material Clay { color = #b5651d }
+pass Early : Forward {
+    target nothing : r8 = 0 blend { mask = none }
+}
+"""
+
+
+def test_a_blending_that_a_profile_lacks_is_told_where_the_target_is_declared() -> None:
+    """Also of a target whose value is a constant, which stands nowhere."""
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(MASKED, ("glsl:es310",), pass_="Early")
+    (told,) = caught.value.diagnostics
+    assert told.message == "glsl:es310 has no blending of its own for each target"
+    assert told.span is not None and told.span.text == "nothing"
+
+
 @pytest.mark.parametrize(
     ("argument", "value"),
     [

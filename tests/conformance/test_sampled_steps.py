@@ -36,7 +36,7 @@ pass Single : LeftOf blend add {{
 }}
 pass Bright : LeftOf {{
     raster {{ samples = 4 }}
-    target value : rgba16f = vec4(8)
+    target value : rgba16f = vec4(8 * shade)
 }}
 pass Sloped : LeftOf {{
     raster {{ samples = 4 }}
@@ -76,6 +76,10 @@ pass Faded : FullScreen {{
 pass Shown : FullScreen {{
     map source : texture2d with {{ filter = nearest, mip = none }}
     target value : rgba16f = source.load(ivec2(frag_coord.xy))
+}}
+pass Second : FullScreen {{
+    map source : texture2d with {{ filter = nearest }}
+    target value : rgba16f = source.level(uv, 1)
 }}
 """
 
@@ -217,3 +221,25 @@ def test_the_next_frame_finds_means(studio: Studio, where: str) -> None:
         output picture = sum.value
     """, count=2)  # fmt: skip
     assert np.abs(found - columns(0.75, 0.1875)).max() <= STEP
+
+
+@EVERYWHERE
+def test_faces_and_levels_have_means_of_their_own(studio: Studio, where: str) -> None:
+    """Each is drawn with samples that no other has. The second level is half as wide as the first,
+    and its edge half as far from the left."""
+    (found,) = outputs(f"""{PASSES}
+        frame F {{
+            cube  = each face in cube : Bright(screen, {SIZE[0]}) with {{
+                edge = {CUT} + 0.25 * float(face mod 3 + 1), shade = float(face)
+            }}
+            chain = each level in mips(2) : Bright(screen, {SIZE[0]}) with {{ edge = {CUT}.5 }}
+            read  = Second(screen, {SIZE[0]} / 2) with {{ source = chain.value }}
+            output faces  = cube.value
+            output second = read.value
+        }}
+    """, where, studio)  # fmt: skip
+    for face, picture in enumerate(found["faces"][..., 0]):
+        expected = columns(8 * face, 2 * face * (face % 3 + 1))
+        assert (picture == expected).all(), face
+    expected = np.array([8, 8 * 3 / 4, 0, 0])
+    assert np.array_equal(found["second"][0, ..., 0], np.tile(expected, (SIZE[0] // 2, 1)))

@@ -233,6 +233,47 @@ def test_all_faces_of_a_cube_are_drawn_over_in_place(output: str, copies: int) -
     assert len(plan["textures"]) == 2 + copies
 
 
+SAMPLED = """
+import std.frames.{FullScreen}
+pass Filled : FullScreen blend add {
+    raster { samples = 4 }
+    target value : rgba16f = vec4(uv, 0, 1)
+}
+frame Sampled {
+    cube  = each face in cube : Filled(screen, 8)
+    both  = each face in cube : Filled(screen, [cube.value])
+    chain = each level in mips(3) : Filled(screen, 8)
+    output faces  = both.value
+    output levels = chain.value
+}
+"""
+
+
+def test_layers_and_levels_have_samples_of_their_own() -> None:
+    """Faces that others draw over are kept apart, and others are drawn one after the other."""
+    plan = of_text(SAMPLED).plan
+    check_plan(plan)
+    several = [row for row in plan["textures"] if row["samples"] > 1]
+    assert [row["results"] for row in several] == [["cube.value", "both.value"]] * 5 + [
+        ["cube.value", "both.value", "chain.value"], ["chain.value"], ["chain.value"]
+    ]  # fmt: skip
+    resolved = [row["resolve"] for step in plan["steps"] for row in step["targets"]]
+    places = [(row["layer"], row["level"]) for row in resolved if row is not None]
+    assert places == [(face, 0) for face in range(6)] + [(0, level) for level in range(3)]
+    alone = of_text(SAMPLED.replace("both.value", "cube.value")).plan
+    check_plan(alone)
+    several = [row for row in alone["textures"] if row["samples"] > 1]
+    assert len(several) == 3
+    assert several[0]["results"] == ["cube.value", "chain.value"]
+
+
+def test_a_step_may_be_called_like_a_word_for_what_is_repeated() -> None:
+    """`each face in cube` draws six faces, also where that is a step called `cube`."""
+    plan = of_text(SAMPLED.replace("chain", "mips")).plan
+    names = [step["name"] for step in plan["steps"]]
+    assert names[0] == "cube.0" and names[-1] == "mips.level2"
+
+
 def test_what_is_exchanged_has_the_uses_of_both_textures() -> None:
     plan = compiled(FOLDER / "reaction.burnish").plan
     (row,) = plan["kept"]

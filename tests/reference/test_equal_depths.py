@@ -17,6 +17,7 @@ from burnish.compiler.reference.picture import (
     expected_on,
     written_by,
 )
+from burnish.compiler.reference.storage_buffers import Contents
 
 from .kit import few_ulps, shader
 from .test_drawing import at, triangles
@@ -28,6 +29,7 @@ material M {{
     param scale : float = 1
     param other : float = 1
     map lift : texture2d with {{ mip = none }}
+    buffer heights : float[]
     clip_position : point<clip> = {placed}
     color = vec3(scale * other, 0, 0)
 }}
@@ -38,6 +40,7 @@ pass P {{
 """
 SCALED = "(vec4(wide * place.xy, scale * place.z, place.w) as point<clip>)"
 LIFTED = "(vec4(place.xy, place.z * lift.load(ivec2(0)).x, place.w) as point<clip>)"
+RAISED = "(vec4(place.xy, place.z * heights[0], place.w) as point<clip>)"
 EARLY = "raster { invariant = true }"
 EQUAL = "depth { compare = equal, write = false }"
 BACK, FRONT = (
@@ -50,6 +53,7 @@ TURNED = triangles(BACK[::-1], FRONT)
 HALVES = (np.full((1, 1, 4), 0.5),)
 EXACT = Texels(HALVES)
 """A texture of the host's."""
+HALF = np.float32(0.5).tobytes()
 VALUES: dict[str, Any] = {"wide": (1.0,), "scale": (0.9,), "other": (0.5,)}
 
 
@@ -63,22 +67,28 @@ def undecided(
     lift: Texels = EXACT,
     placed: str = SCALED,
     shown: str = "color",
+    heights: Contents | None = None,
+    again: Contents | None = None,
     **values: Any,
 ) -> bool:
     """Whether rounding decides on anything behind two draws of the same faces.
 
-    All else that is told is different in the second one.
+    Both read the same ``lift``, and ``heights`` unless the second one finds others ``again``. All
+    else that is told is different in the second one.
     """
-    first, again = (
+    first, last = (
         shader(PROGRAM.format(placed=placed, state=state, shown=show), "P")
         for state, show in ((early, "color"), (late, shown))
     )
     usual = at(2)
     canvas = Canvas(4, [(0.0, 0.0, 0.0, 1.0)], written_by(first), rounds=True)
-    draw_onto(canvas, first, VALUES, {"lift": lift}, mesh, usual, few_ulps)
+    held = VALUES | {"heights": heights or Contents(HALF), "heights.count": (1,)}
+    draw_onto(canvas, first, held, {"lift": lift}, mesh, usual, few_ulps)
     assert not expected_on(canvas, usual).undecided.any()
     there = {"lift": lift}
-    draw_onto(canvas, again, VALUES | values, there, second or mesh, rules or usual, few_ulps)
+    if again is not None:
+        held |= {"heights": again}
+    draw_onto(canvas, last, held | values, there, second or mesh, rules or usual, few_ulps)
     picture = expected_on(canvas, usual)
     if not picture.undecided.any():
         assert picture.layers.tolist() == [[2, 2], [2, 2]]
@@ -121,6 +131,17 @@ def test_faces_that_are_not_drawn_count() -> None:
 def test_textures_that_a_device_has_drawn_may_be_others(is_drawn: bool) -> None:
     lift = Texels(HALVES, False, HALVES, HALVES) if is_drawn else EXACT
     assert undecided(placed=LIFTED, lift=lift) == is_drawn
+
+
+def test_elements_that_a_kernel_has_written_are_the_same_for_all_who_read_them() -> None:
+    """Another kernel may have written others on a device, though here they are equal."""
+    one, other = (Contents(HALF, np.array([[0.5], [0.49], [0.51]])) for _ in range(2))
+    assert not undecided(placed=RAISED, heights=one)
+    assert undecided(placed=RAISED, heights=one, again=other)
+
+
+def test_elements_of_the_host_are_told_by_their_numbers() -> None:
+    assert not undecided(placed=RAISED, heights=Contents(HALF), again=Contents(HALF))
 
 
 HIDDEN = triangles([(0.5, 20.0, 0.7, 1.0), (-20.0, 0.0, 0.7, 1.0), (0.5, -20.0, 0.7, 1.0)])

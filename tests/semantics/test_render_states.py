@@ -200,6 +200,8 @@ def test_what_is_wrong_with_settings() -> None:
         ("VK_STENCIL_OP_DECREMENT_AND_WRAP", "decrement_wrap"),
         ("VK_CULL_MODE_FRONT_BIT", "front"),
         ("GL_MIRRORED_REPEAT", "mirror"),
+        ("depthWriteEnabled", "write"),
+        ("sample_count", "samples"),
         ("anything", "anything"),
     ],
 )

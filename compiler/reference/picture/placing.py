@@ -91,15 +91,9 @@ class _Held:
         self._geometry = geometry
 
     def is_rounded(self, node: Node) -> bool:
-        """Whether a node is a texture or a buffer that the device itself has written. Another one
-        may have other numbers there, though here they are the same."""
-        match node.data:
-            case Resource():
-                return bool(self._textures[node.data.name].low)
-            case Buffer():
-                contents: Any = self._values[node.data.name]
-                return contents.ends is not None
-        return False
+        """Whether a node is a texture that the device itself has drawn. Another one may have other
+        numbers there, though here they are the same."""
+        return isinstance(node.data, Resource) and bool(self._textures[node.data.name].low)
 
     def data_of(self, node: Node) -> Iterator[bytes]:
         """What a node is besides an operation; of a leaf, what the device finds there."""
@@ -124,7 +118,8 @@ class _Held:
 
 def _of_value(value: Any) -> Iterator[bytes]:
     if isinstance(value, Contents):
-        yield value.data
+        # What a kernel has written is the same for all who read it, and for nobody else.
+        yield value.data if value.ends is None else value.written.bytes
     elif isinstance(value, tuple | list):
         yield b"("
         for part in value:

@@ -304,6 +304,12 @@ def _is_call_of_term(operand: ast.Expression, scope: Scope) -> TypeGuard[ast.Cal
     return isinstance(operand, ast.Call) and _names_term(operand.callee, scope)
 
 
+def _unknown_callee(e: ast.Call, scope: Scope) -> str:
+    """The name that is called, if it means nothing: a term, or a pass of a frame, misspelt."""
+    name = e.callee.name if isinstance(e.callee, ast.Reference) else ""
+    return "" if is_known(scope, name) or _is_built_in(name) else name
+
+
 def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope) -> Value:
     """``term(…) with { normal = coat }``: the surface's slots replaced while the term is shaded."""
     surface = scope.surface
@@ -311,6 +317,9 @@ def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope)
         ctx.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name="with")
         return FAILURE
     check_once(ctx.report, (name for name, _ in e.replacements))
+    if isinstance(e.operand, ast.Call) and (called := _unknown_callee(e.operand, scope)):
+        _not_callable(ctx, called, e.operand, scope)
+        return FAILURE
     known = _known_replacements(e, surface)
     given: dict[str, Node | Failure] = {}
     for (name, expression), value in zip(known, operands, strict=False):

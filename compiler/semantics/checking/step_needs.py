@@ -23,6 +23,10 @@ PREVIOUS = "previous"
 SCREEN = "screen"
 """What a pass draws that draws one triangle over everything."""
 
+VIEWPORT, SCISSOR, BLEND_CONSTANT = OF_STEPS = "viewport", "scissor", "blend_constant"
+"""What is set of a step as a whole, and of no pass: any pass may be drawn into a part of something.
+"""
+
 STEPS = ("pass", "kernel")
 """Kinds of records that a frame applies."""
 
@@ -164,6 +168,10 @@ class Dependencies:
                 if isinstance(part, ast.Call) and is_previous(part):
                     last, *initial = part.arguments or ((),)
                     waiting += [(last, False, bound), (tuple(initial), before, bound)]
+                    continue
+                if isinstance(part, ast.FoldOver):
+                    # `rig`, `cube` and `mips(n)` are words there, whatever else is called so.
+                    waiting.append((part.body, before, bound))
                     continue
                 waiting += [(getattr(part, f), before, bound) for f in type(part).__match_args__]
 

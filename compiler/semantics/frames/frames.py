@@ -84,10 +84,10 @@ class _Checking:
         self._around.reached.add(self._symbol)
         outputs = list(self._outputs())
         needed = tuple(self._steps.steps)
-        self._check_rest(needed)
+        written = list(self._record.every(ast.Output))
+        self._check_rest(are_whole=0 < len(outputs) == len(written))
         self._steps.settle_previous()
         ctx.deferred.report()
-        written = any(self._record.every(ast.Output))
         if not written and not self._record.baseless and not ctx.report.unread_names:
             ctx.report.add(rules.NO_OUTPUT, declaration.name.span, name=self._symbol.name)
         self._around.reached.update(ctx.reached())
@@ -175,8 +175,9 @@ class _Checking:
             else:
                 no_result(self._ctx, made, member.value.span)
 
-    def _check_rest(self, needed: tuple[Step, ...]) -> None:
-        """Check what no output needs: other steps, and numbers."""
+    def _check_rest(self, *, are_whole: bool) -> None:
+        """Check what no output needs: other steps, and numbers. Unless all outputs ``are_whole``,
+        nobody knows what they would need, so nothing is said of steps that seem to be too many."""
         for name, definitions in self._record.definitions.items():
             member = definitions[0].member
             if not isinstance(member, ast.Slot):
@@ -186,7 +187,7 @@ class _Checking:
                 slot(self._ctx, self._instance, name, span)
             elif key not in self._own.values:
                 self._steps.check(self._own, [Need(key, span, before=True)])
-                if definitions[0].owner.module is self._around.module and needed:
+                if definitions[0].owner.module is self._around.module and are_whole:
                     self._warn(name, member)
 
     def _warn(self, name: str, member: ast.ReadMember) -> None:

@@ -20,6 +20,7 @@ from ...syntax import ast
 from ..checking.unknown_names import unknown
 from ..declarations.contracts import as_declared
 from ..names.duplicates import check_once
+from ..shading.render_states import of_a_pass
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
@@ -105,7 +106,12 @@ class Inputs:
         """Whether some name is no input of any of the shaders, which is reported."""
         unmet = self._unmet()
         for name in unmet:
-            unknown(self._ctx, "input", name.text, name.span, sorted(self._seen))
+            if hint := of_a_pass(name.text):
+                self._ctx.report.add(
+                    rules.UNKNOWN_NAME, name.span, kind="input", name=name.text, hint=hint
+                )
+            else:
+                unknown(self._ctx, "input", name.text, name.span, sorted(self._seen))
         return bool(unmet)
 
     def _source(self, name: str, written: ast.Expression, wanted: Input) -> Source | Failure:

@@ -20,6 +20,7 @@ from ...ir.shader import RenderTarget, Shader
 from ...ir.stages import TARGET
 from ...ir.types import FLOAT, IVEC4, VEC4, Type
 from ...syntax import ast
+from ..checking.step_needs import BLEND_CONSTANT, SCISSOR, VIEWPORT
 from ..checking.unknown_names import unknown
 from ..declarations.fitting import typed
 from ..names.duplicates import check_once
@@ -29,7 +30,6 @@ from ..state.scope import Failure, Scope
 from .inputs import Replacements
 from .values import Numbers, on_host
 
-VIEWPORT, SCISSOR, BLEND_CONSTANT = "viewport", "scissor", "blend_constant"
 AREAS: Mapping[str, tuple[Type, str]] = {
     VIEWPORT: (IVEC4, "ivec4 of left, top, width and height"),
     SCISSOR: (IVEC4, "ivec4 of left, top, width and height"),

@@ -200,7 +200,7 @@ def _target(
         return None
     name, state = target.name.text, RenderTarget(target.format.text, blend, layers, mask)
     ctx.notes.names.setdefault(value.id, name)
-    return Result(TARGET, FRAGMENT, value, name, target.doc, state)
+    return Result(TARGET, FRAGMENT, value, name, target.doc, state, span=target.name.span)
 
 
 def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:

@@ -28,6 +28,7 @@ from ...ir.render_state import (
 )
 from ...ir.types import FLOAT, INT
 from ...syntax import ast
+from ..checking.step_needs import OF_STEPS
 from ..declarations.fitting import typed
 from ..declarations.maps import unknown_word
 from ..inheritance.records import Record
@@ -168,6 +169,15 @@ def _of_side(side: str, said: Said) -> Said:
     }
 
 
+def of_a_pass(name: str) -> str:
+    """Where a setting of passes is written, for who sets it elsewhere; empty if it is none."""
+    for node, settings in SETTINGS.items():
+        if name in settings:
+            word = next(word for word, kind in ast.MEMBERS.items() if kind.node is node)
+            return f"the pass says that: `{word} {{ {name} = … }}`"
+    return ""
+
+
 def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
     """The settings in the members of one kind that mean something; the nearest record's count, and
     in one record those of one side before those of both."""
@@ -179,12 +189,23 @@ def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
         for name, value in sorted(member.settings, key=lambda row: order.get(row[0].text, 0)):
             setting = known.get(name.text)
             if setting is None:
-                unknown_word(ctx, f"{ast.kind_of(member).word} setting", name, known)
+                _report_unknown(ctx, ast.kind_of(member).word, name, known)
                 continue
             meant = _value(ctx, name, value, setting.values, scope)
             if meant is not None:
                 found |= dict.fromkeys(setting.fields, meant)
     return found
+
+
+def _report_unknown(ctx: Context, word: str, name: ast.Name, known: Mapping[str, Setting]) -> None:
+    """Report a name that is no setting there; steps of frames, or other members, may have it."""
+    kind, hint = f"{word} setting", of_a_pass(name.text)
+    if name.text in OF_STEPS:
+        hint = f"a step of a frame sets it: `Pass(models) with {{ {name.text} = … }}`"
+    if hint:
+        ctx.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+    else:
+        unknown_word(ctx, kind, name, known)
 
 
 def _value(

@@ -12,12 +12,14 @@ from ..draw_job import Draw
 from ..frame_job import (
     Area,
     Attachment,
+    Barrier,
     BufferBarrier,
     FrameDraw,
     FrameJob,
     FrameStep,
     FrameTexels,
     Resolve,
+    TextureUse,
 )
 from ..readback import TEXEL_LANES, depths_to_float, to_float
 from ..texels import Image
@@ -142,14 +144,8 @@ class _Frame:
         render_pass = self._render_pass(step)
         width, height = self._size(attachments[0])
         views = [
-            *(
-                self._textures[each.texture].part(each.layer, each.level, each.layers)
-                for each in attachments
-            ),
-            *(
-                self._textures[each.texture].part(each.layer, each.level)
-                for each in _resolves(step)
-            ),
+            self._textures[each.texture].part(each.layer, each.level, each.layers)
+            for each in attachments
         ]
         info = vk.VkFramebufferCreateInfo(
             renderPass=render_pass,
@@ -177,6 +173,32 @@ class _Frame:
             vk.vkCmdSetViewport(commands, 0, 1, [view])
             self._draw_one(commands, drawn, bound, render_pass)
         vk.vkCmdEndRenderPass(commands)
+        for target in step.targets:
+            if target.resolve is not None:
+                self._resolve(commands, target.texture, target.resolve)
+
+    def _resolve(self, commands: Any, drawn: int, to: Resolve) -> None:
+        """Write the means of samples to where they belong. A render pass could do so, but lavapipe
+        writes to the first layer then, whichever is meant."""
+        used: tuple[tuple[int, TextureUse], ...] = (
+            (drawn, "copied_from"),
+            (to.texture, "copied_to"),
+        )
+        record(commands, self._textures, [Barrier(n, "target", use) for n, use in used])
+        source, target = self._textures[drawn], self._textures[to.texture]
+        region = vk.VkImageResolve(
+            srcSubresource=_layers(source, 0),
+            dstSubresource=vk.VkImageSubresourceLayers(
+                aspectMask=target.spec.aspect, mipLevel=to.level, baseArrayLayer=to.layer,
+                layerCount=1,
+            ),
+            extent=vk.VkExtent3D(*_halved(target, to.level), 1),
+        )  # fmt: skip
+        layouts = USES["copied_from"].layout, USES["copied_to"].layout
+        vk.vkCmdResolveImage(
+            commands, source.image, layouts[0], target.image, layouts[1], 1, [region]
+        )
+        record(commands, self._textures, [Barrier(n, use, "target") for n, use in used])
 
     def _draw_one(
         self, commands: Any, drawn: FrameDraw, bound: DescriptorSets, render_pass: Any
@@ -287,7 +309,6 @@ class _Frame:
 
     def _made_pass(self, step: FrameStep) -> Any:
         described = [self._described(each) for each in _attachments(step)]
-        resolves = self._resolves(step, described)
         references = [
             vk.VkAttachmentReference(number, USES["target"].layout)
             for number in range(len(step.targets))
@@ -296,7 +317,6 @@ class _Frame:
         subpass = vk.VkSubpassDescription(
             pipelineBindPoint=GRAPHICS,
             pColorAttachments=references,
-            pResolveAttachments=resolves,
             pDepthStencilAttachment=None if step.depth is None else depth,
         )
         info = vk.VkRenderPassCreateInfo(pAttachments=described, pSubpasses=[subpass])
@@ -304,29 +324,14 @@ class _Frame:
         self._owned.callback(vk.vkDestroyRenderPass, self._gpu.device, made, None)
         return made
 
-    def _resolves(self, step: FrameStep, described: list[Any]) -> Any:
-        """For each target where it is resolved to, which is added to what is ``described``."""
-        if not _resolves(step):
-            return None
-        found = []
-        for target in step.targets:
-            number = vk.VK_ATTACHMENT_UNUSED
-            if target.resolve is not None:
-                number = len(described)
-                written = Attachment(target.resolve.texture)
-                described.append(self._described(written, vk.VK_ATTACHMENT_LOAD_OP_DONT_CARE))
-            found.append(vk.VkAttachmentReference(number, USES["target"].layout))
-        return found
-
-    def _described(self, attachment: Attachment, load: int | None = None) -> Any:
-        """What happens to an attachment; ``load`` is another way to begin with it."""
+    def _described(self, attachment: Attachment) -> Any:
         texture = self._textures[attachment.texture]
         layout = USES["depth" if texture.description.is_depth else "target"].layout
         return vk.VkAttachmentDescription(
             format=texture.spec.format,
             samples=texture.spec.samples,
-            loadOp=_LOADS[attachment.loads] if load is None else load,
-            storeOp=_STORES[attachment.stores],
+            loadOp=_LOADS[attachment.loads],
+            storeOp=_STORES[attachment.stores or attachment.resolve is not None],
             stencilLoadOp=_LOADS[attachment.loads],
             stencilStoreOp=_STORES[attachment.stores_stencil],
             initialLayout=layout,

@@ -174,7 +174,8 @@ def _spec(wanted: FrameTexture, *, drawn: bool, written: bool) -> ImageSpec:
         if wanted.is_depth
         else vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
     )
-    usage = (_READS if wanted.samples == 1 else 0) | (attached if drawn else 0)
+    reads = _READS if wanted.samples == 1 else vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+    usage = reads | (attached if drawn else 0)
     usage |= vk.VK_IMAGE_USAGE_STORAGE_BIT if written else 0
     colour, depth = vk.VK_IMAGE_ASPECT_COLOR_BIT, vk.VK_IMAGE_ASPECT_DEPTH_BIT
     match wanted.format:

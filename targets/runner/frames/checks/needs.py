@@ -181,7 +181,7 @@ class _Needs:
         for step in self._steps[number + 1 :]:
             if any(result == drawn["result"] for result, _ in read_now(step, is_first=True)):
                 return True
-            if any(_place(row) == _place(drawn) for row in attachments(step)):
+            if any(_draws_on(row, drawn) for row in attachments(step)):
                 return False
         return True
 
@@ -237,7 +237,7 @@ class _Needs:
     def _is_found(self, number: int, left: Row) -> bool:
         """Whether a later step draws where stencil values were left."""
         later = [row for step in self._steps[number + 1 :] for row in attachments(step)]
-        again = (_place(row) == _place(left) for row in later)
+        again = (_draws_on(row, left) for row in later)
         return any(again) or any(
             row["over"] == left["result"] and self._finds(row, left) for row in later
         )
@@ -260,6 +260,12 @@ class _Needs:
                 if row["over"] is not None and not has_samples(self._plan, row):
                     found[row["over"]] = number
         return found
+
+
+def _draws_on(row: Row, left: Row) -> bool:
+    """Whether a step draws on where another one has drawn. One that clears the samples there draws
+    another layer of the result."""
+    return row["load"] == "load" and _place(row) == _place(left)
 
 
 def _place(row: Row) -> tuple[str, int, int | None, int]:
