@@ -173,11 +173,19 @@ def _guarded(
     roots = verified("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     decisions = Decisions()
 
+    guardings: list[Guarding] = []
+
     def guarded(some: Roots, using: Roots) -> Roots:
-        guarding = Guarding(graph, ranges, notes, PathConditions(using, ranges))
-        made = verified("guard", "guarded", guarding.simplified(some))
-        made = inline(graph, made, notes, guarding)
+        guardings.append(Guarding(graph, ranges, notes, PathConditions(using, ranges)))
+        return guardings[-1].simplified(some)
+
+    roots = verified("guard", "guarded", apart.each(roots, guarded))
+    again = iter(guardings)
+
+    def inlined(some: Roots, _: Roots) -> Roots:
+        guarding = next(again)
+        made = inline(graph, some, notes, guarding)
         decisions.add(guarding)
         return made
 
-    return verified("inline", "guarded", apart.each(roots, guarded)), decisions
+    return verified("inline", "guarded", apart.each(roots, inlined)), decisions

@@ -78,7 +78,7 @@ ERRORS = [
     Error(VULKAN, TEXTURES, BEFORE, "srcAccessMask=0"),
     Error(OPENGL, "opengl.frame", "if not target.loads", "if True"),
     Error(OPENGL, "opengl.frame", f"else {BOUND}", f"else {BOUND.replace('number]', '0]', 1)}"),
-    Error(OPENGL, "opengl.frame_textures", "attachment.level, attachment.layer", "0, 0"),
+    Error(OPENGL, "opengl.frame_textures", "at.level, at.layer", "0, 0"),
 ]
 
 
