@@ -136,9 +136,7 @@ class FollowedFrames(ReferenceFrames):
         draws_over = target["load"] == "load"
         if explanation is None and draws_over and not is_depth:
             return
-        read = {
-            read.result: name for draw in drawn.draws for name, read in draw.reads.items()
-        }  # fmt: skip
+        read = {each.result: name for draw in drawn.draws for name, each in draw.reads.items()}
         if draws_over:
             read[BEFORE] = ""
         whole = self._apart(place)
