@@ -143,7 +143,7 @@ error[B0201]: unknown name `x`
   |                                      ^
   = help: nothing declares it: `x = …` does, or `param x : type` if the host sets it
 
-error[B0536]: `reference` is 256, and 0 to 255 are possible
+error[B0536]: `reference` is 256, and only 0 to 255 are possible
  --> <test>:5:27
   |
 5 |     stencil { reference = 256, front.reference = 3, front.pas = replace, pass = red + 1 }

@@ -209,7 +209,7 @@ IMAGE_PER_GROUP = error(
 
 IMPOSSIBLE_SETTING = error(
     "B0536",
-    "`{name}` is {value}, and {possible} are possible",
+    "`{name}` is {value}, and only {possible} are possible",
     "Stencil values and their masks have eight bits. A bias is counted in the smallest steps of "
     "depths, of which floats have 2^24 between two powers of two. Every API draws with 1 or 4 "
     "samples for each pixel, and not every one with another number.",
