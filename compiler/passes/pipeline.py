@@ -172,7 +172,6 @@ def _guarded(
 ) -> tuple[Roots, Decisions]:
     roots = verified("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     decisions = Decisions()
-
     guardings: list[Guarding] = []
 
     def guarded(some: Roots, using: Roots) -> Roots:

@@ -409,12 +409,12 @@ class Steps:
         )
         uses_depth = state.depth.is_used or state.stencil.is_used
         depth = attached(DEPTH, DEPTH_FORMAT, "", state.depth.clear) if uses_depth else None
-        drawn_to = targets if depth is None else (*targets, depth)
-        self._samples.check(drawn_to, samples, e.span)
-        return RenderStep(
+        step = RenderStep(
             name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span,
             *(settings.number(setting) for setting in AREAS),
         )  # fmt: skip
+        self._samples.check(step.drawn_to, samples, e.span)
+        return step
 
     def _unique(self, name: str) -> str:
         """A name that no step has yet."""

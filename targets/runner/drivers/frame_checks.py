@@ -6,7 +6,7 @@ must not draw another picture without a word.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from .checks import check_dispatch, check_draw
@@ -36,7 +36,7 @@ def check_frame(job: FrameJob) -> None:
 
 def _check_numbers(job: FrameJob, step: FrameStep) -> None:
     """Everything that a step names is there."""
-    drawn_to = [each.texture for each in _attachments(step)]
+    drawn_to = [each.texture for each in step.drawn_to]
     drawn_to += [each.resolve.texture for each in step.targets if each.resolve is not None]
     named = [*(each.texture for each in step.barriers), *drawn_to, *step.images, *step.copied]
     _all_in("texture", [*named, *step.read], job.textures)
@@ -55,7 +55,7 @@ def _all_in(what: str, numbers: Sequence[int], there: Sequence[object]) -> None:
 
 def _check_attachments(job: FrameJob, step: FrameStep) -> None:
     """All that a step draws to, or copies, exists and has one size."""
-    for attachment in _attachments(step):
+    for attachment in step.drawn_to:
         made = job.textures[attachment.texture]
         last = attachment.layer + attachment.layers
         if attachment.level >= made.levels or last > made.layers:
@@ -69,7 +69,7 @@ def _check_attachments(job: FrameJob, step: FrameStep) -> None:
             )
     for attachment in step.targets:
         _check_resolve(job, attachment)
-    sizes = {_size(job.textures[each.texture], each.level) for each in _attachments(step)}
+    sizes = {_size(job.textures[each.texture], each.level) for each in step.drawn_to}
     if len(sizes) > 1:
         found = " and ".join(f"{width} x {height}" for width, height in sorted(sizes))
         raise DriverError(f"its targets have different sizes: {found}")
@@ -99,12 +99,6 @@ def _check_resolve(job: FrameJob, target: Attachment) -> None:
         )
 
 
-def _attachments(step: FrameStep) -> Iterator[Attachment]:
-    yield from step.targets
-    if step.depth is not None:
-        yield step.depth
-
-
 def _size(texture: FrameTexture, level: int) -> tuple[int, int]:
     return max(texture.width >> level, 1), max(texture.height >> level, 1)
 
@@ -116,7 +110,7 @@ def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
         depths = None if step.depth is None else job.textures[step.depth.texture]
         if depths is None or not depths.has_stencil:
             raise DriverError("its pipeline tests stencil values, and there are none")
-    for attachment in _attachments(step):
+    for attachment in step.drawn_to:
         number, made = attachment.texture, job.textures[attachment.texture]
         if made.samples != pipeline.samples:
             raise DriverError(

@@ -148,6 +148,11 @@ class FrameStep:
     """The textures whose first level is read back."""
     buffer_barriers: tuple[BufferBarrier, ...] = ()
 
+    @property
+    def drawn_to(self) -> tuple[Attachment, ...]:
+        """All that it draws to, its depths last."""
+        return self.targets if self.depth is None else (*self.targets, self.depth)
+
     def areas(self, width: int, height: int) -> tuple[Area, Area]:
         """The viewport in targets of this size, and all that is drawn to."""
         whole = (0, 0, width, height)

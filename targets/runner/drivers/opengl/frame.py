@@ -93,8 +93,8 @@ class _Frame:
         return self._programs[drawn.pipeline]
 
     def _draw(self, step: FrameStep) -> None:
-        attachments = [*step.targets, *([step.depth] if step.depth is not None else [])]
-        width, height = self._textures[attachments[0].texture].size(attachments[0].level)
+        first = step.drawn_to[0]
+        width, height = self._textures[first.texture].size(first.level)
         for drawn in step.draws:
             self._program(drawn)  # moderngl may bind a framebuffer when it links
         with self._framebuffer(step):

@@ -54,7 +54,7 @@ class _Frame:
         self._gpu = gpu
         self._job = job
         written = {image for step in job.steps for image in step.images}
-        drawn = {each.texture for step in job.steps for each in _attachments(step)}
+        drawn = {each.texture for step in job.steps for each in step.drawn_to}
         drawn |= {each.texture for step in job.steps for each in _resolves(step)}
         self._textures = make_frame_textures(owned, gpu, job, drawn, written)
         self._buffers = [
@@ -140,7 +140,7 @@ class _Frame:
             self._run(commands, step, sets[0])
 
     def _draw(self, commands: Any, step: FrameStep, sets: Sequence[DescriptorSets]) -> None:
-        attachments = _attachments(step)
+        attachments = step.drawn_to
         render_pass = self._render_pass(step)
         width, height = self._size(attachments[0])
         views = [
@@ -291,7 +291,7 @@ class _Frame:
 
     def _render_pass(self, step: FrameStep) -> Any:
         """The render pass for the formats of a step, and for what it loads and stores."""
-        attachments = _attachments(step)
+        attachments = step.drawn_to
         key = tuple(
             (
                 self._job.textures[each.texture].format,
@@ -308,7 +308,7 @@ class _Frame:
         return self._passes[key]
 
     def _made_pass(self, step: FrameStep) -> Any:
-        described = [self._described(each) for each in _attachments(step)]
+        described = [self._described(each) for each in step.drawn_to]
         references = [
             vk.VkAttachmentReference(number, USES["target"].layout)
             for number in range(len(step.targets))
@@ -364,10 +364,6 @@ class _Frame:
             case colours:
                 texels = to_float(data, colours, texture.width, rows, "top")
         return FrameTexels(texture.width, texture.height, texture.layers, texels)
-
-
-def _attachments(step: FrameStep) -> tuple[Attachment, ...]:
-    return step.targets if step.depth is None else (*step.targets, step.depth)
 
 
 def _resolves(step: FrameStep) -> list[Resolve]:
