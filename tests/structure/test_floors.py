@@ -68,6 +68,7 @@ FLOORS: dict[str, str] = {
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": "frozen stdlib diagnostics ir packing promises planning",
     # Shaders in each language, and the programs that check, draw and compare them.
+    "targets.budget": "",
     "targets.closing": "",
     "targets.toolchain": "cache closing",
     "targets.description": "frozen stdlib ir",
@@ -78,11 +79,13 @@ FLOORS: dict[str, str] = {
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
     "targets.runner": (
-        "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection closing "
-        "toolchain"
+        "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection budget "
+        "closing toolchain"
     ),
-    "targets.web_host": "ir runner toolchain",
-    "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",
+    "targets.web_host": "ir budget runner toolchain",
+    "targets.conformance": (
+        "frozen stdlib diagnostics ir reference budget runner web_host toolchain"
+    ),
     "targets.web_view": "runner",
     # The door.
     "compiled": (
@@ -94,9 +97,9 @@ FLOORS: dict[str, str] = {
         "description emit legalise availability selection runner compiled"
     ),
     "commands": (
-        "frozen cache inputs diagnostics syntax ir passes frontend formula closing description "
-        "emit registry availability selection runner web_host web_view conformance toolchain "
-        "compiled api"
+        "frozen cache inputs diagnostics syntax ir passes frontend formula budget closing "
+        "description emit registry availability selection runner web_host web_view conformance "
+        "toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",
