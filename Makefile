@@ -9,7 +9,7 @@ BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 LOCKED := --require-hashes --only-binary :all:
 LOCK := uv pip compile --quiet --universal --generate-hashes --no-annotate --python-version 3.11 \
-	--custom-compile-command 'make locks' --upgrade pyproject.toml
+	--custom-compile-command 'make locks' --upgrade
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -57,8 +57,9 @@ tools: $(VENV)/dev ## Install the downstream compilers, the drivers and the brow
 	$(BIN)/python -m burnish.targets.toolchain.install
 
 locks: ## Choose newer versions of all Python packages; needs uv, and is for who looks after Burnish
-	$(LOCK) --extra dev --output-file .ci/dev.txt
-	echo 'setuptools>=77' | $(LOCK) --extra render --output-file .ci/render.txt -
+	$(LOCK) --extra dev --output-file .ci/dev.txt pyproject.toml
+	echo 'setuptools>=77' | $(LOCK) --extra render --output-file .ci/render.txt pyproject.toml -
+	echo 'pip' | $(LOCK) --output-file .ci/pip.txt -
 
 clean: ## Remove everything that make has created in the checkout
 	rm -rf $(VENV) build dist generated *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
