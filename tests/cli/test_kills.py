@@ -239,7 +239,7 @@ def _plant(journal: Path, linked: str, victim: Path) -> None:
 
 def _everything(folder: Path) -> dict[str, object]:
     """What there is below a folder, with the number of each file, its kind and its content."""
-    found = {}
+    found: dict[str, object] = {}
     for path in folder.rglob("*"):
         status = path.lstat()
         content = path.read_bytes() if path.is_file() else b""
