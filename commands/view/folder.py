@@ -14,6 +14,7 @@ from typing import Any
 from ... import api
 from ...compiler.diagnostics.diagnostic import CompileError
 from ..catalogue import Group, Listed, catalogue
+from ..folder import is_file_within
 
 
 class Folder:
@@ -49,7 +50,7 @@ class Folder:
         with self._lock:
             path = next((each.path for each in self._files() if each.name == name), None)
         # By now it may be a link.
-        return path if path and _is_within(path, self._root.resolve()) else None
+        return path if path and is_file_within(path, self._root.resolve()) else None
 
     def listing(self) -> list[dict[str, Any]]:
         """The files of the folder that can be drawn, as they are now, for the page's list."""
@@ -74,7 +75,7 @@ class Folder:
         self._groups = [
             group._replace(files=own)
             for group in catalogue(self._root)
-            if (own := [each for each in group.files if _is_within(each.path, root)])
+            if (own := [each for each in group.files if is_file_within(each.path, root)])
         ]
 
     def _files(self) -> Iterator[Listed]:
@@ -98,10 +99,3 @@ class Folder:
         except CompileError:
             return []  # Its syntax is wrong.
         return [*declared.frames, *declared.materials, *declared.kernels] or None
-
-
-def _is_within(path: Path, root: Path) -> bool:
-    try:
-        return path.resolve().is_relative_to(root)
-    except (OSError, RuntimeError):  # A circle of links.
-        return False
