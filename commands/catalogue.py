@@ -11,7 +11,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from .folder import is_file_within
+
 README = "README.md"
+_LONGEST = 2**20
+"""Characters of a README that are read."""
 OTHERS = "Others"
 """The heading of what no table lists."""
 
@@ -71,8 +75,12 @@ def title_of(folder: Path) -> str:
 
 
 def _lines(readme: Path) -> list[str]:
+    """The lines of a README; none of one that cannot be read, or is no file of its folder."""
     try:
-        return readme.read_text("utf-8").splitlines()
+        if not is_file_within(readme, readme.parent.resolve()):
+            return []
+        with readme.open(encoding="utf-8") as file:
+            return file.read(_LONGEST).splitlines()
     except (OSError, UnicodeDecodeError):
         return []
 

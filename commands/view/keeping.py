@@ -13,7 +13,7 @@ from typing import Any, Generic, TypeVar
 
 from ...targets.budget import allowed
 
-_SHARE = 2
+_SHARE = 4
 """What is kept takes this part of the limit called ``memory`` at most; the rest is for what is
 being made."""
 

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 MOST_TEXELS = 96 * 2**20
 """Bytes of a texture with all its levels. A page gets it as text, which is a third longer."""
+_BYTES_OF_TEXEL = 4
+"""Of colours with 8 bits a lane, and of one number; smaller levels of colours take a third of that
+besides."""
 _SRGB = "srgb:"
 
 FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
@@ -68,11 +71,8 @@ class Pictures:
         from ...targets.runner.textures.kinds import PictureError
 
         kept = Kept(name, data, _is_float(name))
-        size = _size_of(_texture(kept, wanted, srgb=False))
-        if size > MOST_TEXELS:
-            raise PictureError(
-                f"{name} makes a texture of {size >> 20} MB, and the page takes {MOST_TEXELS >> 20}"
-            )
+        _check_size(name, _announced(kept, wanted))
+        _check_size(name, _size_of(_texture(kept, wanted, srgb=False)))
         word = blake2b(name.encode() + b"\0" + data, digest_size=16).hexdigest()
         if not self._files.put(word, kept):
             raise PictureError(f"there is no room to keep {name}: a higher `--budget memory` helps")
@@ -100,6 +100,28 @@ class Pictures:
             found = _texture(kept, wanted, srgb=self.is_srgb(asked, wanted))
             self._textures.put(key, found)
         return found
+
+
+def _announced(kept: Kept, wanted: Wanted) -> int:
+    """The bytes of the texture that a file makes at least, as far as its first bytes tell: what is
+    too large need not be decoded. Files of floats are counted when they are read."""
+    from ...targets.runner.textures.files import announced_size
+
+    if kept.is_float:
+        return 0
+    width, height = announced_size(kept.data, kept.name, FORMATS)
+    levels = 4 / 3 if wanted.sample == "float" else 1
+    return int(width * height * _BYTES_OF_TEXEL * levels)
+
+
+def _check_size(name: str, size: int) -> None:
+    """Raise ``PictureError`` for a texture that a page does not take."""
+    from ...targets.runner.textures.kinds import PictureError
+
+    if size > MOST_TEXELS:
+        raise PictureError(
+            f"{name} makes a texture of {size >> 20} MB, and the page takes {MOST_TEXELS >> 20}"
+        )
 
 
 def _size_of(texture: Texture) -> int:
