@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from urllib.parse import quote, urlsplit
 
@@ -164,10 +164,8 @@ def test_what_is_no_request(viewer: Viewer, number: int) -> None:
     with connection(viewer) as stream:
         stream.sendall(BROKEN[number])
         stream.shutdown(socket.SHUT_WR)
-        try:
+        with suppress(ConnectionResetError):  # The rest of what is too long was not read.
             assert status(received(stream)) in (0, 400, 403)
-        except ConnectionResetError:  # The rest of what is too long was not read.
-            pass
     assert viewer.ask("/document").status == 200
 
 
