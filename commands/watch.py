@@ -108,10 +108,10 @@ class Watcher(Generic[Key]):
             folders = self._folders()
             for _ in self._wakings([folder for folder, found in folders.items() if found]):
                 begun = time.monotonic()
-                yield from self._changed()
-                moved = self._folders() != folders
-                self._again.wait(_REST * (time.monotonic() - begun))
-                if moved or self._again.is_set():
+                changed, moved = self._changed(), self._folders() != folders
+                took = time.monotonic() - begun
+                yield from changed
+                if moved or self._again.wait(_REST * took):
                     break
 
     def _wakings(self, folders: Sequence[Path]) -> Iterator[object]:
@@ -138,15 +138,17 @@ class Watcher(Generic[Key]):
                 f"{_POLL_ALONE:g} seconds: {error}"
             ))  # fmt: skip
 
-    def _changed(self) -> Iterator[Key]:
+    def _changed(self) -> list[Key]:
         """The keys of what has changed since this was asked before."""
         with self._lock:
             followed = {key: dict(stamps) for key, stamps in self._followed.items()}
         now = {path: _stamp(path) for path in {p for each in followed.values() for p in each}}
+        changed = []
         for key, stamps in followed.items():
             if any(now[path] != stamp for path, stamp in stamps.items()):
                 self._note(key, stamps, now)
-                yield key
+                changed.append(key)
+        return changed
 
     def _note(self, key: Key, before: Mapping[Path, Stamp], now: Mapping[Path, Stamp]) -> None:
         """Remember what files are now, unless somebody has followed the key anew meanwhile."""

@@ -83,6 +83,10 @@ class Server:
         )  # fmt: skip
         _Ending(config, self._end_pages).run([self._socket])
 
+    def close(self) -> None:
+        """Give back the port of a server that does not run."""
+        self._socket.close()
+
     # --- what is served --------------------------------------------------------------------------
 
     def application(self) -> Guarded:

@@ -9,6 +9,8 @@ from starlette.requests import ClientDisconnect, Request
 
 MOST_BYTES = 64 * 2**20
 """Of a file."""
+_DIGITS = 12
+"""Of a length; a longer one is too large, whatever its digits are."""
 _MOST_ARRIVING = 2 * MOST_BYTES
 """Bytes of all files that are being sent at the same time."""
 _TO_SEND = 60.0
@@ -33,7 +35,9 @@ class Uploads:
     async def read(self, request: Request) -> bytes:
         """The body of a request. Raises ``UploadError``."""
         announced = request.headers.get("content-length", "0")
-        if int(announced) > MOST_BYTES:
+        if not (announced.isascii() and announced.isdecimal()):
+            raise UploadError(400, "the length of the file is no number")
+        if len(announced) > _DIGITS or int(announced) > MOST_BYTES:
             raise _too_large()
         data = BytesIO()
         try:
