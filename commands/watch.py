@@ -27,7 +27,10 @@ _STEP = 20
 """How many milliseconds nothing may be reported until a change counts as complete: an editor
 writes a file in several steps, and nobody wants to wait."""
 _POLL_ALONE = 0.3
-"""After how many seconds files are examined where no change is ever reported."""
+"""After how many seconds files are examined where the system fails to report changes; then it is
+asked again."""
+_TELL_AFTER = 3
+"""After how many such failures this is told."""
 _REST = 20
 """How many times as long as it takes to examine all files nothing is done afterwards, so that not
 even very many of them, or a folder that never rests, keep a processor busy."""
@@ -78,6 +81,8 @@ class Watcher(Generic[Key]):
         self._again = Event()
         """Is set where the system has to watch other folders than before, or nothing more."""
         self._is_stopped = False
+        self._failures = 0
+        """How often the system has failed to report changes since it last did."""
         self._is_told = False
 
     def follow(self, key: Key, file: Path, find: Callable[[], Iterable[Path]]) -> None:
@@ -103,8 +108,10 @@ class Watcher(Generic[Key]):
     def changes(self) -> Iterator[Key]:
         """The key of each thing whose files have changed, as soon as that is noticed; until
         ``stop`` is called."""
-        while not self._is_stopped:
+        while True:
             self._again.clear()
+            if self._is_stopped:
+                return
             folders = self._folders()
             for _ in self._wakings([folder for folder, found in folders.items() if found]):
                 begun = time.monotonic()
@@ -119,19 +126,26 @@ class Watcher(Generic[Key]):
         from watchfiles import watch as reported
 
         try:
-            yield from reported(
+            for _ in reported(
                 *folders, watch_filter=None, recursive=False, yield_on_timeout=True,
                 rust_timeout=_POLL, step=_STEP, debounce=_POLL, stop_event=self._again,
                 ignore_permission_denied=True,
-            )  # fmt: skip
-        except (OSError, RuntimeError) as error:  # A folder has gone; or the system is exhausted.
-            self._tell(error)
-        while not self._again.wait(_POLL_ALONE):
-            yield None
+            ):  # fmt: skip
+                self._failures = 0
+                yield None
+        except (OSError, RuntimeError) as error:
+            self._fail(error)
+        else:
+            return
+        self._again.wait(_POLL_ALONE)
+        yield None
 
-    def _tell(self, error: Exception) -> None:
-        """Say once why changes may be noticed late."""
-        if not self._is_told and not isinstance(error, FileNotFoundError):
+    def _fail(self, error: Exception) -> None:
+        """Say once that changes may be noticed late, if the system reports none again and again. A
+        single failure means nothing: a folder has gone just now, or the name of a file beside those
+        that matter is no UTF-8."""
+        self._failures += 1
+        if self._failures == _TELL_AFTER and not self._is_told:
             self._is_told = True
             remark("note", (
                 "the system does not report changes of files, so they are looked for every "

@@ -69,7 +69,6 @@ def told(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Ite
 
 def _exhausted(*_folders: Path, **_options: object) -> Iterator[object]:
     raise RuntimeError("Too many open files (os error 24)")
-    yield
 
 
 def replace(file: Path, text: str) -> None:
@@ -137,6 +136,17 @@ def test_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
     told.follow(file)
     file.write_text(PLAIN + "\n")
     told.sees(file)
+
+
+def test_other_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
+    """They are reported like all others, which the package that watches cannot tell."""
+    file = tmp_path / "m.burnish"
+    file.write_text(PLAIN)
+    told.follow(file)
+    for number in range(3):
+        (tmp_path / os.fsdecode(b"\xff%d" % number)).write_text("")
+        file.write_text(PLAIN + number * "\n")
+        told.sees(file)
 
 
 def test_an_exhausted_system_is_told_once(

@@ -6,6 +6,7 @@ import socket
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
+from functools import partial
 from pathlib import Path
 from urllib.parse import quote, urlsplit
 
@@ -108,9 +109,9 @@ def test_requests_of_other_pages(viewer: Viewer) -> None:
             assert answer.status == 403, (origin, kind)
     for site in ("cross-site", "same-site", "strange", ""):
         for mode in ("no-cors", "cors", "navigate", "websocket"):
-            named = {"Sec_Fetch_Site": site, "Sec_Fetch_Mode": mode}
-            assert viewer.ask("/document", **named).status == 403, named
-            assert viewer.ask(PICTURE, "POST", b"x", **named).status == 403, named
+            for path, method, body in (("/document", "GET", None), (PICTURE, "POST", b"x")):
+                answer = viewer.ask(path, method, body, Sec_Fetch_Site=site, Sec_Fetch_Mode=mode)
+                assert answer.status == 403, (path, site, mode)
     upgrade = ("Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Key: AAAA")
     asked = head(viewer, "GET /changes HTTP/1.1", "Origin: http://evil.example", *upgrade)
     assert status(sent(viewer, asked)) == 403
@@ -228,9 +229,11 @@ def test_texts_that_nobody_means(viewer: Viewer) -> None:
 
 def test_answers_stay_within_the_page(viewer: Viewer) -> None:
     """Also those to others, and to what there is not."""
-    asked = [("/", {}), ("/document", {}), ("/files", {}), ("/none", {}), ("/web_view/main.js", {})]
-    for path, headers in (*asked, ("/", {"Host": "evil.example"})):
-        found = {key.lower(): value for key, value in viewer.ask(path, **headers).headers.items()}
+    paths = ("/", "/document", "/files", "/none", "/web_view/main.js")
+    answers = {path: viewer.ask(path) for path in paths}
+    answers["refused"] = viewer.ask("/", Host="evil.example")
+    for path, answer in answers.items():
+        found = {key.lower(): value for key, value in answer.headers.items()}
         assert found["x-content-type-options"] == "nosniff", path
         policy = found["content-security-policy"]
         assert "default-src 'none'" in policy
@@ -245,7 +248,7 @@ def test_answers_stay_within_the_page(viewer: Viewer) -> None:
 def test_many_at_once(viewer: Viewer) -> None:
     """Requests for one document and for another are answered alike."""
     paths = ["/document", "/files", "/document?mesh=cube", "/web_view/main.js"] * 50
-    answers = at_once([lambda path=path: viewer.ask(path) for path in paths])
+    answers = at_once([partial(viewer.ask, path) for path in paths])
     assert {answer.status for answer in answers} == {200}
     for start in range(4):
         assert len({answer.body for answer in answers[start::4]}) == 1
