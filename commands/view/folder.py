@@ -73,16 +73,11 @@ class Folder:
             return groups
 
     def _find(self) -> None:
-        """Look for files. A link that leads out of the folder is none of them."""
+        """Look for files."""
         if not self._is_folder:
             self._paths = {_shown(self._root.name): self._root}
             return
-        root = self._root.resolve()
-        self._groups = [
-            group._replace(files=own)
-            for group in catalogue(self._root)
-            if (own := [each for each in group.files if is_file_within(each.path, root)])
-        ]
+        self._groups = catalogue(self._root)
         self._paths = {
             _shown(each.name): each.path for group in self._groups for each in group.files
         }
