@@ -5,6 +5,10 @@ every 700. A compile makes many objects, keeps most of them until it ends, and h
 circle: a quarter of the time of a long compile would go into looking in vain. So the command line
 sets ``SELDOM`` for the whole process, and ``api.py`` and ``compiled.py`` mark the functions
 that users call with ``seldom_collected``.
+
+That is too seldom for a server. A picture of many megabytes is one object for Python, and a circle
+that holds it, such as that of an exception and what it was raised in, stays for hours. So whoever
+runs for long calls ``settle`` when it has started, and ``sweep`` after each piece of work.
 """
 
 from __future__ import annotations
@@ -41,6 +45,18 @@ def seldom_collected(work: Callable[Arguments, Result]) -> Callable[Arguments, R
             _CALLS.end()
 
     return wrapped
+
+
+def settle() -> None:
+    """Leave alone all that there is now, such as modules and the library, which stays until the
+    end: looking through the rest is then a matter of milliseconds."""
+    gc.collect()
+    gc.freeze()
+
+
+def sweep() -> None:
+    """Free all circles of dropped objects."""
+    gc.collect()
 
 
 class _Calls:

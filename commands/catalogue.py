@@ -6,12 +6,17 @@ each file: what it shows, and a link to it. What no table lists comes last.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from .folder import is_file_within
+
 README = "README.md"
+_LONGEST = 2**20
+"""Characters of a README that are read."""
 OTHERS = "Others"
 """The heading of what no table lists."""
 
@@ -42,8 +47,10 @@ class Group(NamedTuple):
 
 
 def catalogue(folder: Path) -> list[Group]:
-    """The files of a folder and of those in it, in the order of its README."""
-    found = {path.relative_to(folder).as_posix(): path for path in sorted(_files(folder))}
+    """The files of a folder and of those in it, in the order of its README. What is hidden, no
+    regular file, or a link that leads elsewhere, is none of them."""
+    names = sorted(_files(folder), key=lambda name: name.split("/"))
+    found = {name: folder / name for name in names}
     groups = []
     for title, intro, rows in _tables(folder / README):
         files = [Listed(found.pop(n), n, what) for n, what in rows.items() if n in found]
@@ -55,11 +62,32 @@ def catalogue(folder: Path) -> list[Group]:
     return groups
 
 
-def _files(folder: Path) -> Iterator[Path]:
-    for path in folder.rglob("*.burnish"):
-        hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
-        if path.is_file() and not hidden:
-            yield path
+def _files(folder: Path) -> Iterator[str]:
+    """The names of the files in a folder and in those in it. Links to folders are not followed;
+    those to files count if they lead to one of the folder."""
+    root, pending = folder.resolve(), [""]
+    while pending:
+        within = pending.pop()
+        for entry in _entries(folder / within):
+            name = within + entry.name
+            if entry.name.startswith("."):
+                continue
+            if entry.is_dir(follow_symlinks=False):
+                pending.append(f"{name}/")
+            elif name.endswith(".burnish") and (
+                entry.is_file(follow_symlinks=False)
+                or (entry.is_symlink() and is_file_within(folder / name, root))
+            ):
+                yield name
+
+
+def _entries(folder: Path) -> list[os.DirEntry[str]]:
+    """What is in a folder; nothing if it cannot be read."""
+    try:
+        with os.scandir(folder) as entries:
+            return list(entries)
+    except OSError:
+        return []
 
 
 def title_of(folder: Path) -> str:
@@ -71,8 +99,12 @@ def title_of(folder: Path) -> str:
 
 
 def _lines(readme: Path) -> list[str]:
+    """The lines of a README; none of one that cannot be read, or is no file of its folder."""
     try:
-        return readme.read_text("utf-8").splitlines()
+        if not is_file_within(readme, readme.parent.resolve()):
+            return []
+        with readme.open(encoding="utf-8") as file:
+            return file.read(_LONGEST).splitlines()
     except (OSError, UnicodeDecodeError):
         return []
 

@@ -1,30 +1,43 @@
-"""Waits until the sources of a file have changed.
+"""Tells which files have changed: one watcher for all that a command compiles or shows.
 
 ``burnish compile --watch`` compiles again after each change, and ``burnish view`` draws again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+import os
+import stat
+import time
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from threading import Event, Lock
+from typing import Generic, TypeVar
 
 import click
 
 from ..compiler.diagnostics.diagnostic import Report
 from ..compiler.frontend import Frontend
-
-if TYPE_CHECKING:
-    from threading import Event
+from .console import remark
 
 _POLL = 1000
-"""After how many milliseconds files are examined even if no change was reported."""
-_STEP = 10
+"""After how many milliseconds files are examined even if no change was reported: file systems of
+other computers report none."""
+_STEP = 20
 """How many milliseconds nothing may be reported until a change counts as complete: an editor
 writes a file in several steps, and nobody wants to wait."""
+_POLL_ALONE = 0.3
+"""After how many seconds files are examined where the system fails to report changes; then it is
+asked again."""
+_TELL_AFTER = 3
+"""After how many such failures this is told."""
+_REST = 20
+"""How many times as long as it takes to examine all files nothing is done afterwards, so that not
+even very many of them, or a folder that never rests, keep a processor busy."""
 
-Stamps = dict[Path, int]
+Key = TypeVar("Key", bound=Hashable)
+Stamp = tuple[int, ...] | None
+"""What tells a file from what it was before; ``None`` if there is none."""
 
 
 def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) -> None:
@@ -36,46 +49,148 @@ def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) ->
         import watchfiles  # noqa: F401
     except ImportError:
         raise click.UsageError("--watch needs one more package: pip install watchfiles") from None
-    for _ in states(file, search_path):
+    watcher = Watcher[Path]()
+    follow = partial(watcher.follow, file, file, partial(sources, file, search_path))
+    follow()
+    act()
+    for _ in watcher.changes():
+        follow()
         act()
 
 
-def states(
-    file: Path, search_path: Sequence[Path], others: Sequence[Path] = (), stop: Event | None = None
-) -> Iterator[None]:
-    """Yield now and after each change to ``file``, its imports or ``others``, until ``stop`` is
-    set.
-
-    It watches folders, not files, because editors replace a file by a new one.
-    """
-    from watchfiles import watch as changes
-
-    while True:
-        folders = _folders(file, search_path, others)
-        before = _stamps(file, folders, others)
-        yield
-        wakings = changes(
-            *folders, recursive=False, yield_on_timeout=True, rust_timeout=_POLL, step=_STEP,
-            debounce=_POLL, stop_event=stop,
-        )  # fmt: skip
-        if not any(_stamps(file, folders, others) != before for _ in wakings):
-            return
-
-
-def _folders(file: Path, search_path: Sequence[Path], others: Sequence[Path]) -> list[Path]:
-    """The folders of the file and its imports, also of imports that cannot be found yet."""
+def sources(file: Path, search_path: Sequence[Path]) -> set[Path]:
+    """What a compile of a file depends on: the file, what it imports, and where imports were looked
+    for in vain; also the folders in which they lie."""
     frontend = Frontend(Report(), search_path)
     frontend.open_file(file)
-    files = (file, *frontend.files, *others)
-    folders = dict.fromkeys((*(path.parent for path in files), *search_path))
-    return [folder for folder in folders if folder.is_dir()]
+    inputs = frontend.inputs
+    return {file, *search_path, *map(Path, inputs.links), *map(Path, inputs.contents)}
 
 
-def _stamps(file: Path, folders: Sequence[Path], others: Sequence[Path]) -> Stamps:
-    """When each source in the folders was last changed. Comparing these never misses a change."""
-    sources = {file, *others, *(path for folder in folders for path in folder.glob("*.burnish"))}
-    stamps = {}
-    for path in sources:
-        with suppress(OSError, ValueError):  # It may be gone by now, or never have been there.
-            stamps[path] = path.stat().st_mtime_ns
-    return stamps
+class Watcher(Generic[Key]):
+    """Follows the files of several things, each of which has a key.
+
+    One thread waits in ``changes``; others may call everything else meanwhile. It has the system
+    watch folders, not files, because editors replace a file by a new one. What counts is whether a
+    file is another one than when it was followed, so no change is missed, whatever is reported.
+    """
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._followed: dict[Key, dict[Path, Stamp]] = {}
+        self._again = Event()
+        """Is set where the system has to watch other folders than before, or nothing more."""
+        self._is_stopped = False
+        self._failures = 0
+        """How often the system has failed to report changes since it last did."""
+        self._is_told = False
+
+    def follow(self, key: Key, file: Path, find: Callable[[], Iterable[Path]]) -> None:
+        """Follow a file, and what ``find`` finds by reading it; call it again after each change."""
+        before = _stamp(file)
+        stamps = {path: _stamp(path) for path in find()} | {file: before}
+        with self._lock:
+            known = {path.parent for each in self._followed.values() for path in each}
+            self._followed[key] = stamps
+        if not known.issuperset(path.parent for path in stamps):
+            self._again.set()
+
+    def leave(self, key: Key) -> None:
+        """Follow the files of a thing no longer."""
+        with self._lock:
+            self._followed.pop(key, None)
+
+    def stop(self) -> None:
+        """End ``changes``, wherever it waits."""
+        self._is_stopped = True
+        self._again.set()
+
+    def changes(self) -> Iterator[Key]:
+        """The key of each thing whose files have changed, as soon as that is noticed; until
+        ``stop`` is called."""
+        while True:
+            self._again.clear()
+            if self._is_stopped:
+                return
+            folders = self._folders()
+            for _ in self._wakings([folder for folder, found in folders.items() if found]):
+                begun = time.monotonic()
+                changed, moved = self._changed(), self._folders() != folders
+                took = time.monotonic() - begun
+                yield from changed
+                if moved or self._again.wait(_REST * took):
+                    break
+
+    def _wakings(self, folders: Sequence[Path]) -> Iterator[object]:
+        """Yield whenever something may have changed in these folders."""
+        from watchfiles import watch as reported
+
+        try:
+            for _ in reported(
+                *folders, watch_filter=None, recursive=False, yield_on_timeout=True,
+                rust_timeout=_POLL, step=_STEP, debounce=_POLL, stop_event=self._again,
+                ignore_permission_denied=True,
+            ):  # fmt: skip
+                self._failures = 0
+                yield None
+        except (OSError, RuntimeError) as error:
+            self._fail(error)
+        else:
+            return
+        self._again.wait(_POLL_ALONE)
+        yield None
+
+    def _fail(self, error: Exception) -> None:
+        """Say once that changes may be noticed late, if the system reports none again and again. A
+        single failure means nothing: a folder has gone just now, or the name of a file beside those
+        that matter is no UTF-8."""
+        self._failures += 1
+        if self._failures == _TELL_AFTER and not self._is_told:
+            self._is_told = True
+            remark("note", (
+                "the system does not report changes of files, so they are looked for every "
+                f"{_POLL_ALONE:g} seconds: {error}"
+            ))  # fmt: skip
+
+    def _changed(self) -> list[Key]:
+        """The keys of what has changed since this was asked before."""
+        with self._lock:
+            followed = {key: dict(stamps) for key, stamps in self._followed.items()}
+        now = {path: _stamp(path) for path in {p for each in followed.values() for p in each}}
+        changed = []
+        for key, stamps in followed.items():
+            if any(now[path] != stamp for path, stamp in stamps.items()):
+                self._note(key, stamps, now)
+                changed.append(key)
+        return changed
+
+    def _note(self, key: Key, before: Mapping[Path, Stamp], now: Mapping[Path, Stamp]) -> None:
+        """Remember what files are now, unless somebody has followed the key anew meanwhile."""
+        with self._lock:
+            if self._followed.get(key) == before:
+                self._followed[key] = {path: now[path] for path in before}
+
+    def _folders(self) -> dict[Path, Stamp]:
+        """The folders in which followed files lie, or would lie, with what tells them apart. The
+        system cannot watch those whose names are no UTF-8."""
+        with self._lock:
+            parents = {path.parent for each in self._followed.values() for path in each}
+        return {folder: _stamp(folder) for folder in parents if _is_unicode(folder)}
+
+
+def _stamp(path: Path) -> Stamp:
+    try:
+        found = path.stat()
+    except (OSError, ValueError):  # It may be gone by now, or no file has such a name.
+        return None
+    if stat.S_ISDIR(found.st_mode):  # What else lies in it does not matter.
+        return found.st_dev, found.st_ino
+    return found.st_dev, found.st_ino, found.st_mtime_ns, found.st_size
+
+
+def _is_unicode(path: Path) -> bool:
+    try:
+        os.fspath(path).encode()
+    except UnicodeEncodeError:
+        return False
+    return "\0" not in os.fspath(path)

@@ -10,8 +10,8 @@ import json
 import os
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import count
 from pathlib import Path
-from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -26,8 +26,10 @@ from ..frames import scenery_of
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
 from ..subjects import set_pictures, tell_unmade
-from .pictures import MOST_BYTES, Pictures, Wanted
+from .keeping import Keeping, Shelf
+from .pictures import Pictures, Wanted
 from .request import Choice, Request
+from .uploads import MOST_BYTES
 
 if TYPE_CHECKING:
     from ...targets.runner.feeding import Kernel
@@ -41,56 +43,89 @@ _PICTURE = "picture."
 """Begins the names by which a page asks for pictures; the rest is the texture's."""
 _SIZE = (512, 512)
 """Of the picture, until the page says how large it is."""
+_MOST_NAMES = 1000
+"""Of each kind of declaration, a page can choose from so many."""
+_MOST_CHOICES = 1000
+"""Of so many choices it is known what they leave open."""
+_VERSIONS = count()
+
+Made = Shelf[tuple[str, Choice], bytes]
+"""Documents, by the names of their files and by choices that leave nothing open."""
 
 
 class Documents:
-    """The documents of a file as it is now. Threads may share it."""
+    """The documents of a file as it is now.
 
-    def __init__(self, request: Request, name: str, pictures: Pictures) -> None:
+    Threads may ask for the version, and for what is kept; everything else one does at a time.
+    """
+
+    def __init__(self, request: Request, name: str, pictures: Pictures, made: Made) -> None:
         """``request`` is about one file, which pages know by its ``name``."""
         self._request = request
         self._name = name
         self._pictures = pictures
-        self._lock = Lock()
-        self._changes = 0
-        self._made: dict[Choice, bytes] = {}
+        self._made = made
+        self._number = next(_VERSIONS)
+        self._whole: dict[Choice, Choice] = {}
+        """What choices mean that were asked for, with everything that they leave open."""
         self._listed: dict[str, Any] = {"subjects": [], "rigs": [], "passes": []}
         """What the file declares; of a file that cannot be read, what it did before."""
         self._told = ""
         """The version whose errors the terminal has been told."""
 
-    @property
-    def version(self) -> str:
-        """Tells apart what the file was before and after each change; and from any other server."""
-        return f"{os.getpid()}.{self._changes}"
+    @staticmethod
+    def shelf(keeping: Keeping) -> Made:
+        """Where the documents of several files are kept."""
+        return Shelf(keeping, len)
 
     @property
-    def others(self) -> tuple[Path, ...]:
+    def file(self) -> Path:
+        """The file."""
+        return self._request.file
+
+    @property
+    def version(self) -> str:
+        """Tells apart what the file was before and after each change; and from any other file or
+        server."""
+        return f"{os.getpid()}.{self._number}"
+
+    @property
+    def others(self) -> set[Path]:
         """The files besides sources that are drawn, as far as they exist."""
         named = (text.removeprefix("srgb:") for _name, text in self._request.values)
         paths = [Path(part) for text in named for part in text.split(",")]
         scene = self._request.scene
-        return tuple(path for path in (*paths, *([scene] if scene else [])) if _is_file(path))
+        return {path for path in (*paths, *([scene] if scene else [])) if _is_file(path)}
 
     def forget(self) -> None:
         """The file has changed: make everything again."""
-        with self._lock:
-            self._changes += 1
-            self._made.clear()
+        self._number = next(_VERSIONS)
+        self._whole = {}
+        self._made.forget(lambda key: key[0] == self._name)
+
+    def kept(self, choice: Choice) -> bytes | None:
+        """The document of a choice, if it was made and there was room to keep it."""
+        whole = self._whole.get(choice._replace(file=None))
+        return None if whole is None else self._made.get((self._name, whole))
 
     def get(self, choice: Choice) -> bytes:
         """The document of a choice, as JSON."""
+        kept = self.kept(choice)
+        if kept is not None:
+            return kept
         choice = choice._replace(file=None)  # It is this one.
-        with self._lock:
-            if choice not in self._made:
-                document = {"version": self.version, **self._document(choice)}
-                made = json.dumps(document, separators=(",", ":")).encode()
-                self._made[choice] = made
-                if chosen := document.get("chosen"):  # What the page will ask for after a change.
-                    whole = choice_of({**chosen, "profile": choice.profile})
-                    self._made[whole._replace(pictures=choice.pictures)] = made
-                self._told = self.version
-            return self._made[choice]
+        document = {"version": self.version, **self._document(choice)}
+        made = json.dumps(document, separators=(",", ":")).encode()
+        whole = choice
+        if chosen := document.get("chosen"):  # What the page will ask for after a change.
+            whole = choice_of({**chosen, "profile": choice.profile})
+            whole = whole._replace(pictures=choice.pictures)
+        if len(self._whole) >= _MOST_CHOICES:
+            self._whole = {}
+        self._whole |= {choice: whole, whole: whole}
+        self._made.put((self._name, whole), made)
+        self._told = self.version
+        return made
 
     # --- one document ----------------------------------------------------------------------------
 
@@ -161,8 +196,10 @@ class Documents:
             for name in names
         ]
         self._listed = {
-            "subjects": listed, "rigs": list(declared.rigs), "passes": list(declared.passes),
-        }  # fmt: skip
+            "subjects": listed[:_MOST_NAMES],
+            "rigs": list(declared.rigs[:_MOST_NAMES]),
+            "passes": list(declared.passes[:_MOST_NAMES]),
+        }
         return declared
 
     def _chosen(self, choice: Choice, declared: api.Declared) -> Choice:

@@ -6,14 +6,23 @@ were found, and never becomes a path itself.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import os
+import time
+from collections.abc import Sequence
 from pathlib import Path
 from threading import Lock
 from typing import Any
 
 from ... import api
 from ...compiler.diagnostics.diagnostic import CompileError
-from ..catalogue import Group, Listed, catalogue
+from ..catalogue import Group, catalogue
+from ..folder import is_file_within
+
+_PATIENCE = 2.0
+"""How many seconds files are read for one list. What is left then is listed without telling what it
+declares, which a later list tells."""
+_MOST_SUBJECTS = 32
+"""So many names are told of one file."""
 
 
 class Folder:
@@ -27,58 +36,60 @@ class Folder:
         self._declared: dict[Path, tuple[int, list[str] | None]] = {}
         """When each file was changed last, and what it declares that can be drawn."""
         self._groups: Sequence[Group] = ()
+        self._paths: dict[str, Path] = {}
+        """Where files are, by the names that pages have for them."""
+        self._is_folder = root.is_dir()
         self._find()
-
-    @property
-    def is_folder(self) -> bool:
-        """Whether there is something to choose from."""
-        return self._root.is_dir()
 
     def first(self) -> str | None:
         """The name of the file to begin with; ``None`` if nothing in the folder can be drawn."""
-        if not self.is_folder:
-            return self._root.name
         with self._lock:
-            drawn = (each.name for each in self._files() if self._subjects(each.path))
-            return next(drawn, None)
+            if not self._is_folder:
+                return next(iter(self._paths))
+            return next((name for name, path in self._paths.items() if self._subjects(path)), None)
 
     def path(self, name: str) -> Path | None:
         """Where a file is, by its name; ``None`` if there is none."""
-        if not self.is_folder:
-            return self._root if name == self._root.name else None
         with self._lock:
-            path = next((each.path for each in self._files() if each.name == name), None)
+            path = self._paths.get(name)
         # By now it may be a link.
-        return path if path and _is_within(path, self._root.resolve()) else None
+        is_own = not self._is_folder or (path and is_file_within(path, self._root.resolve()))
+        return path if is_own else None
 
     def listing(self) -> list[dict[str, Any]]:
         """The files of the folder that can be drawn, as they are now, for the page's list."""
         with self._lock:
             self._find()
+            self._read_all(time.monotonic() + _PATIENCE)
             groups = []
             for group in self._groups:
                 files = [
-                    {"name": each.name, "what": each.what, "subjects": subjects}
+                    {"name": _shown(each.name), "what": each.what, "subjects": subjects}
                     for each in group.files
-                    if (subjects := self._subjects(each.path)) is not None
+                    if (subjects := self._declared.get(each.path, (0, []))[1]) is not None
                 ]
                 if files:
                     groups.append({"title": group.title, "files": files})
             return groups
 
     def _find(self) -> None:
-        """Look for files. A link that leads out of the folder is none of them."""
-        if not self.is_folder:
+        """Look for files."""
+        if not self._is_folder:
+            self._paths = {_shown(self._root.name): self._root}
             return
-        root = self._root.resolve()
-        self._groups = [
-            group._replace(files=own)
-            for group in catalogue(self._root)
-            if (own := [each for each in group.files if _is_within(each.path, root)])
-        ]
+        self._groups = catalogue(self._root)
+        self._paths = {
+            _shown(each.name): each.path for group in self._groups for each in group.files
+        }
+        found = set(self._paths.values())
+        self._declared = {path: row for path, row in self._declared.items() if path in found}
 
-    def _files(self) -> Iterator[Listed]:
-        return (each for group in self._groups for each in group.files)
+    def _read_all(self, end: float) -> None:
+        """Read files that have changed, until it is too late."""
+        for path in self._paths.values():
+            self._subjects(path)
+            if time.monotonic() > end:
+                return
 
     def _subjects(self, path: Path) -> list[str] | None:
         """The frames, materials and kernels of a file; ``None`` if it declares none. Of a file that
@@ -97,11 +108,10 @@ class Folder:
             declared = api.declared(path, search_path=self._search_path)
         except CompileError:
             return []  # Its syntax is wrong.
-        return [*declared.frames, *declared.materials, *declared.kernels] or None
+        names = *declared.frames, *declared.materials, *declared.kernels
+        return list(names[:_MOST_SUBJECTS]) or None
 
 
-def _is_within(path: Path, root: Path) -> bool:
-    try:
-        return path.resolve().is_relative_to(root)
-    except (OSError, RuntimeError):  # A circle of links.
-        return False
+def _shown(name: str) -> str:
+    """A name as pages have it: bytes that are no UTF-8 are written as their numbers."""
+    return os.fsencode(name).decode("utf-8", "backslashreplace")

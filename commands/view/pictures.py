@@ -1,30 +1,27 @@
 """The pictures that people give a page of ``burnish view``: files that its browser sends.
 
-The server keeps the files in memory for as long as it runs, and knows each by a digest of what is
-in it. ``documents.py`` makes textures of them.
+The server keeps the files in memory for as long as there is room, and knows each by a digest of
+what is in it. ``documents.py`` makes textures of them.
 """
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from hashlib import blake2b
 from pathlib import PurePath
-from threading import Lock
 from typing import TYPE_CHECKING, NamedTuple, get_args
+
+from .keeping import Keeping, Shelf
 
 if TYPE_CHECKING:
     from ...targets.runner.drivers.texels import Dimension
     from ...targets.runner.textures.kinds import Kind
     from ...targets.runner.textures.texture import Texture
 
-MOST_BYTES = 64 * 2**20
-"""Of a file."""
-MOST_KEPT = 512 * 2**20
-"""Bytes of all files together; those that were asked for longest ago go first."""
 MOST_TEXELS = 96 * 2**20
 """Bytes of a texture with all its levels. A page gets it as text, which is a third longer."""
-_MOST_TEXTURES = 8
-"""So many are kept as they were made of files, since each change of the source asks for them."""
+_BYTES_OF_TEXEL = 4
+"""Of colours with 8 bits a lane, and of one number; smaller levels of colours take a third of that
+besides."""
 _SRGB = "srgb:"
 
 FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
@@ -61,39 +58,29 @@ def wanted_of(dimension: str, sample: str) -> Wanted | None:
 class Pictures:
     """The files that were given. Threads may share it."""
 
-    def __init__(self) -> None:
-        self._lock = Lock()
-        self._files: OrderedDict[str, Kept] = OrderedDict()
-        self._textures: OrderedDict[tuple[str, Wanted], Texture] = OrderedDict()
+    def __init__(self, keeping: Keeping) -> None:
+        self._textures = Shelf[tuple[str, Wanted], "Texture"](keeping, _size_of)
+        """As they were made of files, since each change of the source asks for them."""
+        self._files = Shelf[str, Kept](keeping, lambda kept: len(kept.data))
 
     def keep(self, name: str, data: bytes, wanted: Wanted) -> str:
         """Keep a file that was given for some texture; returns the word by which pages ask for it.
 
-        Raises ``PictureError`` for a file that makes no such texture.
+        Raises ``PictureError`` for a file that makes no such texture, and ``BudgetError``.
         """
-        kept = Kept(name, data, _is_float(name))
-        texture = _texture(kept, wanted, srgb=False)
-        if (size := sum(map(len, texture.levels))) > MOST_TEXELS:
-            from ...targets.runner.textures.kinds import PictureError
+        from ...targets.runner.textures.kinds import PictureError
 
-            raise PictureError(
-                f"{name} makes a texture of {size >> 20} MB, and the page takes {MOST_TEXELS >> 20}"
-            )
+        kept = Kept(name, data, _is_float(name))
+        _check_size(name, _announced(kept, wanted))
+        _check_size(name, _size_of(_texture(kept, wanted, srgb=False)))
         word = blake2b(name.encode() + b"\0" + data, digest_size=16).hexdigest()
-        with self._lock:
-            self._files[word] = kept
-            self._files.move_to_end(word)
-            while sum(len(each.data) for each in self._files.values()) > MOST_KEPT:
-                self._files.popitem(last=False)
+        if not self._files.put(word, kept):
+            raise PictureError(f"there is no room to keep {name}: a higher `--budget memory` helps")
         return word
 
     def get(self, asked: str) -> Kept | None:
         """The file that a page asks for, if it is still here."""
-        with self._lock:
-            word = asked.removeprefix(_SRGB)
-            if word in self._files:
-                self._files.move_to_end(word)
-            return self._files.get(word)
+        return self._files.get(asked.removeprefix(_SRGB))
 
     def is_srgb(self, asked: str, wanted: Wanted) -> bool:
         """Whether the colours that a page asks for are sRGB. Floats never are."""
@@ -108,16 +95,37 @@ class Pictures:
         if kept is None:
             return None
         key = asked, wanted
-        with self._lock:
-            found = self._textures.get(key)
+        found = self._textures.get(key)
         if found is None:
             found = _texture(kept, wanted, srgb=self.is_srgb(asked, wanted))
-        with self._lock:
-            self._textures[key] = found
-            self._textures.move_to_end(key)
-            if len(self._textures) > _MOST_TEXTURES:
-                self._textures.popitem(last=False)
+            self._textures.put(key, found)
         return found
+
+
+def _announced(kept: Kept, wanted: Wanted) -> int:
+    """The bytes of the texture that a file makes at least, as far as its first bytes tell: what is
+    too large need not be decoded. Files of floats are counted when they are read."""
+    from ...targets.runner.textures.files import announced_size
+
+    if kept.is_float:
+        return 0
+    width, height = announced_size(kept.data, kept.name, FORMATS)
+    levels = 4 / 3 if wanted.sample == "float" else 1
+    return int(width * height * _BYTES_OF_TEXEL * levels)
+
+
+def _check_size(name: str, size: int) -> None:
+    """Raise ``PictureError`` for a texture that a page does not take."""
+    from ...targets.runner.textures.kinds import PictureError
+
+    if size > MOST_TEXELS:
+        raise PictureError(
+            f"{name} makes a texture of {size >> 20} MB, and the page takes {MOST_TEXELS >> 20}"
+        )
+
+
+def _size_of(texture: Texture) -> int:
+    return sum(map(len, texture.levels))
 
 
 def _is_float(name: str) -> bool:

@@ -8,31 +8,44 @@ from __future__ import annotations
 
 import asyncio
 import json
+import logging
+import os
+import signal
 import socket
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
+from threading import Timer
 
 import uvicorn
 from starlette.applications import Starlette
+from starlette.background import BackgroundTask
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request as HttpRequest
 from starlette.responses import JSONResponse, PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 
-from ...targets.runner.textures.kinds import PictureError
-from ..failures import lacking
+from ...garbage import settle
+from ..failures import drawing_errors, lacking
+from ..terminal import flushed
+from .connections import MOST_HEADERS, Connection
 from .documents import choice_of
 from .files import page_files
 from .guarding import Guarded
-from .pictures import MOST_BYTES, Pictures, wanted_of
+from .pictures import Wanted, wanted_of
 from .request import Request
+from .uploads import UploadError, Uploads
 from .watching import Watched
 
 HOST = "127.0.0.1"
 """The loopback interface: no other computer reaches it."""
-_PATIENCE = 2
-"""How many seconds requests may still take when the server ends."""
+_PATIENCE = 0.8
+"""How many seconds requests may still take when the server ends; then the process ends, whatever
+its threads do."""
 _Queue = asyncio.Queue[tuple[str, str] | None]
+_SIGNALLED = 128
+"""What shells add to the number of the signal that has ended a program."""
+_PIECE = 1 << 18
+"""Bytes of a document that are sent at once."""
 _PULSE = 15.0
 """After how many seconds a page is told something, so that nobody takes it for dead."""
 
@@ -42,9 +55,9 @@ class Server:
 
     def __init__(self, request: Request, port: int = 0) -> None:
         """Bind the port, or any that is free. Raises ``OSError`` if it cannot be had."""
-        self._pictures = Pictures()
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._watched = Watched(request, self._pictures, self._changed)
+        self._watched = Watched(request, self._changed)
+        self._uploads = Uploads()
         self._socket = socket.create_server((HOST, port))
         self._port: int = self._socket.getsockname()[1]
         self._pages: set[_Queue] = set()
@@ -63,15 +76,21 @@ class Server:
 
     def run(self) -> None:
         """Serve until Ctrl-C, which is raised again as ``KeyboardInterrupt``."""
+        settle()
         config = uvicorn.Config(
-            self._application(), log_level="warning", access_log=False, ws="none", http="h11",
-            loop="asyncio", server_header=False, timeout_graceful_shutdown=_PATIENCE,
+            self.application(), log_level="error", access_log=False, ws="none", http=Connection,
+            loop="asyncio", server_header=False, h11_max_incomplete_event_size=MOST_HEADERS,
         )  # fmt: skip
         _Ending(config, self._end_pages).run([self._socket])
 
+    def close(self) -> None:
+        """Give back the port of a server that does not run."""
+        self._socket.close()
+
     # --- what is served --------------------------------------------------------------------------
 
-    def _application(self) -> Guarded:
+    def application(self) -> Guarded:
+        """What answers requests."""
         routes = [
             Route("/document", self._document),
             Route("/files", self._files),
@@ -86,7 +105,10 @@ class Server:
         content = await run_in_threadpool(self._watched.document, choice)
         if content is None:
             return PlainTextResponse("nothing in the folder can be drawn", 404)
-        return Response(content, media_type="application/json")
+        return StreamingResponse(
+            _parts(content), headers={"content-length": str(len(content))},
+            media_type="application/json", background=self._tidying,
+        )  # fmt: skip
 
     async def _files(self, _request: HttpRequest) -> Response:
         return JSONResponse(await run_in_threadpool(self._watched.folder.listing))
@@ -97,20 +119,31 @@ class Server:
         wanted = wanted_of(asked.get("dimension", ""), asked.get("sample", ""))
         if wanted is None:
             return PlainTextResponse("there is no such texture", 400)
-        data = bytearray()
-        async for part in request.stream():
-            data += part
-            if len(data) > MOST_BYTES:
-                said = f"the file is larger than {MOST_BYTES >> 20} MB"
-                return PlainTextResponse(said, 413, {"connection": "close"})
-        name = asked.get("name", "the picture")
         try:
-            word = await run_in_threadpool(self._pictures.keep, name, bytes(data), wanted)
-        except (PictureError, MemoryError) as error:
-            return PlainTextResponse(str(error) or "there is not enough memory for this", 422)
-        except ModuleNotFoundError as error:
-            return PlainTextResponse(lacking(error), 422)
-        return PlainTextResponse(word)
+            data = await self._uploads.read(request)
+        except UploadError as error:
+            return PlainTextResponse(str(error), error.status)
+        name = asked.get("name", "the picture")
+        status, text = await run_in_threadpool(self._keep, name, data, wanted)
+        return PlainTextResponse(text, status, background=self._tidying)
+
+    def _keep(self, name: str, data: bytes, wanted: Wanted) -> tuple[int, str]:
+        """Keep a picture; returns the answer. No error leaves this thread, since the traceback of
+        one that is handed on is part of a circle, with all that its functions have made."""
+        with self._watched.workshop.working():
+            try:
+                return 200, self._watched.pictures.keep(name, data, wanted)
+            except drawing_errors() as error:
+                return 422, str(error)
+            except MemoryError:
+                return 422, "there is not enough memory for this"
+            except ModuleNotFoundError as error:
+                return 422, lacking(error)
+
+    @property
+    def _tidying(self) -> BackgroundTask:
+        """What is done once an answer has been sent."""
+        return BackgroundTask(self._watched.workshop.tidy)
 
     async def _changes(self, _request: HttpRequest) -> Response:
         return StreamingResponse(self._told(), media_type="text/event-stream")
@@ -143,7 +176,7 @@ class Server:
         try:
             yield
         finally:
-            await run_in_threadpool(self._watched.end)
+            self._watched.end()
 
     def _changed(self, name: str, version: str) -> None:
         """Tell pages of a change; called by the thread that watches the file."""
@@ -168,16 +201,35 @@ async def _next_event(queue: _Queue) -> str:
     return f"data: {json.dumps({'file': name, 'version': version})}\n\n"
 
 
+async def _parts(content: bytes) -> AsyncIterator[bytes]:
+    """A document in pieces, each of which waits until those before it are nearly all read: a
+    connection to somebody who reads slowly needs no copy of the document."""
+    for start in range(0, len(content), _PIECE):
+        yield content[start : start + _PIECE]
+
+
 class _Ending(uvicorn.Server):
-    """Lets the pages go before it waits for open requests, which theirs would be for ever."""
+    """Lets the pages go before it waits for open requests, which theirs would be for ever; and does
+    not wait for long."""
 
     def __init__(self, config: uvicorn.Config, end_pages: Callable[[], None]) -> None:
         super().__init__(config)
         self._end_pages = end_pages
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        # What is cancelled from here on is no error.
+        logging.getLogger("uvicorn.error").setLevel(logging.CRITICAL)
+        patience = Timer(_PATIENCE, self._end_at_once)
+        patience.daemon = True
+        patience.start()
         self._end_pages()
         await super().shutdown(sockets)
+
+    def _end_at_once(self) -> None:
+        """End the process while a thread still works, whose work nobody will see: a compile, or a
+        kernel. Nothing is written to files here."""
+        received = self._captured_signals[-1] if self._captured_signals else signal.SIGINT
+        os._exit(flushed(_SIGNALLED + received))
 
 
 def _route(path: str, content: bytes, media_type: str) -> Route:

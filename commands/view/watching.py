@@ -1,38 +1,46 @@
-"""The documents of each file that a page has opened, with a thread that watches it for changes."""
+"""The documents of each file that a page has opened, which are forgotten when the file changes."""
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable
-from threading import Event, Lock, Thread
+from functools import partial
+from pathlib import Path
+from threading import Lock, Thread
 
-from ..watch import states
+from ..watch import Watcher, sources
 from .documents import Documents
 from .folder import Folder
+from .keeping import Keeping
 from .pictures import Pictures
 from .request import Choice, Request
+from .workshop import Workshop
 
-_PATIENCE = 2.0
-"""How many seconds threads may take to end."""
+_MOST_OPENED = 256
+"""Of so many files the server remembers that somebody looks at them; of others it makes documents
+when it is asked, and tells nobody of their changes."""
 
 Told = Callable[[str, str], None]
 """Is told of a change: the name of a file, and its new version."""
 
 
 class Watched:
-    """The files of a server that somebody looks at."""
+    """The files of a server that somebody looks at. Threads may share it."""
 
-    def __init__(self, request: Request, pictures: Pictures, told: Told) -> None:
-        """``told`` is called from other threads."""
+    def __init__(self, request: Request, told: Told) -> None:
+        """``told`` is called from another thread."""
         self._request = request
-        self._pictures = pictures
         self._told = told
         self.folder = Folder(request.file, request.search_path)
+        self.workshop = Workshop()
+        keeping = Keeping()
+        self._made = Documents.shelf(keeping)
+        self.pictures = Pictures(keeping)
         self.is_seen = False
         """Whether any page is open, which asks for a document itself after each change."""
+        self._watcher = Watcher[str]()
         self._lock = Lock()
-        self._stop = Event()
-        self._opened: dict[str, Documents] = {}
-        self._threads: list[Thread] = []
+        self._opened: OrderedDict[str, Documents] = OrderedDict()
 
     @property
     def versions(self) -> dict[str, str]:
@@ -42,8 +50,12 @@ class Watched:
 
     def begin(self) -> None:
         """Have the first document ready before a browser asks, and tell the terminal what is wrong
-        with it."""
-        self._start(lambda: self.document(Choice()))
+        with it. Then watch all files that are opened, in a thread that ends with the process."""
+        Thread(target=self._work, daemon=True).start()
+
+    def end(self) -> None:
+        """Watch nothing any more."""
+        self._watcher.stop()
 
     def document(self, choice: Choice) -> bytes | None:
         """The document of a choice; of the first file, if it names none that there is. ``None`` if
@@ -56,34 +68,51 @@ class Watched:
         if name is None or path is None:
             return None
         with self._lock:
+            opened = self._opened.get(name)
+        if opened is not None and (kept := opened.kept(choice)) is not None:
+            return kept
+        with self.workshop.working():
+            return self._documents(name, path).get(choice)
+
+    def _documents(self, name: str, path: Path) -> Documents:
+        """Those of a file, which is followed from now on; the caller works in the workshop."""
+        with self._lock:
             found = self._opened.get(name)
-            if found is None:
-                request = self._request._replace(file=path)
-                found = self._opened[name] = Documents(request, name, self._pictures)
-                self._watch(name, request, found)
-        return found.get(choice)
+            if found is not None:
+                self._opened.move_to_end(name)
+                return found
+            found = Documents(self._request._replace(file=path), name, self.pictures, self._made)
+            self._opened[name] = found
+            old = self._opened.popitem(last=False) if len(self._opened) > _MOST_OPENED else None
+        if old is not None:
+            self._watcher.leave(old[0])
+            old[1].forget()
+        self._follow(name, found)
+        return found
 
-    def end(self) -> None:
-        """End all threads."""
-        self._stop.set()
-        for thread in self._threads:
-            thread.join(_PATIENCE)
+    def _work(self) -> None:
+        self.document(Choice())
+        self.workshop.tidy()
+        for name in self._watcher.changes():
+            self._change(name)
 
-    def _watch(self, name: str, request: Request, documents: Documents) -> None:
-        """Begin to watch a file: no change is missed from now on."""
-        changes = states(request.file, request.search_path, documents.others, self._stop)
-        next(changes)
+    def _change(self, name: str) -> None:
+        """Tell of a change, and make what nobody asks for, so that the terminal tells what is
+        wrong."""
+        with self._lock:
+            changed = self._opened.get(name)
+        if changed is None:
+            return
+        with self.workshop.working():
+            changed.forget()
+            self._follow(name, changed)
+        self._told(name, changed.version)
+        if not self.is_seen:
+            with self.workshop.working():
+                changed.get(Choice())
+            self.workshop.tidy()
 
-        def follow() -> None:
-            for _ in changes:
-                documents.forget()
-                self._told(name, documents.version)
-                if not self.is_seen:
-                    documents.get(Choice())
-
-        self._start(follow)
-
-    def _start(self, act: Callable[[], object]) -> None:
-        thread = Thread(target=act, daemon=True)
-        self._threads.append(thread)
-        thread.start()
+    def _follow(self, name: str, documents: Documents) -> None:
+        file, search_path = documents.file, self._request.search_path
+        find = partial(sources, file, search_path)
+        self._watcher.follow(name, file, lambda: find() | documents.others)

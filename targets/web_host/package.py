@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.ir.stages import INSTANCES, VERTICES
+from ..budget import check
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance
@@ -36,6 +37,10 @@ MODULES = Path(__file__).with_name("modules")
 VERSION = 1
 """The version of the document; a host refuses others."""
 
+_COPIES = 5
+"""How much memory a byte of a picture or buffer takes until a package is sent: as text it is a
+third longer, and that text is in the package, in the document, and in the document's bytes."""
+
 _SQUARE = 1.0
 """The width of a picture divided by its height, for which a package has the camera."""
 
@@ -47,8 +52,9 @@ def frame_package(host: FrameHost, profiles: Iterable[str] = (WGSL,)) -> dict[st
     """The package of a frame with the values and the scene that its host has now, and with the
     texts for some profiles.
 
-    Raises ``MeshError`` where a mesh lacks what a shader reads, and ``MissingValuesError`` where
-    the levels of patches depend on a value that nobody has set.
+    Raises ``BudgetError`` where its pictures, buffers and meshes take too much memory,
+    ``MeshError`` where a mesh lacks what a shader reads, and ``MissingValuesError`` where the
+    levels of patches depend on a value that nobody has set.
     """
     return _Package(host, frozenset(profiles)).document()
 
@@ -62,6 +68,8 @@ class _Package:
         self._geometries: list[dict[str, Any]] = []
         self._geometry_of: dict[tuple[int, int], int] = {}
         self._instances: list[Instance] = []
+        self._bytes = 0
+        """Of all pictures, buffers and meshes so far."""
 
     def document(self) -> dict[str, Any]:
         host = self._host
@@ -82,7 +90,7 @@ class _Package:
             "roles": _roles(values.reflection),
             "given": sorted(host.given),
             "textures": self._textures(values),
-            "buffers": _buffers(values),
+            "buffers": self._buffers(values),
             "pictures": self._pictures,
         }
 
@@ -103,7 +111,7 @@ class _Package:
             "lights": dict(self._lights(number, reflection)),
             "textures": self._textures(instance),
             "texture_roles": texture_roles(reflection),
-            "buffers": _buffers(instance),
+            "buffers": self._buffers(instance),
             "levels": _levels(instance),
             "webgpu": webgpu_pipeline(reflection, stages) if stages else None,
         }
@@ -192,6 +200,7 @@ class _Package:
         key = id(mesh), shader
         if key not in self._geometry_of:
             made = _geometry(self._instances[shader].copied(), mesh)
+            self._count(sum(len(text) for text in made.values() if isinstance(text, str)))
             if made not in self._geometries:
                 self._geometries.append(made)
             self._geometry_of[key] = self._geometries.index(made)
@@ -204,6 +213,7 @@ class _Package:
 
     def _picture(self, texture: Texture) -> int:
         if texture not in self._picture_of:
+            self._count(sum(map(len, texture.levels)))
             self._picture_of[texture] = len(self._pictures)
             self._pictures.append({
                 "format": texture.format,
@@ -214,6 +224,20 @@ class _Package:
                 "levels": [_base64(level) for level in texture.levels],
             })  # fmt: skip
         return self._picture_of[texture]
+
+    # --- buffers ---------------------------------------------------------------------------------
+
+    def _buffers(self, instance: Instance) -> dict[str, str]:
+        buffers = instance.buffers()
+        self._count(sum(len(contents.data) for contents in buffers.values()))
+        return {name: _base64(contents.data) for name, contents in buffers.items()}
+
+    def _count(self, size: int) -> None:
+        """Count so many bytes more; raises ``BudgetError`` if these are too many."""
+        self._bytes += size
+        check(
+            "memory", _COPIES * self._bytes, f"a page that draws {self._host.plan['frame']} needs"
+        )
 
 
 def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
@@ -272,10 +296,6 @@ def _values(instance: Instance) -> dict[str, Any]:
     names = (row["name"] for row in instance.reflection["parameters"])
     found = {name: instance.get(name) for name in names if name not in counters}
     return {name: value for name, value in found.items() if value is not None}
-
-
-def _buffers(instance: Instance) -> dict[str, str]:
-    return {name: _base64(contents.data) for name, contents in instance.buffers().items()}
 
 
 def _without_source_maps(reflection: Row) -> dict[str, Any]:

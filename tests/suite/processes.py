@@ -15,6 +15,7 @@ import subprocess
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from subprocess import DEVNULL, PIPE
 from threading import Thread
@@ -50,7 +51,8 @@ class Program:
         for folder in Path("/proc").glob("[0-9]*"):
             with suppress(OSError):
                 if wanted in (folder / "environ").read_bytes() + b"\0":
-                    texts = ((folder / name).read_text() for name in ("cmdline", "maps"))
+                    read = partial(Path.read_text, errors="backslashreplace")
+                    texts = (read(folder / name) for name in ("cmdline", "maps"))
                     found[int(folder.name)] = "\n".join(texts)
         return found
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from burnish.commands.view.documents import Documents, choice_of
+from burnish.commands.view.keeping import Keeping
 from burnish.commands.view.pictures import Pictures
 from burnish.commands.view.request import Request
 
@@ -33,9 +34,9 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         search_path=(),
         hoist=True,
     )
-    found: dict[str, Any] = json.loads(
-        Documents(request, file.name, Pictures()).get(choice_of(query or {}))
-    )
+    keeping = Keeping()
+    documents = Documents(request, file.name, Pictures(keeping), Documents.shelf(keeping))
+    found: dict[str, Any] = json.loads(documents.get(choice_of(query or {})))
     return found
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import quote
@@ -12,7 +13,7 @@ from playwright.sync_api import Browser
 from burnish.commands.view.folder import Folder
 
 from ..cli.kit import invoke
-from ..suite.processes import LIMIT
+from ..suite.processes import LIMIT, until
 from .kit import Viewer, viewing
 from .pages import SIZE, opened, shows
 
@@ -144,3 +145,80 @@ def test_folders_without_anything_to_show(tmp_path: Path) -> None:
     assert result.stderr == (
         f"error: there is nothing in the folder `{tmp_path}` that could be drawn\n"
     )
+
+
+def test_names_that_are_no_unicode(tmp_path: Path) -> None:
+    """Such a file is listed, shown and watched like others; its odd bytes are written out."""
+    folder = tmp_path / os.fsdecode(b"\xfe")
+    (folder / os.fsdecode(b"deep\xff")).mkdir(parents=True)
+    file = folder / os.fsdecode(b"deep\xff/\xffred.burnish")
+    file.write_text(PLAIN.format("Red", "#ff0000"))
+    for name in ("a#b?c%d&e=f.burnish", "two\nlines.burnish", "x" * 200 + ".burnish"):
+        (folder / name).write_text(PLAIN.format("Odd", "#00ff00"))
+    with viewing(folder) as viewer:
+        names = [each["name"] for group in viewer.ask("/files").json() for each in group["files"]]
+        assert sorted(names) == sorted((
+            r"deep\xff/\xffred.burnish", "a#b?c%d&e=f.burnish", "two\nlines.burnish",
+            "x" * 200 + ".burnish",
+        ))  # fmt: skip
+        for name in names:
+            found = viewer.ask(f"/document?file={quote(name, safe='')}").json()
+            assert (found["file"], found.get("error")) == (name, None)
+        asked = f"/document?file={quote(names[-1], safe='')}"
+        before = viewer.ask(asked).json()["version"]
+        path = file if names[-1].startswith("deep") else folder / names[-1]
+        path.write_text(PLAIN.format("Other", "#ffffff"))
+        until(lambda: viewer.ask(asked).json()["version"] != before, "the change is seen")
+        assert viewer.said.read_text() == ""
+
+
+def test_what_is_no_file_of_the_folder(tmp_path: Path) -> None:
+    """A README that is a link elsewhere is not read, and a pipe is never waited for."""
+    folder = tmp_path / "shown"
+    folder.mkdir()
+    (folder / "plain.burnish").write_text(PLAIN.format("Plain", "#ffffff"))
+    (tmp_path / "private.md").write_text(README.replace("red.", "plain."))
+    (folder / "README.md").symlink_to(tmp_path / "private.md")
+    os.mkfifo(folder / "pipe.burnish")
+    (folder / "null.burnish").symlink_to("/dev/zero")
+    (folder / "circle.burnish").symlink_to(folder / "circle.burnish")
+    (folder / "folder.burnish").mkdir()
+    plain = [{"name": "plain.burnish", "what": "", "subjects": ["Plain"]}]
+    assert Folder(folder, ()).listing() == [{"title": "", "files": plain}]
+    (folder / "README.md").unlink()
+    os.mkfifo(folder / "README.md")
+    assert Folder(folder, ()).listing() == [{"title": "", "files": plain}]
+
+
+def test_a_folder_that_is_deleted(tmp_path: Path) -> None:
+    folder = tmp_path / "shown"
+    folder.mkdir()
+    file = folder / "plain.burnish"
+    file.write_text(PLAIN.format("Plain", "#ffffff"))
+    with viewing(folder) as viewer:
+        assert viewer.ask("/document").status == 200
+        file.unlink()
+        folder.rmdir()
+        until(lambda: viewer.ask("/document").status == 404, "there is nothing to show")
+        assert viewer.ask("/files").json() == []
+        folder.mkdir()
+        file.write_text(PLAIN.format("Again", "#ffffff"))
+        assert viewer.ask("/files").json()[0]["files"][0]["subjects"] == ["Again"]
+        until(lambda: b'"subject":"Again"' in viewer.ask("/document").body, "it is shown again")
+
+
+def test_lists_of_many_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What there is no time to read is listed all the same, and read for the next list."""
+    for number in range(5):
+        (tmp_path / f"{number}.burnish").write_text(PLAIN.format("Plain", "#ffffff"))
+    monkeypatch.setattr("burnish.commands.view.folder._PATIENCE", -1.0)
+    folder = Folder(tmp_path, ())
+
+    def subjects() -> list[list[str]]:
+        (group,) = folder.listing()
+        return [each["subjects"] for each in group["files"]]
+
+    assert subjects() == [["Plain"], [], [], [], []]
+    assert folder.path("4.burnish") == tmp_path / "4.burnish"
+    monkeypatch.setattr("burnish.commands.view.folder._PATIENCE", 60.0)
+    assert subjects() == 5 * [["Plain"]]

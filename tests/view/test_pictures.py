@@ -9,7 +9,10 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Page
 
-from burnish.commands.view.pictures import MOST_BYTES, Pictures, Wanted
+from burnish.commands.view.keeping import Keeping
+from burnish.commands.view.pictures import Pictures, Wanted
+from burnish.commands.view.uploads import MOST_BYTES
+from burnish.targets.budget import raised
 from burnish.targets.runner.textures.kinds import PictureError
 
 from .kit import Viewer
@@ -139,7 +142,7 @@ def test_how_large_pictures_may_be(viewer: Viewer, monkeypatch: pytest.MonkeyPat
     query = "/picture?name=a.png&dimension=2d&sample=float"
     answer = viewer.ask(query, "POST", bytes(MOST_BYTES + 1))
     assert (answer.status, answer.body) == (413, b"the file is larger than 64 MB")
-    pictures = Pictures()
+    pictures = Pictures(Keeping())
     with pytest.raises(PictureError, match=r"wide\.png has 9000 x 1 texels, and no side may have"):
         pictures.keep("wide.png", png(size=(9000, 1)), FLAT)
     monkeypatch.setattr("burnish.commands.view.pictures.MOST_TEXELS", 1 << 20)
@@ -147,25 +150,27 @@ def test_how_large_pictures_may_be(viewer: Viewer, monkeypatch: pytest.MonkeyPat
         pictures.keep("a.png", png(size=(1024, 1024)), FLAT)
 
 
-def test_files_that_were_asked_for_longest_ago_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    pictures = Pictures()
+def test_files_that_were_asked_for_longest_ago_go() -> None:
+    """Where there is no room for all of them; one that there is no room for is refused."""
+    pictures = Pictures(Keeping())
     files = [png((shade, 0, 0)) for shade in (10, 20, 30)]
-    monkeypatch.setattr("burnish.commands.view.pictures.MOST_KEPT", 2 * len(files[0]))
     first, second = (pictures.keep("a.png", file, FLAT) for file in files[:2])
-    assert pictures.get(first)
-    third = pictures.keep("a.png", files[2], FLAT)
-    assert [pictures.get(word) is not None for word in (first, second, third)] == [
-        True,
-        False,
-        True,
-    ]
-    assert pictures.texture(second, FLAT) is None
+    room = 2 * (len(files[0]) + len(repr(first)))
+    with raised({"memory": 2 * room}):
+        assert pictures.get(first)
+        third = pictures.keep("a.png", files[2], FLAT)
+        assert [pictures.get(word) is not None for word in (first, second, third)] == [
+            True, False, True,
+        ]  # fmt: skip
+        assert pictures.texture(second, FLAT) is None
+    with raised({"memory": 100}), pytest.raises(PictureError, match=r"no room to keep b\.png: a "):
+        pictures.keep("b.png", files[0], FLAT)
 
 
 def test_panoramas_are_cubes_of_floats() -> None:
     """Their numbers are linear, whatever is asked for."""
     file = EXAMPLES / "pictures" / "garden.hdr"
-    pictures, wanted = Pictures(), Wanted("cube", "float")
+    pictures, wanted = Pictures(Keeping()), Wanted("cube", "float")
     word = pictures.keep("sky.HDR", file.read_bytes(), wanted)
     texture = pictures.texture(f"srgb:{word}", wanted)
     assert texture is not None

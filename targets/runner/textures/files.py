@@ -62,6 +62,13 @@ def picture_in(
         return _decoded(BytesIO(data), name, sample, formats)
 
 
+def announced_size(data: bytes, name: str, formats: tuple[str, ...]) -> tuple[int, int]:
+    """The width and height of the picture that some bytes are, as they say themselves: nothing is
+    decoded. Raises ``PictureError``."""
+    with _told(name), Image.open(BytesIO(data), formats=formats) as picture:
+        return picture.size
+
+
 def picture_given(
     data: bytes, name: str, formats: tuple[str, ...], dimension: Dimension, sample: Kind
 ) -> NDArray[Any]:

@@ -1,0 +1,102 @@
+"""What the server of ``burnish view`` keeps in memory, and how much that may be.
+
+The files of pictures that pages were given are kept, since nobody else has them; and textures and
+documents that were made, since they are asked for again. All of it together has one limit.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from threading import Lock
+from typing import Any, Generic, TypeVar
+
+from ...targets.budget import allowed
+
+_SHARE = 4
+"""What is kept takes this part of the limit called ``memory`` at most; the rest is for what is
+being made."""
+
+Key = TypeVar("Key", bound=Hashable)
+Value = TypeVar("Value")
+
+
+class Keeping:
+    """All shelves of a server. Threads may share it."""
+
+    def __init__(self) -> None:
+        self.lock = Lock()
+        self._shelves: list[Shelf[Any, Any]] = []
+
+    @property
+    def most(self) -> int:
+        """How many bytes may be kept."""
+        return allowed("memory") // _SHARE
+
+    @property
+    def size(self) -> int:
+        """How many bytes are kept."""
+        return sum(shelf.size for shelf in self._shelves)
+
+    def add(self, shelf: Shelf[Any, Any]) -> None:
+        """Count what lies on another shelf, which is cleared after all that were added before."""
+        self._shelves.append(shelf)
+
+    def make_room(self) -> None:
+        """Drop what is too much: what was asked for longest ago, of the first shelf that has any.
+        The caller has the lock."""
+        for shelf in self._shelves:
+            while self.size > self.most and shelf.drop_oldest():
+                pass
+
+
+class Shelf(Generic[Key, Value]):
+    """Things of one kind that are kept, by their keys. Threads may share it."""
+
+    def __init__(self, keeping: Keeping, size_of: Callable[[Value], int]) -> None:
+        """``size_of`` says how many bytes a thing takes; its key takes some, too."""
+        self._keeping = keeping
+        self._size_of = size_of
+        self._kept: OrderedDict[Key, tuple[Value, int]] = OrderedDict()
+        self.size = 0
+        """The bytes of all that lies here."""
+        keeping.add(self)
+
+    def get(self, key: Key) -> Value | None:
+        """What is kept under a key, which is then the last that goes."""
+        with self._keeping.lock:
+            if key not in self._kept:
+                return None
+            self._kept.move_to_end(key)
+            return self._kept[key][0]
+
+    def put(self, key: Key, value: Value) -> bool:
+        """Keep something, and drop whatever is too much then. Returns whether it is kept: what
+        takes more than everything may is not."""
+        size = self._size_of(value) + len(repr(key))
+        with self._keeping.lock:
+            self._drop(key)
+            if size > self._keeping.most:
+                return False
+            self._kept[key] = value, size
+            self.size += size
+            self._keeping.make_room()
+            return key in self._kept
+
+    def forget(self, is_old: Callable[[Key], bool]) -> None:
+        """Drop what is kept under such keys."""
+        with self._keeping.lock:
+            for key in [key for key in self._kept if is_old(key)]:
+                self._drop(key)
+
+    def drop_oldest(self) -> bool:
+        """Drop what was asked for longest ago; returns whether there was anything. The caller has
+        the lock."""
+        oldest = next(iter(self._kept), None)
+        if oldest is not None:
+            self._drop(oldest)
+        return oldest is not None
+
+    def _drop(self, key: Key) -> None:
+        if key in self._kept:
+            self.size -= self._kept.pop(key)[1]

@@ -1,0 +1,40 @@
+"""Where the server of ``burnish view`` makes documents and textures: one at a time.
+
+Each may take all the memory that the limits allow, so no two are made together. And what it leaves
+behind is freed at once, in place of when Python next looks for garbage: a picture is a single
+object for Python, however many megabytes it has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from threading import Lock
+
+from ...garbage import sweep
+
+
+class Workshop:
+    """Threads share one, and wait in it for each other."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._is_swept = True
+
+    @contextmanager
+    def working(self) -> Iterator[None]:
+        """Have the workshop for oneself inside the ``with`` block."""
+        with self._lock:
+            self._sweep()
+            self._is_swept = False
+            yield
+
+    def tidy(self) -> None:
+        """Free what the last work has left. It takes a while, so nobody should wait for it."""
+        with self._lock:
+            self._sweep()
+
+    def _sweep(self) -> None:
+        if not self._is_swept:
+            sweep()
+            self._is_swept = True
