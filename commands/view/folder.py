@@ -13,7 +13,7 @@ from typing import Any
 
 from ... import api
 from ...compiler.diagnostics.diagnostic import CompileError
-from ..catalogue import Group, Listed, catalogue
+from ..catalogue import ENDING, Group, Listed, catalogue, is_shown
 
 
 class Folder:
@@ -49,7 +49,7 @@ class Folder:
         with self._lock:
             path = next((each.path for each in self._files() if each.name == name), None)
         # By now it may be a link.
-        return path if path and _is_within(path, self._root.resolve()) else None
+        return path if path and is_shown(path, self._root.resolve(), ENDING) else None
 
     def listing(self) -> list[dict[str, Any]]:
         """The files of the folder that can be drawn, as they are now, for the page's list."""
@@ -67,15 +67,9 @@ class Folder:
             return groups
 
     def _find(self) -> None:
-        """Look for files. A link that leads out of the folder is none of them."""
-        if not self.is_folder:
-            return
-        root = self._root.resolve()
-        self._groups = [
-            group._replace(files=own)
-            for group in catalogue(self._root)
-            if (own := [each for each in group.files if _is_within(each.path, root)])
-        ]
+        """Look for files."""
+        if self.is_folder:
+            self._groups = catalogue(self._root)
 
     def _files(self) -> Iterator[Listed]:
         return (each for group in self._groups for each in group.files)
@@ -98,10 +92,3 @@ class Folder:
         except CompileError:
             return []  # Its syntax is wrong.
         return [*declared.frames, *declared.materials, *declared.kernels] or None
-
-
-def _is_within(path: Path, root: Path) -> bool:
-    try:
-        return path.resolve().is_relative_to(root)
-    except (OSError, RuntimeError):  # A circle of links.
-        return False
