@@ -33,7 +33,9 @@ class Answer:
     reply: Mapping[str, Any]
     """The child's answer; empty unless the ending is ``ended``."""
     log: str
-    """Why there is no answer."""
+    """Why there is no answer, with all that the child has said."""
+    reason: str = ""
+    """Why there is no answer, in a few words."""
 
 
 class Worker:
@@ -93,7 +95,7 @@ class Worker:
         self._bury(self._child)
         reason = timeout or how_it_crashed(code)
         ending: Ending = "timeout" if timeout else "crashed"
-        return Answer(ending, {}, f"{said}{self._command[0]}: {reason}\n")
+        return Answer(ending, {}, f"{said}{self._command[0]}: {reason}\n", reason)
 
     def _bury(self, child: subprocess.Popen[bytes]) -> None:
         child.kill()
