@@ -177,7 +177,10 @@ def _made(listed: Listed, folder: Path, pool: Pool) -> Entry:
         entry: Entry = answer.reply["entry"]
         return entry
     source, _problem = source_of(listed.path, folder)
-    return failed(source, f"the process that was drawing this has failed: {answer.reason}")
+    # What the process has printed tells of this machine, and pages may be published. The last line
+    # is ours: the program, and how it has ended.
+    how = answer.log.rstrip().rpartition("\n")[2].partition(": ")[2]
+    return failed(source, f"nothing could be made of this file: the process that tried was {how}")
 
 
 def _tell(listed: Listed, entry: Entry, number: int, total: int, *, is_new: bool) -> None:

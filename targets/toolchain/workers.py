@@ -33,9 +33,7 @@ class Answer:
     reply: Mapping[str, Any]
     """The child's answer; empty unless the ending is ``ended``."""
     log: str
-    """Why there is no answer, with all that the child has said."""
-    reason: str = ""
-    """Why there is no answer, in a few words."""
+    """Why there is no answer."""
 
 
 class Worker:
@@ -95,7 +93,7 @@ class Worker:
         self._bury(self._child)
         reason = timeout or how_it_crashed(code)
         ending: Ending = "timeout" if timeout else "crashed"
-        return Answer(ending, {}, f"{said}{self._command[0]}: {reason}\n", reason)
+        return Answer(ending, {}, f"{said}{self._command[0]}: {reason}\n")
 
     def _bury(self, child: subprocess.Popen[bytes]) -> None:
         child.kill()
