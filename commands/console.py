@@ -28,8 +28,7 @@ class Styled(NamedTuple):
 
 
 def say(*pieces: str | Styled) -> None:
-    """Print some pieces of text, which follow each other, and the end of a line to standard
-    output."""
+    """Print a line to standard output, made of pieces of text that follow each other."""
     import click
 
     shown = map(_shown, pieces)
@@ -39,12 +38,11 @@ def say(*pieces: str | Styled) -> None:
 def _shown(piece: str | Styled) -> str:
     import click
 
-    from ..compiler.diagnostics.display import harmless_lines
+    from ..compiler.diagnostics.display import harmless
 
     if isinstance(piece, Styled):
-        text = harmless_lines(piece.text)
-        return click.style(text, fg=piece.color, bold=piece.is_bold or None)
-    return harmless_lines(piece)
+        return click.style(harmless(piece.text), fg=piece.color, bold=piece.is_bold or None)
+    return harmless(piece)
 
 
 def show(diagnostics: Iterable[Diagnostic]) -> None:

@@ -40,7 +40,8 @@ def targets(form: str) -> None:
         say(Styled(target.name, is_bold=True), f"  {target.title}, *.{target.extension}")
         if target.unproven:
             say("  ", Styled("unproven", "yellow"), f": {target.unproven}")
-        say("\n".join(_profiles(target)))
+        for line in _profiles(target):
+            say(line)
 
 
 def _profiles(target: Language) -> Iterator[str]:

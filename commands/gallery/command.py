@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
+from ...compiler.diagnostics.display import harmless
 from ..console import remark, say
 from ..failures import fail, told
 from ..terminal import FAILED
@@ -123,7 +124,7 @@ def _make(request: Request) -> None:
         f"{request.output / 'index.html'}"
     )
     if wrong:
-        names = ", ".join(wrong)
+        names = ", ".join(map(harmless, wrong))
         remark("error", f"something is wrong with {names}: the pages of these files say what")
         click.get_current_context().exit(FAILED)
 
