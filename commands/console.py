@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from .terminal import wants_color
 
 if TYPE_CHECKING:
+    from click import ClickException
+
     from ..compiler.diagnostics.diagnostic import Diagnostic, Severity
 
 
@@ -69,6 +71,20 @@ def rendered(diagnostics: Iterable[Diagnostic]) -> str:
 
     text = render_all(found, color=wants_color(sys.stderr))
     return f"{text}\n\n{_counted(found)}\n"
+
+
+def show_misuse(error: ClickException) -> None:
+    """Print what click says of a command line to standard error. It quotes words, which may be
+    names of files that a shell has filled in."""
+    from io import StringIO
+
+    import click
+
+    from ..compiler.diagnostics.display import harmless_lines
+
+    said = StringIO()
+    error.show(said)
+    click.echo(harmless_lines(said.getvalue()), err=True, nl=False)
 
 
 def remark(severity: Severity, text: str) -> None:

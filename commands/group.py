@@ -6,8 +6,6 @@ Starting fast is a feature, so nothing here loads the compiler.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from importlib import import_module
 from typing import Any
 
@@ -41,16 +39,19 @@ class _QuietGroup(click.Group):
         """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
         try:
             show_everything()
-            return super().main(*arguments, **options)
+            code = super().main(*arguments, **{**options, "standalone_mode": False})
+        except click.ClickException as error:
+            from .console import show_misuse
+
+            show_misuse(error)
+            sys.exit(error.exit_code)
+        except click.Abort:
+            sys.exit(INTERRUPTED)
         except OSError as error:
             place = "" if error.filename is None else f"`{error.filename}`: "
             complain(f"error: {place}{error.strerror or error}")
             sys.exit(FAILED)
-
-    def make_context(self, *arguments: Any, **options: Any) -> click.Context:
-        """Read the words up to the command's name."""
-        with _harmless_messages():
-            return super().make_context(*arguments, **options)
+        sys.exit(code or 0)
 
     def list_commands(self, _context: click.Context) -> list[str]:
         """The names of the commands, as the help lists them."""
@@ -75,23 +76,9 @@ class _QuietGroup(click.Group):
 
     def invoke(self, context: click.Context) -> Any:
         try:
-            with _harmless_messages():
-                return super().invoke(context)
+            return super().invoke(context)
         except KeyboardInterrupt:
             context.exit(INTERRUPTED)
-
-
-@contextmanager
-def _harmless_messages() -> Iterator[None]:
-    """Have click print nothing that a terminal obeys: it quotes words of the command line, which
-    may be names of files that a shell has filled in."""
-    try:
-        yield
-    except click.ClickException as error:
-        from ..compiler.diagnostics.display import harmless_lines
-
-        error.message = harmless_lines(error.message)
-        raise
 
 
 @click.group(cls=_QuietGroup, context_settings={"help_option_names": ["-h", "--help"]})

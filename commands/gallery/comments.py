@@ -91,7 +91,7 @@ def asked(source: str, name: str, root: Path) -> Asked:
         words = next(_commands(source, name), None)
         return Asked(words, _options(words[1:], root), "") if words else NOTHING
     except _NotFollowedError as reason:
-        said = f"the comment of the file {reason}, so it is drawn without what it asks for"
+        said = f"the comment of the file {reason}; it is drawn without that"
         return NOTHING._replace(note=said)
 
 

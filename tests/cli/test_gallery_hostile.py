@@ -11,19 +11,22 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 from PIL import Image
+from playwright.sync_api import Dialog
 
-from burnish.commands.catalogue import Listed, catalogue, title_of
-from burnish.commands.gallery.command import _made
+from burnish.commands.catalogue import catalogue, title_of
 from burnish.commands.gallery.comments import FOLLOWED, asked
 from burnish.commands.gallery.pages import FOLDER
-from burnish.targets.toolchain.workers import Pool, Worker
+from burnish.targets.toolchain import workers
+from burnish.targets.toolchain.workers import Worker
 
 from ..suite import browsers
-from .hostile_folder import COMMENTS, OWN_COLOR, SECRET, SECRET_COLOR, Reader, fill
+from .hostile_folder import COMMENTS, MODULE, OWN_COLOR, SECRET, SECRET_COLOR, Reader, fill
 from .kit import invoke, tree
 
+ROOT = Path(__file__).parents[2]
 OPTIONS = ("--size", 16, "--jobs", 2, "--on", "llvmpipe:gl330", "--routes", "llvmpipe:gl330")
 
 
@@ -107,11 +110,8 @@ def test_nothing_private_is_shown(made: Made) -> None:
         ).replace(f"{made.outside}/written.png", "").replace(f"-I {made.outside}", ""), name
     for path in made.output.glob("*.png"):
         with Image.open(path) as picture:
-            colors = {color for _count, color in picture.convert("RGB").getcolors(256) or ()}
-        near = [
-            c for c in colors if sum(abs(a - b) for a, b in zip(c, SECRET_COLOR, strict=True)) < 9
-        ]
-        assert not near, path.name
+            texels = np.asarray(picture.convert("RGB"), np.int32)
+        assert np.abs(texels - SECRET_COLOR).sum(axis=2).min() > 9, path.name
     with Image.open(made.output / "own-0-reference.png") as picture:
         assert picture.convert("RGB").getpixel((8, 8)) == OWN_COLOR
 
@@ -171,7 +171,12 @@ def test_nothing_is_run_in_a_browser(made: Made) -> None:
         asked_for: list[str] = []
         page.on("console", lambda message: said.append(message.text))
         page.on("pageerror", lambda error: said.append(str(error)))
-        page.on("dialog", lambda dialog: (said.append(dialog.message), dialog.dismiss()))
+
+        def refuse(dialog: Dialog) -> None:
+            said.append(dialog.message)
+            dialog.dismiss()
+
+        page.on("dialog", refuse)
         page.on("request", lambda request: asked_for.append(request.url))
         page.goto(f"{root}/index.html")
         for name in ("javascript:alert(1)", "a#b?c%d", "-o", "markup", "names/\u202e"):
@@ -201,19 +206,34 @@ def test_the_policy_refuses_what_gets_into_a_page(made: Made, tmp_path: Path) ->
     assert len([each for each in said if "Content Security Policy" in each]) >= 2
 
 
-def test_a_process_that_dies_is_told_in_a_sentence(tmp_path: Path) -> None:
-    path = tmp_path / "plain.burnish"
-    path.write_text("material Plain { color = vec3(1) }\n")
-    dying = [sys.executable, "-c", f"raise SystemError('{SECRET}')"]
-    pool = Pool(1, lambda: Worker(lambda: dying))
-    try:
-        entry = _made(Listed(path, "plain.burnish", ""), tmp_path, pool)
-    finally:
-        pool.close()
-    assert entry["source"] == path.read_text()
-    assert entry["errors"] == [
+DYING = f"""
+import json, sys
+from burnish.commands.gallery.entry import failed
+for line in sys.stdin:
+    if json.loads(line)["file"] == "bad.burnish":
+        raise SystemError("{SECRET}")
+    print(json.dumps({{"entry": {{**failed("fine", ""), "errors": []}}}}), flush=True)
+"""
+
+
+def test_a_process_that_dies_is_told_in_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What it has printed tells of this machine, and is on no page; other files are shown."""
+    (tmp_path / "in").mkdir()
+    for name in ("a", "bad", "c"):
+        (tmp_path / "in" / f"{name}.burnish").write_text(MODULE)
+    command = [sys.executable, "-c", DYING]
+    monkeypatch.setattr(workers, "Worker", lambda *_given: Worker(lambda: command))
+    result = invoke("gallery", "--no-cache", tmp_path / "in", "-o", tmp_path / "out", *OPTIONS)
+    assert result.exit_code == 1
+    assert "bad.burnish: error\n" in result.stdout and "c.burnish: nothing" in result.stdout
+    page = Reader((tmp_path / "out" / "bad.html").read_text("utf-8")).text
+    assert (
         "nothing could be made of this file: the process that tried was ended with exit code 1"
-    ]
+    ) in page
+    assert MODULE.strip() in page, "its source is shown all the same"
+    assert SECRET not in page + result.output and "Traceback" not in page + result.output
 
 
 def test_a_readme_takes_no_time(tmp_path: Path) -> None:
@@ -259,3 +279,20 @@ def test_every_option_that_is_followed_is_one_of_render(tmp_path: Path) -> None:
         "again": (("a", "b"),), "background": (1.0, 1.0, 1.0, 1.0), "frames": 2, "target": "t",
         "material": "M", "rig": "R", "pass_": "P",
     }  # fmt: skip
+
+
+def test_the_manual_lists_what_is_followed() -> None:
+    manual = (ROOT / "docs" / "gallery.md").read_text("utf-8")
+    rows = [line.split("|")[1] for line in manual.splitlines() if line.startswith("| `-")]
+    listed = {name for row in rows for name in re.findall("`(-[^`]+)`", row)}
+    assert listed == FOLLOWED.keys() - {"--output"}
+
+
+def test_comments_of_examples_are_followed() -> None:
+    examples = ROOT / "examples"
+    followed = 0
+    for path in examples.rglob("*.burnish"):
+        found = asked(path.read_text("utf-8"), path.name, examples)
+        assert found.note == "", path
+        followed += bool(found.options)
+    assert followed > 20
