@@ -19,7 +19,7 @@ from ...targets import registry
 _PLAIN = frozenset(("name", "mark", "blank"))
 """Kinds of pieces that are shown without a colour."""
 _SHADER = re.compile(
-    r"(?P<comment>//[^\n]*)|(?P<doc>^\s*#[^\n]*)|(?P<number>\b\d[\w.]*)|(?P<name>[A-Za-z_]\w*)",
+    r"(?P<comment>//[^\n]*)|(?P<doc>^[ \t]*#[^\n]*)|(?P<number>\b\d[\w.]*)|(?P<name>[A-Za-z_]\w*)",
     re.MULTILINE,
 )
 

@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 REFERENCE = "reference"
 EVOLVED = 24
 """So many frames are drawn of what evolves from frame to frame."""
-LARGEST_SOURCE = 1 << 20
+LARGEST_SOURCE = 1 << 18
 """The most bytes of a file that is shown."""
 _NAME = "file"
 """What stands for a file in command lines, where its own name could be taken for an option."""
@@ -370,7 +370,7 @@ def source_of(file: Path, root: Path) -> tuple[str, str]:
     except (FileError, BudgetError) as error:
         return "", str(error)
     if len(data) > LARGEST_SOURCE:
-        return "", f"a gallery shows files of up to {LARGEST_SOURCE >> 20} MB, and it is larger"
+        return "", f"a gallery shows files of up to {LARGEST_SOURCE >> 10} kB, and it is larger"
     return data.decode("utf-8", "replace"), ""
 
 

@@ -77,6 +77,7 @@ def fill(outside: Path) -> Path:
         f"//! </p><script>alert(1)</script> `<img src=x onerror=alert(1)>` [a](javascript:b)\n"
         f"/// </pre><script>alert(1)</script> \u202e\x1b[2J\n{PLAIN}"
     )
+    (folder / "large.burnish").write_text(" " * 300_000)
     with (folder / "holes.burnish").open("wb") as holes:
         holes.truncate(10 * 10**9)
     (folder / "README.md").symlink_to(private)

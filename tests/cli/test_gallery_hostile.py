@@ -156,9 +156,8 @@ def test_what_a_comment_asks_for(made: Made) -> None:
 
 
 def test_what_cannot_be_shown_is_told(made: Made) -> None:
-    assert "a gallery shows files of up to 1 MB" in made.page_of("holes") or (
-        "the file has 10 GB, and the limit is 256 MB" in made.page_of("holes")
-    )
+    assert "the file has 10 GB, and the limit is 256 MB" in made.page_of("holes")
+    assert "a gallery shows files of up to 256 kB" in made.page_of("large")
     assert "the file imports `.git/config`" in made.page_of("quotes-it")
 
 
