@@ -16,6 +16,7 @@ import click
 from ...compiler.diagnostics.display import harmless
 from ..console import remark, say
 from ..failures import fail, told
+from ..options import budget_option
 from ..terminal import FAILED
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ class Request(NamedTuple):
     metavar="TEXT",
     help="The heading; by default, that of the README, or the folder's name.",
 )
+@budget_option
 @click.option("--cache/--no-cache", default=True, help="Make unchanged files anew, or not.")
 def gallery(**chosen: object) -> None:
     """Make pages that show all materials, kernels and frames of FOLDER.
@@ -169,11 +171,12 @@ def _entries(
 
 def _made(listed: Listed, folder: Path, pool: Pool) -> Entry:
     """The entry of a file, made by one of the processes; or one that says that it has died."""
+    from ...targets.budget import current
     from .entry import failed
     from .making import source_of
 
     with pool.borrow() as worker:
-        answer = worker.ask({"file": listed.name}, TIME_LIMIT)
+        answer = worker.ask({"file": listed.name, "limits": current()}, TIME_LIMIT)
     if "entry" in answer.reply:
         entry: Entry = answer.reply["entry"]
         return entry

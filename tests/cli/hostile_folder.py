@@ -15,7 +15,7 @@ from urllib.parse import unquote
 
 from PIL import Image
 
-from ..fuzz.names import PIECES, hostile_names
+from ..fuzz.hostile.names import PIECES, hostile_names
 
 SECRET = "PRIVATE-WORDS"
 """A text that stands only in files that nobody may see."""

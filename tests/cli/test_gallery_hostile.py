@@ -205,6 +205,17 @@ def test_the_policy_refuses_what_gets_into_a_page(made: Made, tmp_path: Path) ->
     assert len([each for each in said if "Content Security Policy" in each]) >= 2
 
 
+def test_limits_are_those_of_the_command_line(tmp_path: Path) -> None:
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "a.burnish").write_text(MODULE)
+    line = ("gallery", "--no-cache", tmp_path / "in", "-o", tmp_path / "out", *OPTIONS)
+    size = len(MODULE)
+    assert invoke(*line, "--budget", "file=9").exit_code == 1
+    told = f"the file has {size} bytes, and the limit is 9 bytes: `--budget file={size}` raises it"
+    assert told in (tmp_path / "out" / "a.html").read_text("utf-8")
+    assert invoke(*line, "--budget", f"file={size}").exit_code == 0
+
+
 DYING = f"""
 import json, sys
 from burnish.commands.gallery.entry import failed
