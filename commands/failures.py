@@ -32,7 +32,7 @@ def fail(text: str) -> NoReturn:
 
 def drawing_errors() -> tuple[type[Exception], ...]:
     """The exceptions whose texts tell people why something cannot be drawn."""
-    from ..targets.budget import BudgetError
+    from ..compiler.budget import BudgetError
     from ..targets.runner.codes import CodeError
     from ..targets.runner.feeding import FeedError
     from ..targets.runner.files import FileError

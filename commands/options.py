@@ -88,7 +88,7 @@ values_option = click.option(
 
 def _raise_limits(context: click.Context, _option: click.Parameter, given: Sequence[str]) -> None:
     """The callback of ``--budget``: limits are raised until the command ends."""
-    from ..targets.budget import LIMITS, amount_of, raised
+    from ..compiler.budget import LIMITS, amount_of, raised
 
     limits = {}
     for name, text in pairs(context, _option, given):

@@ -21,6 +21,7 @@ FLOORS: dict[str, str] = {
     "garbage": "",
     "stdlib": "frozen",
     # From text to a staged program.
+    "compiler.budget": "",
     "compiler.cache": "",
     "compiler.precomputed": "cache",
     "compiler.inputs": "",
@@ -33,7 +34,7 @@ FLOORS: dict[str, str] = {
     "compiler.formula": "stdlib ir",
     "compiler.promises": "frozen stdlib ir formula",
     "compiler.source_map": "diagnostics ir",
-    "compiler.reference": "frozen stdlib diagnostics ir formula",
+    "compiler.reference": "frozen stdlib budget diagnostics ir formula",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
     "compiler.library_trees": "cache precomputed diagnostics syntax names",
@@ -68,7 +69,6 @@ FLOORS: dict[str, str] = {
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": "frozen stdlib diagnostics ir packing promises planning",
     # Shaders in each language, and the programs that check, draw and compare them.
-    "targets.budget": "",
     "targets.closing": "",
     "targets.toolchain": "cache closing",
     "targets.description": "frozen stdlib ir",

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from burnish.commands.options import budget_option
-from burnish.targets import budget
-from burnish.targets.budget import LIMITS, BudgetError, allowed, amount_of, check, raised
+from burnish.compiler import budget
+from burnish.compiler.budget import LIMITS, BudgetError, allowed, amount_of, check, raised
 
 
 def test_what_is_within_its_limit_passes() -> None:
