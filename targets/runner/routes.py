@@ -6,7 +6,6 @@ compiles them to DXIL, which is not drawn.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -15,6 +14,7 @@ from itertools import chain
 from ...compiler.diagnostics.nearest import suggestion
 from ...stdlib.builtins.accuracy import Platform
 from ..toolchain.checkers import CHECKERS
+from ..toolchain.surroundings import python_worker
 from ..toolchain.tools import ToolState, inspect_all, tool_named
 
 
@@ -25,7 +25,7 @@ class DriverRow:
     name: str
     title: str
     module: str
-    """The worker's module: ``python -m MODULE ARGUMENTS…``."""
+    """The worker's module, which is run with its ``arguments``."""
     needs: tuple[str, ...]
     """The names of the tools that it needs; all of them are required."""
     arguments: tuple[str, ...] = ()
@@ -51,7 +51,7 @@ class DriverRow:
         arguments = [argument.format_map(paths) for argument in self.arguments]
         if self.any_device:
             arguments.append(device)
-        return [sys.executable, "-m", f"{_PACKAGE}.drivers.{self.module}", *arguments]
+        return python_worker(f"{_PACKAGE}.drivers.{self.module}", *arguments)
 
 
 _FRAME_MODULES = ("vulkan", "opengl")

@@ -29,9 +29,10 @@ class Toolchain(Closing):
         self._threads = ThreadPoolExecutor(self._parallel)
 
     def close(self) -> None:
-        """Cancel all work and end all workers."""
-        self._threads.shutdown(cancel_futures=True)
+        """Cancel all work and end all tools, first those for which threads wait."""
+        self._threads.shutdown(wait=False, cancel_futures=True)
         self._toolbox.close()
+        self._threads.shutdown()
 
     def problem(self, checker: str) -> str | None:
         """Why a checker cannot be used, tool by tool; ``None`` if it can."""

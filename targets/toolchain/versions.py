@@ -9,6 +9,7 @@ from collections.abc import Callable
 from importlib.metadata import version as installed_version
 
 from .places import Paths
+from .limits import BROWSERS
 from .process import run
 
 Version = Callable[[Paths], str | None]
@@ -74,6 +75,6 @@ def of_python_package(name: str) -> Version:
 
 
 def _said(command: list[str], pattern: str) -> str | None:
-    outcome = run(command, time_limit=VERSION_LIMIT)
+    outcome = run(command, time_limit=VERSION_LIMIT, limits=BROWSERS)
     found = re.search(pattern, outcome.log) if outcome.ending == "ended" else None
     return found[1] if found else None

@@ -1,0 +1,85 @@
+"""How much memory, time and space a program may take that Burnish starts: one row for each kind.
+
+A text of a thousand bytes can make a compiler take all memory of a machine, or write without end.
+The kernel enforces these limits, on Linux only: other systems have no way to limit a process that
+already runs, and only the time and what is read of a program's output are limited there.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from contextlib import suppress
+from dataclasses import dataclass
+
+MIB = 1 << 20
+GIB = 1 << 30
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What each process of a program may take; whatever it starts has the same limits."""
+
+    memory: int
+    """Bytes of memory that it may write to, whether or not it ever does. Address space that is only
+    reserved does not count: V8 and other virtual machines reserve terabytes."""
+    file: int
+    """Bytes of each file that it writes."""
+    output: int
+    """Bytes of its output that are read before it is stopped."""
+
+
+COMPILERS = Limits(memory=GIB, file=64 * MIB, output=64 * MIB)
+"""The largest of the tests' texts need a sixth of this memory."""
+BROWSERS = Limits(memory=4 * GIB, file=GIB, output=MIB)
+"""For programs of a browser that only say their version."""
+DRIVERS = Limits(memory=4 * GIB, file=2 * GIB, output=2 * GIB)
+"""A picture of 8192² pixels is a gigabyte of floats, of which a worker has a few copies, as text,
+too."""
+REFERENCES = DRIVERS
+"""What they draw is limited before they are asked."""
+GALLERIES = DRIVERS
+"""They draw with the reference themselves."""
+
+_NO_MEMORY = re.compile(
+    r"bad_alloc|out of memory|memory allocation of \d+ bytes failed|MemoryError"
+    r"|Cannot allocate memory|0x8007000e",
+    re.IGNORECASE,
+)
+"""What programs say when they are given no more memory."""
+
+
+def limit(process: int, limits: Limits, seconds: int | None) -> None:
+    """Set the limits of a process that was just started, and its processor time if given.
+
+    Ending late is what the caller prevents; the processor's time is for when the caller has died.
+    """
+    if sys.platform != "linux":
+        return
+    import resource
+
+    rows = {
+        resource.RLIMIT_CORE: 0,
+        resource.RLIMIT_DATA: limits.memory,
+        resource.RLIMIT_FSIZE: limits.file,
+    }
+    if seconds is not None:
+        rows[resource.RLIMIT_CPU] = seconds
+    for kind, most in rows.items():
+        # It may have ended already, and the user's own limits may be lower.
+        with suppress(ProcessLookupError):
+            _, hard = resource.prlimit(process, kind)
+            within = most if hard == resource.RLIM_INFINITY else min(most, hard)
+            resource.prlimit(process, kind, (within, within))
+
+
+def exhausted(log: str, limits: Limits) -> str:
+    """What to add to the log of a program that has failed, if it got no more memory."""
+    if not _NO_MEMORY.search(log):
+        return ""
+    return f"it needs more than {in_words(limits.memory)} of memory, which is all that it may take"
+
+
+def in_words(size: int) -> str:
+    """A number of bytes for people: ``64 MiB``."""
+    return f"{size / GIB:g} GiB" if size >= GIB else f"{size / MIB:g} MiB"
