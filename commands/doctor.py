@@ -40,12 +40,16 @@ def doctor() -> None:
 
 
 def _tools(states: Mapping[str, ToolState]) -> Iterator[str]:
+    from ..targets.toolchain.versions import refuses_sandbox
+
     width = max(map(len, states))
     versions = max(len(state.version or "") for state in states.values())
     for name, state in states.items():
         if state.problem is None:
             mark = click.style(f"{'ok':<8}", fg="green")
             yield f"{mark}  {name:<{width}}  {state.version:<{versions}}  {state.paths[0]}"
+            if name == "chromium" and refuses_sandbox():
+                yield f"{_INDENT}it runs without its sandbox, which it refuses to use as root"
         else:
             mark = click.style(f"{'unusable' if state.paths else 'missing':<8}", fg="red")
             yield f"{mark}  {name:<{width}}  {state.tool.purpose}"

@@ -131,7 +131,7 @@ def _entries(
     files: Sequence[Listed], routes: Sequence[Route], shown: Sequence[Route], request: Request
 ) -> Iterator[tuple[Listed, Entry, bool]]:
     """Each file with its entry, and whether this was made anew; as soon as it is there."""
-    from ...targets.toolchain.limits import GALLERIES
+    from ...targets.toolchain.limits import WORKERS
     from ...targets.toolchain.surroundings import python_worker
     from ...targets.toolchain.workers import Pool, Worker
     from .kept import Kept
@@ -149,7 +149,7 @@ def _entries(
     names = ",".join(route.name for route in routes), ",".join(route.name for route in shown)
     folder = str(request.folder.absolute())
     command = python_worker(f"{__package__}.worker", folder, *names, str(request.size))
-    pool = Pool(min(request.jobs, len(to_make)), lambda: Worker(lambda: command, GALLERIES))
+    pool = Pool(min(request.jobs, len(to_make)), lambda: Worker(lambda: command, WORKERS))
     try:
         with ThreadPoolExecutor(request.jobs) as threads:
             pending = {threads.submit(_made, listed, pool): listed for listed in to_make}

@@ -52,7 +52,7 @@ class Child:
         try:
             self.process = subprocess.Popen(
                 command, stdin=stdin, stdout=PIPE, stderr=stderr, cwd=folder or NEUTRAL,
-                env=environment() | variables, pass_fds=self._lifeline.passed,
+                env={**environment(), **variables}, pass_fds=self._lifeline.passed,
                 process_group=0 if os.name == "posix" else None,
             )  # fmt: skip
             self._lifeline.tie(self.process.pid, group=self._group)
@@ -62,6 +62,11 @@ class Child:
             raise
         finally:
             self._lifeline.let_go()
+
+    @property
+    def pid(self) -> int:
+        """Its number."""
+        return self.process.pid
 
     def kill(self) -> None:
         """End it at once, and what is left of its group; it may have ended already."""

@@ -3,6 +3,8 @@
 A text of a thousand bytes can make a compiler take all memory of a machine, or write without end.
 The kernel enforces these limits, on Linux only: other systems have no way to limit a process that
 already runs, and only the time and what is read of a program's output are limited there.
+
+What Burnish itself may take is another table, ``targets/budget.py``.
 """
 
 from __future__ import annotations
@@ -12,8 +14,10 @@ import sys
 from contextlib import suppress
 from dataclasses import dataclass
 
-MIB = 1 << 20
-GIB = 1 << 30
+from ..budget import LIMITS, allowed
+
+MB = 10**6
+GB = 10**9
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,19 +31,30 @@ class Limits:
     """Bytes of each file that it writes."""
     output: int
     """Bytes of its output that are read before it is stopped."""
+    draws: bool = False
+    """Whether it may take more if ``--budget memory`` allows more to be drawn."""
+
+    def scaled(self) -> Limits:
+        """These limits, as far as they were raised."""
+        raised = allowed(_BUDGET) / LIMITS[_BUDGET].most if self.draws else 1
+        if raised <= 1:
+            return self
+        memory, file, output = (
+            int(raised * each) for each in (self.memory, self.file, self.output)
+        )
+        return Limits(memory, file, output)
 
 
-COMPILERS = Limits(memory=GIB, file=64 * MIB, output=64 * MIB)
-"""The largest of the tests' texts need a sixth of this memory."""
-BROWSERS = Limits(memory=4 * GIB, file=GIB, output=MIB)
-"""For programs of a browser that only say their version."""
-DRIVERS = Limits(memory=4 * GIB, file=2 * GIB, output=2 * GIB)
-"""A picture of 8192² pixels is a gigabyte of floats, of which a worker has a few copies, as text,
-too."""
-REFERENCES = DRIVERS
-"""What they draw is limited before they are asked."""
-GALLERIES = DRIVERS
-"""They draw with the reference themselves."""
+_BUDGET = "memory"
+"""The row of what is drawn at the same time."""
+
+COMPILERS = Limits(memory=GB, file=64 * MB, output=64 * MB)
+"""Programs that are given one text."""
+ASKED = Limits(memory=4 * GB, file=64 * MB, output=MB)
+"""Programs that only say their version, browsers among them."""
+WORKERS = Limits(memory=4 * GB, file=2 * GB, output=2 * GB, draws=True)
+"""Drivers, browsers, the reference and the gallery. What is drawn may take a gigabyte, and there
+are a few copies of it until it has been sent."""
 
 _NO_MEMORY = re.compile(
     r"bad_alloc|out of memory|memory allocation of \d+ bytes failed|MemoryError"
@@ -56,7 +71,7 @@ def limit(process: int, limits: Limits, seconds: int | None) -> None:
     """
     if sys.platform != "linux":
         return
-    import resource
+    import resource  # which Windows lacks
 
     rows = {
         resource.RLIMIT_CORE: 0,
@@ -81,5 +96,5 @@ def exhausted(log: str, limits: Limits) -> str:
 
 
 def in_words(size: int) -> str:
-    """A number of bytes for people: ``64 MiB``."""
-    return f"{size / GIB:g} GiB" if size >= GIB else f"{size / MIB:g} MiB"
+    """A number of bytes for people: ``64 MB``."""
+    return f"{size / GB:g} GB" if size >= GB else f"{size / MB:g} MB"

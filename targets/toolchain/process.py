@@ -63,9 +63,7 @@ def run(
     seconds = int(time_limit) + SPARE
     try:
         with _input(stdin) as file:
-            child = Child(
-                arguments, limits, stdin=file, folder=folder, seconds=seconds, group=True
-            )
+            child = Child(arguments, limits, stdin=file, folder=folder, seconds=seconds, group=True)
     except OSError as error:
         return Outcome("crashed", 0, b"", f"{name}: could not be started: {error}")
     family = family or Family()

@@ -27,11 +27,13 @@ _LAUNCHER = Path(__file__).with_name("launcher.py")
 
 
 def which(name: str) -> Path | None:
-    """The absolute path of a program on PATH, but never one in the current folder.
+    """The absolute path of a program on PATH, but never of one in the current folder.
 
     Python's own ``shutil.which`` also takes programs by relative entries of PATH, and on Windows
     looks into the current folder first.
     """
+    if os.path.isabs(name):  # noqa: PTH117 - it is no Path
+        return Path(name) if shutil.which(name) else None
     endings = ("", ".exe") if os.name == "nt" else ("",)
     paths = (Path(folder) / f"{name}{end}" for folder in _search_path() for end in endings)
     return next((path for path in paths if shutil.which(path)), None)

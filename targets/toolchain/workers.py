@@ -45,7 +45,7 @@ class Worker:
 
     def __init__(self, command: Callable[[], Sequence[str]], limits: Limits = COMPILERS) -> None:
         self._find_command = command
-        self._limits = limits
+        self._limits = limits.scaled()
         self._command: Sequence[str] = ()
         self._child: Child | None = None
         self._errors: IO[bytes] | None = None
