@@ -14,6 +14,7 @@ from itertools import chain
 from ...compiler.diagnostics.nearest import suggestion
 from ...stdlib.builtins.accuracy import Platform
 from ..toolchain.checkers import CHECKERS
+from ..toolchain.limits import BROWSERS, WORKERS, Limits
 from ..toolchain.surroundings import python_worker
 from ..toolchain.tools import ToolState, inspect_all, tool_named
 
@@ -34,6 +35,8 @@ class DriverRow:
     """Whether one process is enough, because it starts slowly and uses all cores anyway."""
     any_device: bool = False
     """Whether it draws with any device of the machine, which ``--device`` names."""
+    limits: Limits = WORKERS
+    """What the worker may take."""
 
     @property
     def draws_frames(self) -> bool:
@@ -141,11 +144,11 @@ DRIVERS: Mapping[str, DriverRow] = {
         DriverRow("llvmpipe", "OpenGL on Mesa's llvmpipe", "opengl", ("llvmpipe", "moderngl")),
         DriverRow(
             "webgpu", "WebGPU in Chromium, on SwiftShader", "browser",
-            ("chromium", "playwright"), ("webgpu",), one_worker=True,
+            ("chromium", "playwright"), ("webgpu",), one_worker=True, limits=BROWSERS,
         ),
         DriverRow(
             "webgl2", "WebGL 2 in Chromium, on SwiftShader", "browser",
-            ("chromium", "playwright"), ("webgl2",), one_worker=True,
+            ("chromium", "playwright"), ("webgl2",), one_worker=True, limits=BROWSERS,
         ),
     )
 }  # fmt: skip

@@ -16,7 +16,6 @@ from threading import Lock
 from typing import Any
 
 from ..closing import Closing
-from ..toolchain.limits import WORKERS
 from ..toolchain.workers import Pool, Worker
 from .drivers.capture_job import Captured, CaptureJob
 from .drivers.device import Device, DriverError
@@ -139,7 +138,7 @@ class Runner(Closing):
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(
             1 if row.one_worker else count,
-            lambda: Worker(lambda: row.command(self._states, self._wanted), WORKERS),
+            lambda: Worker(lambda: row.command(self._states, self._wanted), row.limits),
         )
 
     def _ask(self, driver: str, request: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -1,4 +1,4 @@
-"""Runs a module of Burnish as a worker: ``python -E -P launcher.py FOLDERS MODULE ARGUMENT…``.
+"""Runs a module of Burnish as a worker: ``python -EP launcher.py FOLDERS MODULE ARGUMENT…``.
 
 ``surroundings.python_worker`` makes this command. Python runs this file by its path, without
 anything else of Burnish, so it does not matter what lies in the current folder. The package that

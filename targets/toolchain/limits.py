@@ -53,8 +53,10 @@ COMPILERS = Limits(memory=GB, file=64 * MB, output=64 * MB)
 ASKED = Limits(memory=4 * GB, file=64 * MB, output=MB)
 """Programs that only say their version, browsers among them."""
 WORKERS = Limits(memory=4 * GB, file=2 * GB, output=2 * GB, draws=True)
-"""Drivers, browsers, the reference and the gallery. What is drawn may take a gigabyte, and there
-are a few copies of it until it has been sent."""
+"""Drivers, the reference and the gallery. What is drawn may take a gigabyte, and there are a few
+copies of it until it has been sent."""
+BROWSERS = Limits(memory=8 * GB, file=2 * GB, output=2 * GB, draws=True)
+"""A browser's pages map 4 GB at once for objects of JavaScript, and use a small part of it."""
 
 _NO_MEMORY = re.compile(
     r"bad_alloc|out of memory|memory allocation of \d+ bytes failed|MemoryError"

@@ -60,13 +60,13 @@ def python_worker(module: str, *arguments: str) -> list[str]:
     It is the same Burnish that runs here, wherever that was found, beside the packages that the
     same Python has installed. What else the user names in ``PYTHONPATH`` comes after all of these.
     """
-    flags = ["-E", "-P"]
+    flags = "-EP"
     if not site.ENABLE_USER_SITE:
-        flags.append("-s")
+        flags += "s"
     if sys.flags.dont_write_bytecode:
-        flags.append("-B")
+        flags += "B"
     further = os.pathsep.join(_absolute(os.environ.get("PYTHONPATH", "")))
-    return [sys.executable, *flags, str(_LAUNCHER), further, module, *arguments]
+    return [sys.executable, flags, str(_LAUNCHER), further, module, *arguments]
 
 
 def _search_path() -> Iterator[str]:

@@ -113,8 +113,11 @@ class Worker:
         except subprocess.TimeoutExpired:
             self._child.kill()
             code = self._child.process.wait()
-        self._errors.seek(max(0, self._errors.seek(0, os.SEEK_END) - LOG_TAIL))
+        size = self._errors.seek(0, os.SEEK_END)
+        self._errors.seek(max(0, size - LOG_TAIL))
         said = self._errors.read().decode(errors="replace")
+        if size >= self._limits.file:
+            reason = f"stopped, after messages of more than {in_words(self._limits.file)}"
         self._bury()
         reason = reason or exhausted(said, self._limits) or how_it_crashed(code)
         return Answer(ending, {}, f"{said}{self._command[0]}: {reason}\n")
