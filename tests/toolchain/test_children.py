@@ -21,9 +21,11 @@ from ..suite.processes import Background, started, until
 from .conftest import PlantTool
 
 SMALL = Limits(memory=200 * MB, file=MB, output=MB)
-ECHO = (
-    "import sys, json\nfor line in sys.stdin: print(json.dumps(eval(json.loads(line))), flush=True)"
-)
+ECHO = """
+import sys, json
+for line in sys.stdin:
+    print(json.dumps(eval(json.loads(line))), flush=True)
+"""
 """A worker that answers with the value of what it is sent."""
 
 
@@ -140,10 +142,6 @@ def test_too_much_memory_is_told() -> None:
     assert outcome.ending == "ended"  # Python itself says what it lacks.
     assert "MemoryError" in outcome.log
     outcome = python(
-        "import os\ntry: x = bytearray(10**9)\nexcept MemoryError: raise SystemExit(101) from None\n"
-    )
-    assert outcome.ending == "crashed"
-    outcome = python(
         "import os, sys\ntry: bytearray(10**9)\n"
         "except MemoryError: sys.stderr.write('std::bad_alloc'); sys.stderr.flush(); os.abort()"
     )
@@ -182,7 +180,8 @@ def test_a_worker_that_writes_without_end_is_stopped(stream: int) -> None:
     answer = Worker(lambda: [sys.executable, "-I", "-c", code], SMALL).ask({}, 60)
     assert answer.ending == "crashed"
     assert len(answer.log) < 50_000
-    assert ("an answer of more than 1 MB" if stream == 1 else "File too large") in answer.log
+    what = "an answer" if stream == 1 else "messages"
+    assert answer.log.endswith(f": stopped, after {what} of more than 1 MB\n")
 
 
 def test_an_answer_that_is_no_json() -> None:
@@ -219,7 +218,6 @@ from burnish.targets.toolchain import children, lifeline, process
 if sys.argv[1] == "worker":
     from burnish.targets.toolchain.limits import WORKERS
     from burnish.targets.toolchain.surroundings import python_worker
-    lifeline.sys = None if "bare" in sys.argv else sys
     if "bare" in sys.argv:
         class Loose(lifeline.Lifeline):
             def __init__(self):
@@ -259,8 +257,7 @@ def test_closing_ends_what_others_wait_for(plant_tool: PlantTool) -> None:
     running = Background(partial(toolchain.check, jobs))
     until(lambda: toolchain._toolbox._running._living, "the first of the compilers")
     Background(toolchain.close).returned(20)
-    with pytest.raises(BaseException):  # noqa: B017 - what was cancelled
-        running.returned(20)
+    assert {verdict.status for verdict in running.returned(20)} == {"crashed"}
 
 
 def test_closing_ends_a_worker_that_is_asked() -> None:
