@@ -251,7 +251,7 @@ def test_programs_end_with_whoever_has_started_them(
 
 def test_closing_ends_what_others_wait_for(plant_tool: PlantTool) -> None:
     """This is what Ctrl-C leads to: nobody waits for a compiler until its time is up."""
-    plant_tool("glslang/bin/glslangValidator", "Glslang Version: 11:12.0.0", "sleep 600; exit 1")
+    plant_tool("glslang/bin/glslangValidator", "Glslang Version: 11:12.0.0", "exec /bin/sleep 600")
     toolchain = Toolchain(time_limit=600)
     jobs = [Job("glslang-gl330", "frag", f"#version 330 // {number}") for number in range(40)]
     running = Background(partial(toolchain.check, jobs))

@@ -6,6 +6,7 @@ when our process has ended, in whatever way.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import partial
@@ -43,6 +44,9 @@ FLAGS = (
     "--no-first-run",
 )
 
+_NO_HOME = dict.fromkeys(("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"), os.devnull)
+"""Where nothing can be: the browser keeps nothing, and has none of the user's settings."""
+
 CANVAS_FLAGS = ("--enable-features=Vulkan", "--use-vulkan=swiftshader")
 """What it takes besides, without a GPU, for a canvas to show what WebGPU draws to it."""
 
@@ -59,7 +63,7 @@ def launch(
     def start(*, sandbox: bool) -> Browser:
         return playwright.chromium.launch(
             executable_path=program, headless=True, args=(*FLAGS, *further),
-            timeout=START_LIMIT, chromium_sandbox=sandbox,
+            timeout=START_LIMIT, chromium_sandbox=sandbox, env={**os.environ, **_NO_HOME},
         )  # fmt: skip
 
     if not refuses_sandbox():
