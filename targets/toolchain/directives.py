@@ -19,7 +19,7 @@ _SPLICE = re.compile(r"(\\|\?\?/)\s*$")
 """The end of a line that goes on in the next one; some compilers allow spaces there."""
 _FIRST = re.compile(r"[^\x21-\x7e]*|.*\*/.*", re.DOTALL)
 """What may stand in front of a directive: nothing that is seen, or the end of a comment."""
-_HARMLESS = re.compile(r"#(version|extension|line)\b(?!.*include).*", re.IGNORECASE | re.DOTALL)
+_HARMLESS = re.compile(r"#(version|line|extension(?i:(?!.*include)))\b.*", re.DOTALL)
 """What Burnish emits. There are extensions with which texts include files."""
 
 

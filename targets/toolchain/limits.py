@@ -91,7 +91,10 @@ def limit(process: int, limits: Limits, seconds: int | None) -> None:
 
 
 def exhausted(log: str, limits: Limits) -> str:
-    """What to add to the log of a program that has failed, if it got no more memory."""
+    """What is to be said of a program that has failed, if it got no more memory.
+
+    That is all there is to say, instead of where in the program it was noticed.
+    """
     if not _NO_MEMORY.search(log):
         return ""
     return f"it needs more than {in_words(limits.memory)} of memory, which is all that it may take"

@@ -105,8 +105,8 @@ def _outcome(name: str, child: Child, limits: Limits, time_limit: float) -> Outc
     if code is None:
         return Outcome("timeout", 0, b"", f"{name}: no answer within {time_limit:g} s")
     if crashed(code):
-        reason = exhausted(log, limits) or how_it_crashed(code)
-        return Outcome("crashed", code, output, f"{log}{name}: {reason}\n")
+        reason = exhausted(log, limits) or f"{log}{name}: {how_it_crashed(code)}"
+        return Outcome("crashed", code, output, f"{reason}\n")
     return Outcome("ended", code, output, log)
 
 

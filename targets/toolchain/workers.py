@@ -119,8 +119,9 @@ class Worker:
         if size >= self._limits.file:
             reason = f"stopped, after messages of more than {in_words(self._limits.file)}"
         self._bury()
-        reason = reason or exhausted(said, self._limits) or how_it_crashed(code)
-        return Answer(ending, {}, f"{said}{self._command[0]}: {reason}\n")
+        if not reason and (lacking := exhausted(said, self._limits)):
+            return Answer(ending, {}, f"{lacking}\n")
+        return Answer(ending, {}, f"{said}{self._command[0]}: {reason or how_it_crashed(code)}\n")
 
     def _bury(self) -> None:
         if self._child is not None:
