@@ -43,10 +43,10 @@ def _exit_code(arguments: list[str]) -> int:
         from .garbage import SELDOM
 
         gc.set_threshold(*SELDOM)
+        _heed_termination()
         succeeded = _compiled(arguments, question)
         if succeeded is not None:
             return 0 if succeeded else FAILED
-        _heed_termination()
         from .commands.group import burnish
 
         burnish.main(arguments, obj=question)

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 from .children import Family
+from .limits import COMPILERS
 from .process import Outcome, run
 from .tools import ToolState, inspect, tool_named
 from .workers import Pool, Worker
@@ -21,8 +22,8 @@ class Toolbox:
         """The time limit of one run of one tool, in seconds."""
         self._states: dict[str, ToolState] = {}
         self._running = Family()
-        self.dxc = Pool(parallel, lambda: Worker(self._dxc_command))
-        self.tint = Pool(1, lambda: Worker(self._tint_command))
+        self.dxc = Pool(parallel, lambda: Worker(self._dxc_command, COMPILERS))
+        self.tint = Pool(1, lambda: Worker(self._tint_command, COMPILERS))
 
     def problem(self, tool: str) -> str | None:
         """Why a tool cannot be used; ``None`` if it can."""

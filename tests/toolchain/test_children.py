@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from burnish.targets.budget import raised
-from burnish.targets.toolchain import Job, Toolchain, process
+from burnish.targets.toolchain import Job, Toolchain, process, toolbox
 from burnish.targets.toolchain.children import Child
 from burnish.targets.toolchain.limits import COMPILERS, MB, WORKERS, Limits
 from burnish.targets.toolchain.surroundings import python_worker, which
@@ -146,7 +146,7 @@ def test_too_much_memory_is_told() -> None:
         "except MemoryError: sys.stderr.write('std::bad_alloc'); sys.stderr.flush(); os.abort()"
     )
     assert outcome.ending == "crashed"
-    assert "needs more than 200 MB of memory, which is all that it may take" in outcome.log
+    assert outcome.log == "it needs more than 200 MB of memory, which is all that it may take\n"
 
 
 def test_a_worker_that_needs_too_much_memory() -> None:
@@ -154,8 +154,26 @@ def test_a_worker_that_needs_too_much_memory() -> None:
     assert worker.ask("1 + 1", 60).reply == 2
     answer = worker.ask("len(bytearray(10**9))", 60)
     assert answer.ending == "crashed"
-    assert "needs more than 200 MB of memory, which is all that it may take" in answer.log
+    assert answer.log == "it needs more than 200 MB of memory, which is all that it may take\n"
     worker.close()
+
+
+INLINED = "\n".join(
+    [
+        "float f0(float x) { return sin(x) * x; }",
+        *(f"float f{n + 1}(float x) {{ return f{n}(x) + f{n}(x * 1.5); }}" for n in range(17)),
+        "float4 main(float x : A) : SV_Target0 { return f17(x); }",
+    ]
+)
+"""DXC inlines every call, which are more than a hundred thousand."""
+
+
+def test_a_compiler_that_needs_too_much_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(toolbox, "COMPILERS", Limits(memory=150 * MB, file=MB, output=MB))
+    with Toolchain() as toolchain:
+        [verdict] = toolchain.check([Job("dxc-dxil", "frag", INLINED)])
+    assert verdict.status == "crashed"
+    assert verdict.log == "it needs more than 150 MB of memory, which is all that it may take\n"
 
 
 def test_what_may_be_drawn_at_once_raises_the_limit_of_drivers() -> None:
