@@ -4,7 +4,7 @@ A text of a thousand bytes can make a compiler take all memory of a machine, or 
 The kernel enforces these limits, on Linux only: other systems have no way to limit a process that
 already runs, and only the time and what is read of a program's output are limited there.
 
-What Burnish itself may take is another table, ``targets/budget.py``.
+What Burnish itself may take is another table, ``compiler/budget.py``.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from __future__ import annotations
 import re
 import sys
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from ..budget import LIMITS, allowed
+from ...compiler.budget import LIMITS, allowed
 
 MB = 10**6
 GB = 10**9
@@ -31,6 +31,8 @@ class Limits:
     """Bytes of each file that it writes."""
     output: int
     """Bytes of its output that are read before it is stopped."""
+    of: str = ""
+    """Which programs these are, for the manual."""
     draws: bool = False
     """Whether it may take more if ``--budget memory`` allows more to be drawn."""
 
@@ -42,21 +44,29 @@ class Limits:
         memory, file, output = (
             int(raised * each) for each in (self.memory, self.file, self.output)
         )
-        return Limits(memory, file, output)
+        return replace(self, memory=memory, file=file, output=output)
 
 
 _BUDGET = "memory"
 """The row of what is drawn at the same time."""
 
-COMPILERS = Limits(memory=GB, file=64 * MB, output=64 * MB)
+COMPILERS = Limits(memory=GB, file=64 * MB, output=64 * MB, of="a compiler")
 """Programs that are given one text."""
-ASKED = Limits(memory=4 * GB, file=64 * MB, output=MB)
+ASKED = Limits(memory=4 * GB, file=64 * MB, output=MB, of="a program that says its version")
 """Programs that only say their version, browsers among them."""
-WORKERS = Limits(memory=4 * GB, file=2 * GB, output=2 * GB, draws=True)
+WORKERS = Limits(
+    memory=4 * GB, file=2 * GB, output=2 * GB, draws=True,
+    of="a driver, or a process that draws with the reference",
+)  # fmt: skip
 """Drivers, the reference and the gallery. What is drawn may take a gigabyte, and there are a few
 copies of it until it has been sent."""
-BROWSERS = Limits(memory=8 * GB, file=2 * GB, output=2 * GB, draws=True)
+BROWSERS = Limits(
+    memory=8 * GB, file=2 * GB, output=2 * GB, draws=True, of="each process of the browser"
+)
 """A browser's pages map 4 GB at once for objects of JavaScript, and use a small part of it."""
+
+EVERY_LIMIT = (COMPILERS, ASKED, WORKERS, BROWSERS)
+"""All rows."""
 
 _NO_MEMORY = re.compile(
     r"bad_alloc|out of memory|memory allocation of \d+ bytes failed|MemoryError"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from burnish.targets.budget import raised
+from burnish.compiler.budget import raised
 from burnish.targets.toolchain import Job, Toolchain, process, toolbox
 from burnish.targets.toolchain.children import Child
 from burnish.targets.toolchain.limits import COMPILERS, MB, WORKERS, Limits
@@ -24,7 +24,7 @@ SMALL = Limits(memory=200 * MB, file=MB, output=MB)
 ECHO = """
 import sys, json
 for line in sys.stdin:
-    print(json.dumps(eval(json.loads(line))), flush=True)
+    print(json.dumps(eval(json.loads(line)["code"])), flush=True)
 """
 """A worker that answers with the value of what it is sent."""
 
@@ -151,8 +151,8 @@ def test_too_much_memory_is_told() -> None:
 
 def test_a_worker_that_needs_too_much_memory() -> None:
     worker = Worker(lambda: [sys.executable, "-I", "-c", ECHO], SMALL)
-    assert worker.ask("1 + 1", 60).reply == 2
-    answer = worker.ask("len(bytearray(10**9))", 60)
+    assert worker.ask({"code": "{1: 1 + 1}"}, 60).reply == {"1": 2}
+    answer = worker.ask({"code": "len(bytearray(10**9))"}, 60)
     assert answer.ending == "crashed"
     assert answer.log == "it needs more than 200 MB of memory, which is all that it may take\n"
     worker.close()
@@ -280,11 +280,11 @@ def test_closing_ends_what_others_wait_for(plant_tool: PlantTool) -> None:
 
 def test_closing_ends_a_worker_that_is_asked() -> None:
     worker = Worker(lambda: [sys.executable, "-I", "-c", ECHO])
-    asked = Background(partial(worker.ask, "__import__('time').sleep(600)", 600))
+    asked = Background(partial(worker.ask, {"code": "__import__('time').sleep(600)"}, 600))
     until(lambda: worker._child, "the worker's process")
     Background(worker.close).returned(20)
     assert asked.returned(20).ending == "crashed"
-    assert worker.ask("1", 20).ending == "crashed"
+    assert worker.ask({"code": "1"}, 20).ending == "crashed"
 
 
 def test_a_child_that_cannot_be_started_leaves_nothing_open() -> None:
