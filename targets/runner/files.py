@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
-from ..budget import check
+from ...compiler.budget import check
 
 
 class FileError(ValueError):

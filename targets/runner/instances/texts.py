@@ -10,7 +10,7 @@ import json
 import re
 from pathlib import Path
 
-from ...budget import check
+from ....compiler.budget import check
 from ..files import read_file
 from .shapes import Elements, Kind, Members, Numbers, Shape
 from .values import ParameterError
