@@ -339,6 +339,6 @@ LANGUAGE = Language(
     varying_prefix="v_",
     point_prefix="p_",
     output_prefix="out_",
-    fixed_names=("main", "viewport_height"),
+    fixed_names=("main",),
     line_directive="#line {line} {number}",
 )
