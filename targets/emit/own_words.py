@@ -87,12 +87,15 @@ def _expanded(form: str, dimensions: Sequence[str]) -> Iterator[str]:
 
 
 def _rows(language: Language) -> tuple[object, ...]:
-    """All that a language says of how something is written; formats are words of it, too. What its helper functions have inside
-    hides other names, and the types there are among those of the rows."""
+    """All that a language says of how something is written; formats are words of it, too.
+
+    What its helper functions have inside hides other names, and their types stand in other rows.
+    """
     return (
         language.types, language.textures, tuple(language.images), language.images,
-        language.literals, language.forms, language.natives, language.inputs, language.primitives, language.patches,
-        language.spacings, language.emitted, language.atomics,
+        language.literals, language.forms, language.natives, language.inputs,
+        language.primitives, language.patches, language.spacings, language.emitted,
+        language.atomics,
     )  # fmt: skip
 
 
