@@ -244,9 +244,7 @@ class Steps:
         assert isinstance(declaration, ast.Record)
         if len(self.steps) >= MOST_STEPS:
             name = self._frame.instance.record.symbol.declaration.name
-            self._ctx.report.add(
-                rules.TOO_MANY_STEPS, name.span, name=name.text, most=MOST_STEPS
-            )
+            self._ctx.report.add(rules.TOO_MANY_STEPS, name.span, name=name.text, most=MOST_STEPS)
             return FAILURE
         if declaration.abstract:
             self._ctx.report.add(rules.ABSTRACT_USE, e.callee.span, name=symbol.name)
