@@ -179,11 +179,6 @@ def _scatters(words: Words) -> str:
     return _kernel(members, "{i} * 0.5", words)
 
 
-def _images(words: Words) -> str:
-    members = _lines("result {w} : image2d<rgba8>[ivec2(16)] = vec4({i})", words)
-    return f"kernel Subject_ {{\n{members}\n}}\n"
-
-
 NAMES_OF_VALUES = SURFACE | IN_RECORDS
 
 NAMES_IN_KERNELS = IN_RECORDS | {"float", "index", "texel", "group_sum"}
@@ -211,6 +206,5 @@ ROLES: Mapping[str, Role] = {
     "buffer": Role(_buffers, NAMES_IN_KERNELS, at_once=60),
     "result": Role(_results, NAMES_IN_KERNELS, at_once=60),
     "scatter": Role(_scatters, NAMES_IN_KERNELS, at_once=60),
-    "image": Role(_images, NAMES_IN_KERNELS, at_once=4),
     "index of a fold and state of an iteration": Role(_loops, frozenset({"uv"}), at_once=200),
 }
