@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from .. import __version__
-from .terminal import FAILED, code_of, complain, show_everything
+from .terminal import FAILED, INTERRUPTED, code_of, complain, show_everything
 
 COMMANDS = (
     "compile",
