@@ -13,7 +13,14 @@ import sys
 import time
 
 from .commands.results import answer, ask
-from .commands.terminal import BY_SIGNAL, FAILED, code_of, flushed, show_everything
+from .commands.terminal import (
+    BY_SIGNAL,
+    FAILED,
+    asked_to_end,
+    flushed,
+    interrupted,
+    show_everything,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,8 +57,8 @@ def _exit_code(arguments: list[str]) -> int:
         from .commands.group import burnish
 
         burnish.main(arguments, obj=question)
-    except KeyboardInterrupt as interrupt:
-        return code_of(interrupt)
+    except KeyboardInterrupt:
+        return interrupted()
     except BrokenPipeError:
         return FAILED  # A reader that has left, as `head` does: nobody is told, as click does it.
     except SystemExit as ended:
@@ -73,14 +80,11 @@ def _heed_termination() -> None:
     """
     import signal
 
-    def end(number: int, _frame: object) -> None:
-        raise KeyboardInterrupt(number)
-
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)  # Windows has no SIGHUP.
         is_first = os.getpid() == 1 and name == "SIGTERM"
         if number and (is_first or signal.getsignal(number) == signal.SIG_DFL):
-            signal.signal(number, end)
+            signal.signal(number, asked_to_end)
 
 
 def _leave_threads(code: int) -> None:

@@ -11,7 +11,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import IO, Any
+    from typing import IO, Any, NoReturn
 
 FAILED = 1
 """The exit code for errors in the input."""
@@ -19,6 +19,8 @@ BY_SIGNAL = 128
 """Shells expect of a program that a signal has ended this exit code and the signal's number."""
 INTERRUPTED = BY_SIGNAL + 2
 """The exit code after Ctrl-C."""
+_asked: list[int] = []
+"""The signals that have asked the process to end; none of them after Ctrl-C."""
 
 
 def wants_color(stream: IO[Any] | None) -> bool:
@@ -29,9 +31,16 @@ def wants_color(stream: IO[Any] | None) -> bool:
     return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR")
 
 
-def code_of(interrupt: KeyboardInterrupt) -> int:
-    """The exit code after Ctrl-C, or after the signal whose number the exception has."""
-    return BY_SIGNAL + interrupt.args[0] if interrupt.args else INTERRUPTED
+def asked_to_end(number: int, _frame: object) -> NoReturn:
+    """Have a signal do what Ctrl-C does."""
+    _asked.append(number)
+    raise KeyboardInterrupt
+
+
+def interrupted() -> int:
+    """The exit code after a ``KeyboardInterrupt``. Some libraries raise another one in its place,
+    so it cannot tell by itself what it came from."""
+    return BY_SIGNAL + _asked[0] if _asked else INTERRUPTED
 
 
 def show_everything() -> None:

@@ -70,7 +70,7 @@ FLOORS: dict[str, str] = {
     "compiler.reflection": "frozen stdlib diagnostics ir packing promises planning",
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
-    "targets.toolchain": "cache closing",
+    "targets.toolchain": "cache budget closing",
     "targets.description": "frozen stdlib ir",
     "targets.legalise": "frozen stdlib ir passes expansion_templates description",
     "targets.emit": "frozen stdlib precomputed diagnostics ir reflection description legalise",
