@@ -2,10 +2,10 @@
 
 A lifeline is a pipe to which nothing is ever written. The started program holds its reading end,
 without knowing of it, and this process its writing end. When the writing end is closed, which the
-kernel does when this process ends, the kernel sends SIGKILL to whom the reading end belongs. This
-concerns no code of the program, which may hang; nor is it, other than with ``PR_SET_PDEATHSIG``,
-the end of the thread that has started it, nor does only the program itself end, and not what it has
-started in turn.
+kernel does when this process ends, the kernel sends SIGKILL to the program. The program needs no
+code for that, and may hang. ``PR_SET_PDEATHSIG`` would do so already at the end of the thread that
+has started the program, and would spare what the program has started in turn; this can end a whole
+process group.
 
 Only Linux has this; see ``F_SETSIG`` in fcntl(2).
 """
