@@ -2,28 +2,34 @@
 
 ``burnish gallery`` and ``burnish view`` show folders by it. A table of the README has a row for
 each file: what it shows, and a link to it. What no table lists comes last.
+
+A folder may come from anybody, and what is shown of it may be published. So nothing is read but
+files of the folder: no pipe or device, nothing hidden, and nothing that a link leads to elsewhere.
 """
 
 from __future__ import annotations
 
 import os
 import re
+import stat
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from .folder import is_file_within
+from ..compiler.budget import BudgetError
+from ..targets.runner.files import FileError, opened
 
+ENDING = ".burnish"
 README = "README.md"
-_LONGEST = 2**20
-"""Characters of a README that are read."""
 OTHERS = "Others"
 """The heading of what no table lists."""
 
-_HEADING = re.compile(r"^#{1,6} +(.+?)\s*$")
-_LINK = r"\[[^\]]*\]\(([^)\s]+\.burnish)\)"
-_ROW = re.compile(rf"^\|\s*(?P<what>.+?)\s*\|\s*{_LINK}\s*\|\s*$")
-_MENTION = re.compile(rf"{_LINK}(?:: (?P<what>[^.]+))?")
+MOST_OF_README = 1 << 20
+"""The most bytes of a README that is read."""
+
+_HEADING = re.compile(r"#{1,6} +(.+)")
+_LINK = re.compile(r"\[[^\[\]]*\]\(([^()\s]+\.burnish)\)")
+_MENTION = re.compile(rf"{_LINK.pattern}(?:: (?P<what>[^.]+))?")
 """A link within a text, which may say behind a colon what the file shows."""
 
 
@@ -47,12 +53,12 @@ class Group(NamedTuple):
 
 
 def catalogue(folder: Path) -> list[Group]:
-    """The files of a folder and of those in it, in the order of its README. What is hidden, no
-    regular file, or a link that leads elsewhere, is none of them."""
+    """The files of a folder and of those in it, in the order of its README."""
     names = sorted(_files(folder), key=lambda name: name.split("/"))
     found = {name: folder / name for name in names}
+    readme = _lines(folder)
     groups = []
-    for title, intro, rows in _tables(folder / README):
+    for title, intro, rows in _tables(readme):
         files = [Listed(found.pop(n), n, what) for n, what in rows.items() if n in found]
         if files:
             groups.append(Group(title, intro, files))
@@ -62,72 +68,92 @@ def catalogue(folder: Path) -> list[Group]:
     return groups
 
 
+def is_shown(path: Path, root: Path, ending: str = "") -> bool:
+    """Whether a path leads to a file in the folder ``root``, a path without links, whose name ends
+    so and that is not hidden. Links are followed as long as they stay there."""
+    try:
+        real = os.path.realpath(path)
+        inside = Path(real).relative_to(root)
+        is_file = stat.S_ISREG(os.lstat(real).st_mode)
+    except (OSError, ValueError):
+        return False
+    return is_file and real.endswith(ending) and not any(map(_is_hidden, inside.parts))
+
+
 def _files(folder: Path) -> Iterator[str]:
-    """The names of the files in a folder and in those in it. Links to folders are not followed;
-    those to files count if they lead to one of the folder."""
-    root, pending = folder.resolve(), [""]
+    """The names of all files with the ending, in this folder and those in it; links to folders are
+    left out."""
+    root = folder.resolve()
+    pending = [""]
     while pending:
         within = pending.pop()
-        for entry in _entries(folder / within):
+        try:
+            with os.scandir(folder / within) as entries:
+                found = [entry for entry in entries if not _is_hidden(entry.name)]
+        except OSError:
+            continue  # What may not be read cannot be shown.
+        for entry in found:
             name = within + entry.name
-            if entry.name.startswith("."):
-                continue
             if entry.is_dir(follow_symlinks=False):
                 pending.append(f"{name}/")
-            elif name.endswith(".burnish") and (
-                entry.is_file(follow_symlinks=False)
-                or (entry.is_symlink() and is_file_within(folder / name, root))
+            elif name.endswith(ENDING) and (
+                entry.is_file(follow_symlinks=False) or is_shown(folder / name, root, ENDING)
             ):
                 yield name
 
 
-def _entries(folder: Path) -> list[os.DirEntry[str]]:
-    """What is in a folder; nothing if it cannot be read."""
-    try:
-        with os.scandir(folder) as entries:
-            return list(entries)
-    except OSError:
-        return []
+def _is_hidden(name: str) -> bool:
+    return name.startswith(".")
 
 
 def title_of(folder: Path) -> str:
     """What the README calls the folder, or the folder's name."""
-    for line in _lines(folder / README):
+    for line in _lines(folder):
         if heading := _HEADING.match(line):
-            return heading[1]
+            return heading[1].rstrip()
     return folder.resolve().name
 
 
-def _lines(readme: Path) -> list[str]:
-    """The lines of a README; none of one that cannot be read, or is no file of its folder."""
+def _lines(folder: Path) -> list[str]:
+    """The lines of a folder's README; none if there is no such text, or a huge one."""
+    readme = folder / README
+    if not is_shown(readme, folder.resolve()):
+        return []
     try:
-        if not is_file_within(readme, readme.parent.resolve()):
-            return []
-        with readme.open(encoding="utf-8") as file:
-            return file.read(_LONGEST).splitlines()
-    except (OSError, UnicodeDecodeError):
+        with opened(readme, README) as file:
+            content = file.read(MOST_OF_README + 1)
+            return [] if len(content) > MOST_OF_README else content.decode().splitlines()
+    except (FileError, BudgetError, UnicodeDecodeError):
         return []
 
 
-def _sections(readme: Path) -> Iterator[tuple[str, list[str]]]:
+def _sections(readme: Sequence[str]) -> Iterator[tuple[str, list[str]]]:
     """The headings of a text, each with the lines below it."""
     title, lines = "", list[str]()
-    for line in _lines(readme):
+    for line in readme:
         if heading := _HEADING.match(line):
             yield title, lines
-            title, lines = heading[1], []
+            title, lines = heading[1].rstrip(), []
         else:
             lines.append(line.strip())
     yield title, lines
 
 
-def _tables(readme: Path) -> Iterator[tuple[str, str, dict[str, str]]]:
+def _tables(readme: Sequence[str]) -> Iterator[tuple[str, str, dict[str, str]]]:
     """The headings with their texts, and what each file shows that stands below, by its name."""
     for title, lines in _sections(readme):
-        rows = {found[2]: found["what"] for line in lines if (found := _ROW.match(line))}
+        rows = dict(filter(None, map(_row, lines)))
         begun = next((n for n, line in enumerate(lines) if line.startswith("|")), len(lines))
         intro = " ".join(filter(None, lines[:begun]))
         for found in _MENTION.finditer(intro):
             rows.setdefault(found[1], found["what"] or "")
         if rows:
             yield title, intro, rows
+
+
+def _row(line: str) -> tuple[str, str] | None:
+    """The file of a row of a table, and what it shows."""
+    before, *cells, after = line.split("|") if line.count("|") > 2 else ("", "")
+    found = _LINK.fullmatch(cells[-1].strip()) if cells and not before and not after else None
+    what = "|".join(cells[:-1]).strip()
+    return (found[1], what) if found and what else None

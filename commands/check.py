@@ -10,7 +10,7 @@ import click
 
 from .console import show
 from .options import file_argument, format_option, pass_option, rig_option, search_option
-from .terminal import FAILED
+from .terminal import FAILED, print_output
 
 if TYPE_CHECKING:
     from ..compiler.diagnostics.diagnostic import Diagnostic
@@ -45,7 +45,7 @@ def check(
 
     found = api.check(file, rig=rig, pass_=pass_, search_path=search_path)
     if form == "json":
-        click.echo(_json(found))
+        print_output(_json(found))
     else:
         show(found)
     if any(diagnostic.severity == "error" for diagnostic in found):
@@ -57,4 +57,4 @@ def _json(diagnostics: Sequence[Diagnostic]) -> str:
 
     from ..compiler.diagnostics.serialise import serialise
 
-    return json.dumps([serialise(diagnostic) for diagnostic in diagnostics], indent=2)
+    return json.dumps([serialise(diagnostic) for diagnostic in diagnostics], indent=2) + "\n"

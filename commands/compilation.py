@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from .compile_options import Request
 from .console import rendered, show
-from .results import STDOUT, Output, Question, keep, print_output
+from .results import STDOUT, Output, Question, keep
+from .terminal import print_output
 
 if TYPE_CHECKING:
     from ..compiled import CompileResult

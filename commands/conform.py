@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from .compared import Request, Subjects, subjects_of
-from .console import remark
+from .console import Styled, remark, say
 from .failures import told
 from .options import (
     budget_option,
@@ -24,7 +23,7 @@ from .options import (
     rig_option,
     search_option,
 )
-from .terminal import FAILED, wants_color
+from .terminal import FAILED
 
 if TYPE_CHECKING:
     from ..targets.conformance.rows import Row
@@ -219,10 +218,10 @@ def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
         except PixelError as error:
             unexplained.append(f"{label}: {error}" if len(subjects) > 1 else str(error))
             continue
-        click.echo(click.style(label, bold=True), color=wants_color(sys.stdout))
+        say(Styled(label, is_bold=True))
         for line in lines:
-            click.echo(f"  {line}".rstrip())
-        click.echo()
+            say(f"  {line}".rstrip())
+        say()
     for text in unexplained:
         remark("error", text)
     if unexplained:
@@ -252,18 +251,18 @@ def _tell(rows: Sequence[Row], *, strict: bool) -> None:
 
     _print_table(rows)
     for driver, device in devices(rows).items():
-        click.echo(f"drawn by {driver}: {device}")
+        say(f"drawn by {driver}: {device}")
     if versions := tools(rows):
-        click.echo(f"with {', '.join(f'{name} {version}' for name, version in versions.items())}")
+        say(f"with {', '.join(f'{name} {version}' for name, version in versions.items())}")
     for problem, names in lacking(rows).items():
-        click.echo(f"not run by {', '.join(names)}: {problem}")
+        say(f"not run by {', '.join(names)}: {problem}")
     for material, own in by_material(rows).items():
         for said, lines in messages(own):
             routes = ", ".join(row.route.name for row in said)
             heading = f"{material}, {routes}: {said[0].status}"
             failed = is_failure(said[0], strict=strict)
             remark("error" if failed else "warning", "\n  ".join([heading, *lines]))
-    click.echo(counted(rows))
+    say(counted(rows))
 
 
 def _print_table(rows: Sequence[Row]) -> None:
@@ -271,19 +270,17 @@ def _print_table(rows: Sequence[Row]) -> None:
     from ..targets.conformance.summary import HEADINGS, by_material, cells
 
     widths = [max(map(len, column)) for column in zip(HEADINGS, *map(cells, rows), strict=True)]
-    color = wants_color(sys.stdout)
 
-    def line(texts: Sequence[str]) -> str:
-        padded = [text.ljust(width) for text, width in zip(texts, widths, strict=True)]
-        padded[1] = click.style(padded[1], fg=COLORS.get(texts[1]))
-        return "  ".join(["", *padded]).rstrip()
+    def print_line(texts: Sequence[str]) -> None:
+        route, status, *others = (t.ljust(w) for t, w in zip(texts, widths, strict=True))
+        say(f"  {route}  ", Styled(status, COLORS.get(texts[1])), "  ".join(["", *others]).rstrip())
 
-    click.echo(line(HEADINGS))
+    print_line(HEADINGS)
     for material, own in by_material(rows).items():
-        click.echo(click.style(material, bold=True), color=color)
+        say(Styled(material, is_bold=True))
         for row in own:
-            click.echo(line(cells(row)), color=color)
-    click.echo()
+            print_line(cells(row))
+    say()
 
 
 def _passed(rows: Sequence[Row], *, asked: bool, strict: bool) -> bool:
@@ -305,4 +302,4 @@ def _write(folder: Path, rows: Sequence[Row], *, strict: bool) -> None:
     data = json.dumps(as_json(rows, strict=strict), indent=2, ensure_ascii=False) + "\n"
     tests = as_junit(rows, strict=strict)
     write_all(folder, {"report.json": data, "junit.xml": tests, "index.html": page(rows)})
-    click.echo(f"report: {folder / 'index.html'}")
+    say(f"report: {folder / 'index.html'}")

@@ -1,16 +1,50 @@
-"""Prints diagnostics and remarks for people; every command uses this."""
+"""Prints what is for people: lines of output, diagnostics and remarks; every command uses this.
+
+Names of files, texts of sources and what other programs say come from anywhere, and a terminal
+obeys some characters instead of showing them. So commands print by the functions of this module,
+which write such characters out, and data by ``terminal.print_output``.
+"""
 
 from __future__ import annotations
 
 import sys
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from .terminal import wants_color
 
 if TYPE_CHECKING:
+    from click import ClickException
+
     from ..compiler.diagnostics.diagnostic import Diagnostic, Severity
+
+
+class Styled(NamedTuple):
+    """A piece of a line that stands out, where there are colours."""
+
+    text: str
+    color: str | None = None
+    """One of click's names."""
+    is_bold: bool = False
+
+
+def say(*pieces: str | Styled) -> None:
+    """Print a line to standard output, made of pieces of text that follow each other."""
+    import click
+
+    shown = map(_shown, pieces)
+    click.echo("".join(shown), color=wants_color(sys.stdout))
+
+
+def _shown(piece: str | Styled) -> str:
+    import click
+
+    from ..compiler.diagnostics.display import harmless
+
+    if isinstance(piece, Styled):
+        return click.style(harmless(piece.text), fg=piece.color, bold=piece.is_bold or None)
+    return harmless(piece)
 
 
 def show(diagnostics: Iterable[Diagnostic]) -> None:
@@ -39,15 +73,29 @@ def rendered(diagnostics: Iterable[Diagnostic]) -> str:
     return f"{text}\n\n{_counted(found)}\n"
 
 
+def show_misuse(error: ClickException) -> None:
+    """Print what click says of a command line to standard error. It quotes words, which may be
+    names of files that a shell has filled in."""
+    from io import StringIO
+
+    import click
+
+    from ..compiler.diagnostics.display import harmless_lines
+
+    said = StringIO()
+    error.show(said)
+    click.echo(harmless_lines(said.getvalue()), err=True, nl=False)
+
+
 def remark(severity: Severity, text: str) -> None:
     """Print a message that belongs to no place in a file to standard error."""
     import click
 
-    from ..compiler.diagnostics.display import harmless
+    from ..compiler.diagnostics.display import harmless_lines
     from ..compiler.diagnostics.style import Style
 
     word = Style(wants_color(sys.stderr)).severity(severity, severity)
-    lines = map(harmless, text.splitlines())
+    lines = map(harmless_lines, text.splitlines())
     click.echo(f"{word}: " + "\n".join(lines), err=True, color=True)
 
 

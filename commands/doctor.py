@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import click
 
-from .terminal import FAILED, wants_color
+from .console import Styled, say
+from .terminal import FAILED
 
 if TYPE_CHECKING:
     from ..targets.toolchain.tools import ToolState
 
 _INDENT = " " * 10
+Line = Sequence[str | Styled]
+"""The pieces of a line, of which one may have a colour."""
 
 
 @click.command()
@@ -32,24 +34,23 @@ def doctor() -> None:
     from ..targets.toolchain.tools import inspect_all
 
     states = inspect_all()
-    color = wants_color(sys.stdout)
-    for line in (*_tools(states), "", *_routes(states)):
-        click.echo(line, color=color)
+    for line in (*_tools(states), [], *_routes(states)):
+        say(*line)
     if any(state.problem for state in states.values()):
         click.get_current_context().exit(FAILED)
 
 
-def _tools(states: Mapping[str, ToolState]) -> Iterator[str]:
+def _tools(states: Mapping[str, ToolState]) -> Iterator[Line]:
     width = max(map(len, states))
     versions = max(len(state.version or "") for state in states.values())
     for name, state in states.items():
         if state.problem is None:
-            mark = click.style(f"{'ok':<8}", fg="green")
-            yield f"{mark}  {name:<{width}}  {state.version:<{versions}}  {state.paths[0]}"
+            found = f"{state.version:<{versions}}  {state.paths[0]}"
+            yield Styled(f"{'ok':<8}", "green"), f"  {name:<{width}}  {found}"
         else:
-            mark = click.style(f"{'unusable' if state.paths else 'missing':<8}", fg="red")
-            yield f"{mark}  {name:<{width}}  {state.tool.purpose}"
-            yield from (f"{_INDENT}{line}" for line in _remedy(state))
+            mark = "unusable" if state.paths else "missing"
+            yield Styled(f"{mark:<8}", "red"), f"  {name:<{width}}  {state.tool.purpose}"
+            yield from ([f"{_INDENT}{line}"] for line in _remedy(state))
 
 
 def _remedy(state: ToolState) -> Iterator[str]:
@@ -64,13 +65,13 @@ def _remedy(state: ToolState) -> Iterator[str]:
         yield f"without it nothing is drawn by {', '.join(routes)}"
 
 
-def _routes(states: Mapping[str, ToolState]) -> Iterator[str]:
+def _routes(states: Mapping[str, ToolState]) -> Iterator[Line]:
     from ..targets.runner.routes import EVERY_ROUTE
 
     width = max(map(len, EVERY_ROUTE))
     for name, route in EVERY_ROUTE.items():
         lacking = [tool for tool in route.needs if states[tool].problem]
-        mark = click.style(f"{'no' if lacking else 'draws':<8}", fg="red" if lacking else "green")
+        mark = Styled(f"{'no':<8}", "red") if lacking else Styled(f"{'draws':<8}", "green")
         reason = f"  (needs {', '.join(lacking)})" if lacking else ""
-        yield f"{mark}  {name:<{width}}  {route.title}{reason}"
-    yield "Direct3D itself draws nothing here: its HLSL is drawn on Vulkan, and checked as DXIL."
+        yield mark, f"  {name:<{width}}  {route.title}{reason}"
+    yield ["Direct3D itself draws nothing here: its HLSL is drawn on Vulkan, and checked as DXIL."]

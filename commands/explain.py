@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from .console import say
+
 if TYPE_CHECKING:
     from ..compiler.diagnostics.diagnostic import Rule
 
@@ -28,8 +30,9 @@ def explain(code: str) -> None:
         hint = suggestion(code.upper(), rules) or f"they run from {min(rules)} to {max(rules)}"
         raise click.BadParameter(f"there is no code `{code}`; {hint}", param_hint="CODE")
     message = re.sub(r"\{\w+\}", "…", rule.message)
-    click.echo(f"{rule.severity}[{rule.code}]: {message}\n")
-    click.echo(click.wrap_text(rule.help, width=80))
+    say(f"{rule.severity}[{rule.code}]: {message}")
+    for line in ("", *click.wrap_text(rule.help, width=80).splitlines()):
+        say(line)
 
 
 def _rules() -> dict[str, Rule]:

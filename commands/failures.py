@@ -35,6 +35,7 @@ def drawing_errors() -> tuple[type[Exception], ...]:
     from ..compiler.budget import BudgetError
     from ..targets.runner.codes import CodeError
     from ..targets.runner.feeding import FeedError
+    from ..targets.runner.files import FileError
     from ..targets.runner.frames.checking import PlanError
     from ..targets.runner.instances.instance import MissingValuesError
     from ..targets.runner.instances.values import ParameterError
@@ -44,8 +45,8 @@ def drawing_errors() -> tuple[type[Exception], ...]:
     from ..targets.runner.textures.kinds import PictureError
 
     return (
-        BudgetError, CodeError, FeedError, MeshError, MissingValuesError, ParameterError,
-        PictureError, PlanError, SceneError, UndrawableError,
+        BudgetError, CodeError, FeedError, FileError, MeshError, MissingValuesError,
+        ParameterError, PictureError, PlanError, SceneError, UndrawableError,
     )  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import remark, show
+from .console import remark, say, show
 from .failures import fail
 from .frame_files import write_pictures
 from .panels import check_single
@@ -69,7 +69,7 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
         rows = list(zip(*columns, strict=True))
     written = write_pictures(rows, request.output)
     further = f" to {written[-1].name}" if len(written) > 1 else ""
-    click.echo(f"{frame.name}: {written[0]}{further}")
+    say(f"{frame.name}: {written[0]}{further}")
 
 
 def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:

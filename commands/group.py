@@ -39,11 +39,19 @@ class _QuietGroup(click.Group):
         """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
         try:
             show_everything()
-            return super().main(*arguments, **options)
+            code = super().main(*arguments, **{**options, "standalone_mode": False})
+        except click.ClickException as error:
+            from .console import show_misuse
+
+            show_misuse(error)
+            sys.exit(error.exit_code)
+        except click.Abort:
+            sys.exit(INTERRUPTED)
         except OSError as error:
             place = "" if error.filename is None else f"`{error.filename}`: "
             complain(f"error: {place}{error.strerror or error}")
             sys.exit(FAILED)
+        sys.exit(code or 0)
 
     def list_commands(self, _context: click.Context) -> list[str]:
         """The names of the commands, as the help lists them."""

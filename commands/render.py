@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import remark
+from .console import remark, say
 from .failures import fail, told
 from .options import (
     BACKGROUND,
@@ -196,7 +196,7 @@ def _render(request: Request) -> None:
         check_single(len(found) * len(routes), request.output)
         drawn = list(panels(found, routes, request.target, runner, progress))
     _save(drawn, len(routes), request.output, _largest(found))
-    click.echo(f"{'; '.join(subject.label for subject in found)}: {request.output}")
+    say(f"{'; '.join(subject.label for subject in found)}: {request.output}")
     _tell_failures(drawn)
 
 

@@ -17,7 +17,7 @@ import sys
 
 from ..compiler.cache import digest, load, store
 from .replacing import replace_all
-from .terminal import show_everything, wants_color
+from .terminal import print_output, show_everything, wants_color
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -136,15 +136,6 @@ def keep(question: Question, output: Output, inputs: Inputs) -> None:
 def encoded(texts: Mapping[str, str]) -> dict[str, bytes]:
     """What files hold that consist of these texts."""
     return {name: text.encode() for name, text in texts.items()}
-
-
-def print_output(text: str) -> None:
-    """Write to standard output: as bytes, whatever the terminal's encoding is."""
-    if sys.stdout is None:
-        return
-    sys.stdout.flush()
-    sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
-    sys.stdout.flush()
 
 
 def _is_asked_for(output: Output, question: Question) -> bool:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from .console import Styled, say
 from .options import format_option
-from .terminal import wants_color
+from .terminal import print_output
 
 if TYPE_CHECKING:
     from ..targets.description.profile import Profile
@@ -34,17 +34,17 @@ def targets(form: str) -> None:
     if form == "json":
         import json
 
-        click.echo(json.dumps([_data(target) for target in rows], indent=2))
+        print_output(json.dumps([_data(target) for target in rows], indent=2) + "\n")
         return
-    color = wants_color(sys.stdout)
     for target in rows:
-        click.echo("\n".join(_lines(target)), color=color)
+        say(Styled(target.name, is_bold=True), f"  {target.title}, *.{target.extension}")
+        if target.unproven:
+            say("  ", Styled("unproven", "yellow"), f": {target.unproven}")
+        for line in _profiles(target):
+            say(line)
 
 
-def _lines(target: Language) -> Iterator[str]:
-    yield click.style(f"{target.name}", bold=True) + f"  {target.title}, *.{target.extension}"
-    if target.unproven:
-        yield f"  {click.style('unproven', fg='yellow')}: {target.unproven}"
+def _profiles(target: Language) -> Iterator[str]:
     for profile in target.profiles:
         default = "" if profile is not target.profiles[0] else " (default)"
         yield f"  {target.name}:{profile.name}{default}"

@@ -1,4 +1,5 @@
-"""Decides whether a stream gets colours, and writes out characters that it cannot show.
+"""Decides whether a stream gets colours, and writes out characters that it cannot show, or that
+would do something to it instead of being shown.
 
 Nothing here imports click, because it is also used before click is loaded.
 """
@@ -35,6 +36,25 @@ def show_everything() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
+def print_output(text: str) -> None:
+    """Write data to standard output, such as a shader or JSON, in UTF-8 whatever the terminal's
+    encoding is.
+
+    A file or a pipe gets every byte. A terminal would obey control characters, which names and
+    comments may contain, so it gets them written out. What is for people only is printed by
+    ``console.say``.
+    """
+    if sys.stdout is None:
+        return
+    if sys.stdout.isatty():
+        from ..compiler.diagnostics.display import harmless_lines
+
+        text = harmless_lines(text)
+    sys.stdout.flush()
+    sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
+    sys.stdout.flush()
+
+
 def flushed(code: int) -> int:
     """Write out what the streams still hold, before Python would: it would show a traceback.
 
@@ -59,7 +79,9 @@ def _drop(stream: IO[Any]) -> None:
 
 def complain(message: str) -> None:
     """Print a message to the error output, if that can be."""
+    from ..compiler.diagnostics.display import harmless_lines
+
     try:
-        print(message, file=sys.stderr)
+        print(harmless_lines(message), file=sys.stderr)
     except OSError:
         return  # Nobody can be told.

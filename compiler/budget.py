@@ -119,7 +119,10 @@ def amount_with_unit(amount: int, row: Limit) -> str:
     if not row.in_bytes:
         return f"{amount:,} {row.unit}"
     letter, scale = _largest_scale(amount)
-    return f"{amount / scale:.3g} {letter}B" if letter else f"{amount} bytes"
+    if not letter:
+        return f"{amount} bytes"
+    shown = amount / scale
+    return f"{shown:,.0f} {letter}B" if shown >= 100 else f"{shown:.3g} {letter}B"
 
 
 def _largest_scale(amount: int) -> tuple[str, int]:

@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from ..console import remark
+from ...compiler.diagnostics.display import harmless
+from ..console import remark, say
 from ..failures import fail, told
+from ..options import budget_option
 from ..terminal import FAILED
 
 if TYPE_CHECKING:
@@ -70,6 +72,7 @@ class Request(NamedTuple):
     metavar="TEXT",
     help="The heading; by default, that of the README, or the folder's name.",
 )
+@budget_option
 @click.option("--cache/--no-cache", default=True, help="Make unchanged files anew, or not.")
 def gallery(**chosen: object) -> None:
     """Make pages that show all materials, kernels and frames of FOLDER.
@@ -118,12 +121,12 @@ def _make(request: Request) -> None:
     _write(request.output, pages(title, groups, entries, routes))
     wrong = [name for name, entry in sorted(entries.items()) if entry["errors"]]
     count = f"{len(files)} file{'s' if len(files) > 1 else ''}"
-    click.echo(
+    say(
         f"{count}, {made} of them made anew, in {monotonic() - begun:.0f} s: "
         f"{request.output / 'index.html'}"
     )
     if wrong:
-        names = ", ".join(wrong)
+        names = ", ".join(map(harmless, wrong))
         remark("error", f"something is wrong with {names}: the pages of these files say what")
         click.get_current_context().exit(FAILED)
 
@@ -151,7 +154,8 @@ def _entries(
     pool = Pool(min(request.jobs, len(to_make)), lambda: Worker(lambda: command))
     try:
         with ThreadPoolExecutor(request.jobs) as threads:
-            pending = {threads.submit(_made, listed, pool): listed for listed in to_make}
+            root = request.folder.resolve()
+            pending = {threads.submit(_made, listed, root, pool): listed for listed in to_make}
             try:
                 for future in as_completed(pending):
                     entry = future.result()
@@ -165,16 +169,22 @@ def _entries(
         pool.close()
 
 
-def _made(listed: Listed, pool: Pool) -> Entry:
+def _made(listed: Listed, folder: Path, pool: Pool) -> Entry:
     """The entry of a file, made by one of the processes; or one that says that it has died."""
+    from ...compiler.budget import current
     from .entry import failed
+    from .making import source_of
 
     with pool.borrow() as worker:
-        answer = worker.ask({"file": listed.name}, TIME_LIMIT)
+        answer = worker.ask({"file": listed.name, "limits": current()}, TIME_LIMIT)
     if "entry" in answer.reply:
         entry: Entry = answer.reply["entry"]
         return entry
-    return failed(listed.path.read_text("utf-8", "replace"), answer.log.strip())
+    source, _problem = source_of(listed.path, folder)
+    # What the process has printed tells of this machine, and pages may be published. The last line
+    # is ours: the program, and how it has ended.
+    how = answer.log.rstrip().rpartition("\n")[2].partition(": ")[2]
+    return failed(source, f"nothing could be made of this file: the process that tried was {how}")
 
 
 def _tell(listed: Listed, entry: Entry, number: int, total: int, *, is_new: bool) -> None:
@@ -182,7 +192,7 @@ def _tell(listed: Listed, entry: Entry, number: int, total: int, *, is_new: bool
     from .pages import in_short
 
     state = in_short(entry) if is_new or entry["errors"] else "unchanged"
-    click.echo(f"[{number:{len(str(total))}}/{total}] {listed.name}: {state}")
+    say(f"[{number:{len(str(total))}}/{total}] {listed.name}: {state}")
 
 
 def _write(folder: Path, contents: dict[str, bytes]) -> None:

@@ -12,13 +12,14 @@ from itertools import chain
 
 from markupsafe import Markup
 
+from ...compiler.diagnostics.display import harmless_lines
 from ...compiler.syntax.highlighting import pieces
 from ...targets import registry
 
 _PLAIN = frozenset(("name", "mark", "blank"))
 """Kinds of pieces that are shown without a colour."""
 _SHADER = re.compile(
-    r"(?P<comment>//[^\n]*)|(?P<doc>^\s*#[^\n]*)|(?P<number>\b\d[\w.]*)|(?P<name>[A-Za-z_]\w*)",
+    r"(?P<comment>//[^\n]*)|(?P<doc>^[ \t]*#[^\n]*)|(?P<number>\b\d[\w.]*)|(?P<name>[A-Za-z_]\w*)",
     re.MULTILINE,
 )
 
@@ -56,14 +57,14 @@ def _lines(found: Iterable[tuple[str, str]]) -> Markup:
     lines = [line]
     for kind, piece in found:
         if kind == "swatch":
-            line.append(f'<i class="swatch" style="background:{escape(piece)}"></i>')
+            line.append(f'<svg class="swatch"><rect fill="{escape(piece)}"/></svg>')
             continue
         for number, part in enumerate(piece.split("\n")):
             if number:
                 line = []
                 lines.append(line)
             if part:
-                shown = escape(part)
+                shown = escape(harmless_lines(part))
                 line.append(shown if kind in _PLAIN else f'<b class="{kind}">{shown}</b>')
     while lines and not lines[-1]:
         lines.pop()

@@ -15,7 +15,7 @@ from ...targets.runner.routes import Route, inspect_tools
 from ...targets.runner.store import Store, digest
 from ..results import installation
 from .entry import Entry
-from .making import digest_of
+from .making import content_of, digest_of
 
 STORE = "gallery"
 
@@ -48,11 +48,4 @@ class Kept:
 
 
 def _unchanged(inputs: Mapping[str, str]) -> bool:
-    return all(digest_of(_content(Path(path))) == known for path, known in inputs.items())
-
-
-def _content(path: Path) -> bytes | None:
-    try:
-        return path.read_bytes()
-    except OSError:
-        return None
+    return all(digest_of(content_of(Path(path))) == known for path, known in inputs.items())

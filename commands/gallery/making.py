@@ -6,9 +6,9 @@
 from __future__ import annotations
 
 import base64
-import re
+import os
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from hashlib import blake2b
 from io import StringIO
@@ -22,9 +22,11 @@ from ...compiler.diagnostics import rules
 from ...compiler.diagnostics.diagnostic import CompileError, Report
 from ...compiler.inputs import Inputs
 from ...compiler.ir.stages import COMPUTED
+from ...compiler.budget import BudgetError
 from ...targets.closing import Closing
 from ...targets.conformance import summary
 from ...targets.conformance.conform import conform as compare
+from ...targets.runner.files import FileError, opened, read_file
 from ...targets.runner.frames.by_route import lacking
 from ...targets.runner.pictures import encoded
 from ...targets.runner.routes import Route
@@ -32,12 +34,14 @@ from ...targets.runner.runner import Runner
 from ...targets.selection import DEFAULT, full_name, select_targets
 from ...targets.toolchain import Toolchain
 from .. import compared, frames, panels, subjects
+from ..catalogue import ENDING, is_shown
 from ..conform import conform
 from ..failures import told
 from ..frame_files import image_of, moving
 from ..graph.command import as_svg
 from ..progress import Progress
 from ..render import render
+from .comments import asked, files_of
 from .entry import Entry, Figure, Graph, Program, Stage, Text, Verdict, failed
 
 if TYPE_CHECKING:
@@ -48,10 +52,10 @@ if TYPE_CHECKING:
 REFERENCE = "reference"
 EVOLVED = 24
 """So many frames are drawn of what evolves from frame to frame."""
-_COMMAND = re.compile(r"burnish (render \S+\.burnish -o \S+.*)")
-"""A command in the first comment of a file, which says how it is drawn."""
-_FILE_DOC = re.compile(r"^//!(.*)$", re.MULTILINE)
-"""A line of such a comment."""
+LARGEST_SOURCE = 1 << 18
+"""The most bytes of a file that is shown."""
+_NAME = "file"
+"""What stands for a file in command lines, where its own name could be taken for an option."""
 
 
 class Maker(Closing):
@@ -71,8 +75,11 @@ class Maker(Closing):
         self._toolchain.close()
 
     def entry(self, file: Path) -> Entry:
-        """Everything about one file. What goes wrong is part of it."""
-        entry = failed(file.read_text("utf-8", "replace"), "")
+        """Everything about one file of the current folder. What goes wrong is part of it."""
+        source, problem = source_of(file, Path.cwd())
+        entry = failed(source, problem)
+        if problem:
+            return entry
         entry["errors"] = []
         _Making(self._routes, self._shown, self._size, self._runner, self._toolchain, file,
                 entry).run()  # fmt: skip
@@ -97,10 +104,10 @@ class _Making:
         self._file, self._entry = file, entry
 
     def run(self) -> None:
-        words = ["--routes", "all", str(self._file)]
+        words = ["--routes", "all", _NAME]
         found: compared.Subjects = []
         with self._told(conform, words) as chosen:
-            request = compared.Request(**chosen)
+            request = compared.Request(**{**chosen, "files": (self._file,)})
             inputs: list[Inputs] = []
             further = [*_profiles(), *(route.profile for route in self._shown)]
             try:
@@ -109,6 +116,7 @@ class _Making:
                 )
             except CompileError as error:
                 if {found.rule for found in error.diagnostics} != {rules.NO_MATERIAL}:
+                    _insist_on_shown(error)
                     raise
                 self._entry["kinds"].append("module")
                 inputs.append(_alone(self._file))
@@ -158,7 +166,7 @@ class _Making:
 
     def _texts(self, found: compared.Subjects) -> None:
         for label, subject in found:
-            name = label.partition(": ")[2]
+            name = label.rpartition(": ")[2]
             self._entry["graphs"].append(_graph(name, subject))
             if isinstance(subject, CompiledFrame):
                 self._entry["programs"] += (_program(s.name, s) for s in subject.shaders)
@@ -168,12 +176,12 @@ class _Making:
     # --- pictures ---
 
     def _draw(self, found: compared.Subjects) -> None:
-        words = self._command(found)
-        self._entry["command"] = shlex.join(["burnish", "render", *words])
+        options = self._options(found)
         routes: list[Route | None] = [None, *self._shown]
-        with self._told(render, [*words, "--size", str(self._size)]) as chosen:
+        words = ["--size", str(self._size), "-o", "picture.png", _NAME]
+        with self._told(render, words) as chosen:
             # With everything, what a route lacks is no error.
-            whole = {**chosen, "file": self._file, "on": (subjects.EVERYTHING,)}
+            whole = {**chosen, **options, "file": self._file, "on": (subjects.EVERYTHING,)}
             request = subjects.Request(**whole)
             self._entry["inputs"] |= _digests_of_files(request.values)
             drawn = [subject for _label, subject in found if isinstance(subject, CompiledFrame)]
@@ -182,18 +190,25 @@ class _Making:
             if not drawn:
                 self._draw_materials(request, routes)
 
-    def _command(self, compiled: compared.Subjects) -> list[str]:
-        """The words behind ``burnish render``: those that the first comment of the file says, or
-        the plain ones; with several frames, if some frame goes on from the last one."""
-        for line in _FILE_DOC.findall(self._entry["source"]):
-            if found := _COMMAND.search(line):
-                words = shlex.split(found[1])[1:]
-                if words[0] == self._file.name:
-                    return words
-        frames = [each for _label, each in compiled if isinstance(each, CompiledFrame)]
-        if any(frame.plan["kept"] for frame in frames):
-            return [self._file.name, "-o", f"{self._file.stem}.webp", "--frames", str(EVOLVED)]
-        return [self._file.name, "-o", f"{self._file.stem}.png"]
+    def _options(self, compiled: compared.Subjects) -> Mapping[str, Any]:
+        """What is drawn otherwise than by default, as the comment of the file asks for it; or
+        several frames, if some frame goes on from the last one. The page shows the command."""
+        found = asked(self._entry["source"], self._file.name, Path.cwd())
+        if found.note:
+            self._entry["notes"].append(found.note)
+        words, options = found.words, found.options
+        if not words:
+            # A name that begins with a dash would be taken for an option.
+            before = "./" if self._file.name.startswith("-") else ""
+            frames = [each for _label, each in compiled if isinstance(each, CompiledFrame)]
+            evolves = any(frame.plan["kept"] for frame in frames)
+            output = f"{before}{self._file.stem}{'.webp' if evolves else '.png'}"
+            words = [f"{before}{self._file.name}", "-o", output]
+            if evolves:
+                words += ["--frames", str(EVOLVED)]
+                options = {"frames": EVOLVED}
+        self._entry["command"] = shlex.join(["burnish", "render", *words])
+        return options
 
     def _draw_materials(self, request: subjects.Request, routes: Sequence[Route | None]) -> None:
         usable = [route for route in self._shown if self._runner.problem(route) is None]
@@ -284,7 +299,7 @@ def _verdict(label: str, row: Row, lines: Sequence[str]) -> Verdict:
     route, status, difference, share, bite, unproven = summary.cells(row)
     device = "" if row.device is None else f"{row.device.name}, {row.device.version}"
     return {
-        "label": label.partition(": ")[2], "route": route, "title": row.route.title,
+        "label": label.rpartition(": ")[2], "route": route, "title": row.route.title,
         "status": status, "difference": difference, "share": share, "bite": bite,
         "unproven": unproven, "problem": row.problem, "device": device, "lines": list(lines),
     }  # fmt: skip
@@ -329,11 +344,48 @@ def _digests(read: Sequence[Inputs]) -> dict[str, str]:
     return {path: digest_of(content) for path, content in contents.items()}
 
 
+def _insist_on_shown(error: CompileError) -> None:
+    """Raise ``ClickException`` where errors are in an imported file that the gallery does not show:
+    it may be hidden, or no source at all, and they quote its lines."""
+    spans = [
+        span for found in error.diagnostics
+        for span in (found.span, *(label.span for label in found.labels)) if span is not None
+    ]  # fmt: skip
+    for name in dict.fromkeys(span.source.name for span in spans):
+        # Files of the library have names that are no paths.
+        if os.path.lexists(name) and not is_shown(Path(name), Path.cwd(), ENDING):
+            raise click.ClickException(
+                f"the file imports `{name}`, which is no file that a gallery shows, and there are "
+                "errors in it"
+            )
+
+
+def source_of(file: Path, root: Path) -> tuple[str, str]:
+    """The text of a file of a folder, and why it is not shown; one of them is empty."""
+    if not is_shown(file, root, ENDING):
+        return "", "it is not a file of the folder any more"
+    try:
+        with opened(file, "the file") as content:
+            data = content.read(LARGEST_SOURCE + 1)
+    except (FileError, BudgetError) as error:
+        return "", str(error)
+    if len(data) > LARGEST_SOURCE:
+        return "", f"a gallery shows files of up to {LARGEST_SOURCE >> 10} kB, and it is larger"
+    return data.decode("utf-8", "replace"), ""
+
+
 def _digests_of_files(values: Sequence[tuple[str, str]]) -> dict[str, str]:
     """The digests of the files that values are read of: pictures, and elements of buffers."""
-    texts = (part.rpartition(":")[2] for _name, text in values for part in text.split(","))
-    paths = (Path(text.strip()) for text in texts)
-    return {str(p.resolve()): digest_of(p.read_bytes()) for p in paths if p.is_file()}
+    paths = (path for _name, text in values for path in files_of(text, Path.cwd()))
+    return {str(path.resolve()): digest_of(content_of(path)) for path in paths}
+
+
+def content_of(path: Path) -> bytes | None:
+    """What a file holds; ``None`` if it is none, or cannot be read."""
+    try:
+        return read_file(path, path.name)
+    except (FileError, BudgetError):
+        return None
 
 
 def digest_of(content: bytes | None) -> str:

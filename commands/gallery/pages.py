@@ -8,23 +8,38 @@ from __future__ import annotations
 
 import base64
 import re
+import unicodedata
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
 from typing import Any, NamedTuple
+from urllib.parse import quote
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
+from ...compiler.diagnostics.display import harmless_lines
+from ...targets.conformance.html_pages import Embedded, environment
 from ...targets.conformance.rows import STATUSES
 from ...targets.runner.routes import Route
-from ..catalogue import Group, Listed
+from ..catalogue import ENDING, Group, Listed
+from .comments import paragraphs
 from .entry import Entry, Figure, Verdict
 from .highlighting import burnish_text, shader_text
 
 FOLDER = Path(__file__).parent
-STATIC = ("gallery.css", "gallery.js")
+LONGEST_NAME = 100
+"""The most bytes of the name of a page, without its ending."""
+MOST_WORDS = 2000
+"""The most letters of a file's comment by which it is found."""
+_DEVICES = (
+    "con",
+    "prn",
+    "aux",
+    "nul",
+    *(f"{port}{n}" for port in ("com", "lpt") for n in range(10)),
+)
+"""What Windows takes for a device, whatever ends the name."""
 _WORDS = {"agrees": "agree", "differs": "differ", "proves little": "prove little",
           "overflows": "overflow"}  # fmt: skip
 """What is said of several."""
@@ -45,42 +60,44 @@ class _Page(NamedTuple):
         return what[:1].upper() + what[1:] if what else self.listed.name
 
     @property
-    def address(self) -> str:
+    def file(self) -> str:
         """The name of the page."""
         return f"{self.slug}.html"
+
+    def picture(self, name: str) -> str:
+        """The name of the file of one of its pictures."""
+        return f"{self.slug}-{name}"
 
 
 def pages(
     title: str, groups: Sequence[Group], entries: Mapping[str, Entry], routes: Sequence[Route]
 ) -> dict[str, bytes]:
     """All files of the gallery, by their names."""
-    environment = Environment(
-        loader=FileSystemLoader(FOLDER),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters |= {"words": _marked, "shader": shader_text}
-    found = {name: (FOLDER / name).read_bytes() for name in STATIC}
+    templates = environment(FOLDER)
+    templates.filters |= {
+        "words": _marked, "shader": shader_text, "address": _address, "drawing": Markup,
+    }  # fmt: skip
+    embedded = Embedded(FOLDER / "gallery.css", FOLDER / "gallery.js", has_files=True)
+    templates.globals["embedded"] = embedded
+    found: dict[str, bytes] = {}
     shown = _named([file for group in groups for file in group.files], entries)
     users = _users(shown)
     for number, page in enumerate(shown):
         before, after = shown[number - 1], shown[(number + 1) % len(shown)]
-        text = environment.get_template("page.html.j2").render(
+        text = templates.get_template("page.html.j2").render(
             gallery=title, page=page, entry=page.entry, before=before, after=after,
             source=burnish_text(page.entry["source"]),
-            doc=_comment(page.entry["source"]),
+            doc=paragraphs(page.entry["source"]),
             figures=_by_label(page.entry["figures"]),
             verdicts=_by_label(page.entry["verdicts"]),
             summary=in_short(page.entry), state=_state(page.entry),
             used_by=[_card(user, {}) for user in users.get(page.listed.name, ())],
         )  # fmt: skip
-        found[page.address] = text.encode()
+        found[page.file] = text.encode()
         for name, content in page.entry["pictures"].items():
-            found[f"{page.slug}-{name}"] = base64.b64decode(content)
+            found[page.picture(name)] = base64.b64decode(content)
     by_name = {page.listed.name: page for page in shown}
-    index = environment.get_template("index.html.j2").render(
+    index = templates.get_template("index.html.j2").render(
         title=title,
         groups=[
             {
@@ -108,17 +125,33 @@ def in_short(entry: Entry) -> str:
 
 
 def _named(files: Sequence[Listed], entries: Mapping[str, Entry]) -> list[_Page]:
-    """Each file with a name of its own for its page, which all lie in one folder."""
-    taken = {"index"}
+    """Each file with a name of its own for its page, which all lie in one folder.
+
+    Such a name is one on every system and server: it has no letters but those of words, is short,
+    and differs from others by more than small and capital letters.
+    """
+    taken = {"index", *_DEVICES}
+    numbers: Counter[str] = Counter()
     found = []
     for file in files:
-        plain = file.name.removesuffix(".burnish").replace("/", "-")
-        slug, number = plain, 2
-        while slug.lower() in taken:
-            slug, number = f"{plain}-{number}", number + 1
-        taken.add(slug.lower())
+        plain = slug = _plain(file.name.removesuffix(ENDING))
+        while (key := unicodedata.normalize("NFKD", slug).casefold()) in taken:
+            numbers[plain] += 1
+            slug = f"{plain}-{numbers[plain] + 1}"
+        taken.add(key)
         found.append(_Page(file, entries[file.name], slug))
     return found
+
+
+def _plain(name: str) -> str:
+    """The words of a name, with dashes between them."""
+    words = re.sub(r"[^\w.]+", "-", unicodedata.normalize("NFC", name)).strip(".-")
+    return words.encode()[:LONGEST_NAME].decode(errors="ignore") or "file"
+
+
+def _address(file: str) -> str:
+    """What a page calls a file beside it; the point says that what follows is no scheme."""
+    return f"./{quote(file)}"
 
 
 def _users(shown: Sequence[_Page]) -> dict[str, list[_Page]]:
@@ -138,7 +171,7 @@ def _picture(page: _Page) -> str:
     """The name of the first picture of a file; empty if there is none."""
     figures = page.entry["figures"]
     shown = next((each["picture"] for each in figures if each["picture"]), "")
-    return f"{page.slug}-{shown}" if shown else ""
+    return page.picture(shown) if shown else ""
 
 
 def _card(page: _Page, users: Mapping[str, Sequence[_Page]]) -> dict[str, Any]:
@@ -146,7 +179,8 @@ def _card(page: _Page, users: Mapping[str, Sequence[_Page]]) -> dict[str, Any]:
     first one that imports it."""
     entry = page.entry
     user = next(iter(users.get(page.listed.name, ())), None)
-    words = [page.listed.name, page.listed.what, *entry["names"], *_comment(entry["source"])]
+    comment = " ".join(each.text for each in paragraphs(entry["source"]))[:MOST_WORDS]
+    words = [page.listed.name, page.listed.what, *entry["names"], comment]
     return {
         "page": page, "picture": _picture(user or page), "kinds": entry["kinds"],
         "drawn_by": user.listed.name if user else "",
@@ -203,23 +237,9 @@ def _by_label(rows: Sequence[Figure] | Sequence[Verdict]) -> dict[str, list[Any]
     return found
 
 
-def _comment(source: str) -> list[str]:
-    """The paragraphs of the comment about a whole file; one that is indented is a command."""
-    lines = [line[3:] for line in source.splitlines() if line.startswith("//!")]
-    paragraphs = [""]
-    for line in lines:
-        if not line.strip():
-            paragraphs.append("")
-        elif line.startswith("     "):
-            paragraphs += [line, ""]
-        else:
-            paragraphs[-1] = f"{paragraphs[-1]} {line.strip()}".strip()
-    return [paragraph for paragraph in paragraphs if paragraph]
-
-
 def _marked(text: str) -> Markup:
     """A line of Markdown with code and emphasis; links become their words."""
-    plain = re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", text)
+    plain = re.sub(r"\[([^\[\]]+)\]\([^()]*\)", r"\1", harmless_lines(text))
     pieces = re.split(r"(`[^`]+`|\*\*?[^*`\s][^*`]*\*\*?)", escape(plain))
     return Markup("".join(map(_styled, pieces)))
 

@@ -10,6 +10,7 @@ import os
 import sys
 from pathlib import Path
 
+from ...compiler.budget import raised
 from ...targets.runner.routes import select
 from .making import Maker
 
@@ -24,7 +25,9 @@ def main() -> None:
     ):
         os.dup2(2, 1)
         for line in sys.stdin:
-            entry = maker.entry(Path(json.loads(line)["file"]))
+            asked = json.loads(line)
+            with raised(asked["limits"]):
+                entry = maker.entry(Path(asked["file"]))
             answers.write(json.dumps({"entry": entry}) + "\n")
             answers.flush()
 

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from ...compiler.diagnostics.display import harmless_lines
 from ..console import show
 from ..failures import fail, told
 from ..options import file_argument, pass_option, pixel, rig_option, search_option
-from ..terminal import FAILED
+from ..terminal import FAILED, print_output
 
 if TYPE_CHECKING:
     from ...compiled import CompiledFrame, CompiledMaterial
@@ -178,8 +179,10 @@ def _deliver(request: Request, subjects: Sequence[CompiledMaterial | CompiledFra
         message = f"a picture shows one {kind}, and there are {names}; choose one"
         raise click.BadParameter(message, param_hint="--material")
     text = "\n".join(_written(subject, request, form) for subject in subjects)
+    if form == "text":
+        text = harmless_lines(text)
     if request.output == STDOUT:
-        click.echo(text.encode(), nl=False)
+        print_output(text)
         return
     from ..output import unwritable, write_file
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...compiler.diagnostics.display import harmless_lines
 from .model import Box, Picture
 from .svg import colors_of
 
@@ -45,5 +46,5 @@ def _attributes(box: Box) -> Iterator[str]:
 
 def quoted(text: str) -> str:
     """A text as Graphviz reads it."""
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+    escaped = harmless_lines(text).replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
     return f'"{escaped}"'

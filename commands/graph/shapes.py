@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from typing import NamedTuple
 
+from ...compiler.diagnostics.display import harmless_lines
 from .layout import Item
 
 NAME_SIZE, TEXT_SIZE = 13.0, 11.0
@@ -25,6 +26,11 @@ class Colors(NamedTuple):
     """Whether letters on it have to be white."""
 
 
+def escaped(words: str) -> str:
+    """A text as XML has it, which knows no control characters."""
+    return escape(harmless_lines(words))
+
+
 def begun(title: str, width: float, height: float) -> Iterator[str]:
     """The beginning of a picture, up to its background; ``</svg>`` ends it."""
     yield (
@@ -32,7 +38,7 @@ def begun(title: str, width: float, height: float) -> Iterator[str]:
         f'width="{width:.0f}" height="{height:.0f}" font-family="ui-monospace, Menlo, Consolas, '
         "'DejaVu Sans Mono', monospace\">"
     )
-    yield f"<title>{escape(title)}</title>"
+    yield f"<title>{escaped(title)}</title>"
     yield f'<rect width="{width:.0f}" height="{height:.0f}" fill="{PAPER}"/>'
 
 
@@ -76,5 +82,5 @@ def text(x: float, y: float, words: str, size: float, color: str, *, bold: bool 
     weight = ' font-weight="600"' if bold else ""
     return (
         f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:g}" fill="{color}"{weight} '
-        f'xml:space="preserve">{escape(words)}</text>'
+        f'xml:space="preserve">{escaped(words)}</text>'
     )

@@ -3,11 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from html import escape
 
 from .layout import Item, Layout, laid_out
 from .model import KINDS, Box, Cluster, Kind, Picture
-from .shapes import ADVANCE, INK, NAME_SIZE, TEXT_SIZE, Colors, arrow, begun, cut, stroke, text
+from .shapes import (
+    ADVANCE,
+    INK,
+    NAME_SIZE,
+    TEXT_SIZE,
+    Colors,
+    arrow,
+    begun,
+    cut,
+    escaped,
+    stroke,
+    text,
+)
 
 MARGIN, PADDING, TITLE = 24.0, 16.0, 30.0
 
@@ -159,7 +170,7 @@ def _box(box: Box, x: float, y: float, item: Item) -> Iterator[str]:
     dash = ' stroke-dasharray="4 3"' if box.kind == "derived" else ""
     dark = colors.is_dark
     yield "<g>"
-    yield f"<title>{escape(_tooltip(box))}</title>"
+    yield f"<title>{escaped(_tooltip(box))}</title>"
     yield (
         f'<rect x="{x:.1f}" y="{y:.1f}" width="{item.width:.1f}" height="{item.height:.1f}" '
         f'rx="{item.height / 2 if leaf else 5:.1f}" fill="{colors.fill}" '

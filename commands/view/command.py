@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+from ..console import say
 from ..failures import fail, needed, told
 from ..options import (
     budget_option,
@@ -88,8 +89,8 @@ def _serve(request: Request, port: int, *, opens: bool) -> None:
         )
     if server.is_empty:
         fail(f"there is nothing in the folder `{request.file}` that could be drawn")
-    click.echo(f"{request.file} is shown at {server.address}")
-    click.echo("Only this computer can open it. Ctrl-C ends it.")
+    say(f"{request.file} is shown at {server.address}")
+    say("Only this computer can open it. Ctrl-C ends it.")
     if opens:
         # Some browsers of terminals return only when they are closed.
         Thread(target=webbrowser.open, args=(server.address,), daemon=True).start()

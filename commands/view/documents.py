@@ -14,13 +14,11 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import click
-
 from ... import api
 from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ...compiler.diagnostics.render import render_all
 from ...compiler.diagnostics.style import Style
-from ..console import remark, show
+from ..console import remark, say, show
 from ..failures import drawing_errors
 from ..frames import scenery_of
 from ..kernels import feed, kernels_of
@@ -141,7 +139,7 @@ class Documents:
         except MemoryError:
             return {**self._head(), "error": self._refused("there is not enough memory for this")}
         took = 1000 * (time.perf_counter() - began)
-        click.echo(f"{made['chosen']['subject']}: made in {took:.0f} ms")
+        say(f"{made['chosen']['subject']}: made in {took:.0f} ms")
         return {**self._head(), **made}
 
     def _tell(self, diagnostics: tuple[Diagnostic, ...]) -> None:

@@ -15,8 +15,7 @@ from typing import Any
 
 from ... import api
 from ...compiler.diagnostics.diagnostic import CompileError
-from ..catalogue import Group, catalogue
-from ..folder import is_file_within
+from ..catalogue import ENDING, Group, catalogue, is_shown
 
 _PATIENCE = 2.0
 """How many seconds files are read for one list. What is left then is listed without telling what it
@@ -53,7 +52,7 @@ class Folder:
         with self._lock:
             path = self._paths.get(name)
         # By now it may be a link.
-        is_own = not self._is_folder or (path and is_file_within(path, self._root.resolve()))
+        is_own = not self._is_folder or (path and is_shown(path, self._root.resolve(), ENDING))
         return path if is_own else None
 
     def listing(self) -> list[dict[str, Any]]:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Hashable
 from threading import Lock
 from typing import Any, Generic, TypeVar
 
-from ...targets.budget import allowed
+from ...compiler.budget import allowed
 
 _SHARE = 4
 """What is kept takes this part of the limit called ``memory`` at most; the rest is for what is

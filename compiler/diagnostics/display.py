@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
+
+from .file_names import readable
 
 _TAB = 4
 _HARMFUL = frozenset(("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"))
 """Unicode categories that move the cursor, reorder text or are invisible: they are escaped."""
+
+
+_LINES_AND_TABS = re.compile("([\n\t])")
 
 
 def harmless(text: str) -> str:
@@ -14,6 +20,13 @@ def harmless(text: str) -> str:
     if text.isascii() and text.isprintable():
         return text
     return "".join(map(_shown, text))
+
+
+def harmless_lines(text: str) -> str:
+    """As ``harmless``, for a text of several lines: their ends and tabs stay what they are."""
+    pieces = _LINES_AND_TABS.split(text)
+    pieces[::2] = map(harmless, pieces[::2])
+    return "".join(pieces)
 
 
 def cells(text: str) -> list[str]:
@@ -37,9 +50,10 @@ def width(text: str) -> int:
 def _shown(character: str) -> str:
     if " " <= character <= "~":
         return character
-    if unicodedata.category(character) in _HARMFUL:
-        return f"<U+{ord(character):04X}>"
-    return character
+    category = unicodedata.category(character)
+    if category == "Cs":
+        return readable(character)  # Of a file's name, it stands for a byte.
+    return f"<U+{ord(character):04X}>" if category in _HARMFUL else character
 
 
 def _columns(character: str) -> int:

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
 from .compare import Comparison, Sample
+from .html_pages import Embedded, environment
 from .pixel_maps import EDGES, bound_map, decision_map, difference_map, histogram, picture
 from .rows import STATUSES, CaseResult, Row
 from .summary import (
@@ -25,7 +24,8 @@ from .summary import (
     unproven,
 )
 
-TEMPLATE = "report.html.j2"
+FOLDER = Path(__file__).parent
+TEMPLATE, STYLE = "report.html.j2", "report.css"
 _BINS = ("0", *(f"≤ {edge:g}" for edge in EDGES[1:]), "> 1")
 """What stands below the bars of a histogram."""
 
@@ -43,22 +43,20 @@ def as_json(rows: Sequence[Row], *, strict: bool = False) -> dict[str, Any]:
 
 def page(rows: Sequence[Row]) -> str:
     """The whole run as one HTML file, pictures included."""
-    environment = Environment(
-        loader=FileSystemLoader(Path(__file__).parent),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
     routes = {row.route.name: row.route for row in rows}
-    return environment.get_template(TEMPLATE).render(
-        summary=counted(rows),
-        routes=[{"name": name.split(":"), "title": r.title} for name, r in routes.items()],
-        materials=[_material(name, own) for name, own in by_material(rows).items()],
-        devices=devices(rows),
-        tools=tools(rows),
-        lacking=lacking(rows),
-        bins=_BINS,
+    return (
+        environment(FOLDER)
+        .get_template(TEMPLATE)
+        .render(
+            embedded=Embedded(FOLDER / STYLE),
+            summary=counted(rows),
+            routes=[{"name": name.split(":"), "title": r.title} for name, r in routes.items()],
+            materials=[_material(name, own) for name, own in by_material(rows).items()],
+            devices=devices(rows),
+            tools=tools(rows),
+            lacking=lacking(rows),
+            bins=_BINS,
+        )
     )
 
 

@@ -32,7 +32,8 @@ def digest(*ingredients: str | bytes) -> str:
     else."""
     total = blake2b(digest_size=_DIGEST_SIZE)
     for item in ingredients:
-        data = item.encode() if isinstance(item, str) else item
+        # Names of files may have bytes that are no text, for which Python has surrogates.
+        data = item.encode("utf-8", "surrogatepass") if isinstance(item, str) else item
         total.update(len(data).to_bytes(8, "little"))
         total.update(data)
     return total.hexdigest()

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.budget import check
 from ...compiler.ir.stages import INSTANCES, VERTICES
-from ..budget import check
 from ..runner.frames.host import FrameHost, Row
 from ..runner.frames.scenery import Model
 from ..runner.instances.instance import Instance

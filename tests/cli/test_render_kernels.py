@@ -131,7 +131,9 @@ WRONG = {
         "`next` is float[], and cannot become `other`, which is vec2[]\n",
     ),
     "no file": (READER, ("--set", "next=no.json"),
-                "cannot take `next` from `no.json`: No such file or directory\n"),
+                "cannot read `no.json` for `next`: No such file or directory\n"),
+    "no file but a device": (READER, ("--set", "next=/dev/zero"),
+                             "cannot read `/dev/zero` for `next`: it is not a file\n"),
     "no JSON": (READER, ("--set", "next=m.burnish"),
                 "cannot take `next` from `m.burnish`: it is no JSON: Expecting value: line 1 "
                 "column 1 (char 0)\n"),
@@ -151,3 +153,24 @@ def test_what_does_not_go_together(
     result = invoke("render", "m.burnish", "-o", "m.png", "--size", 4, *options)
     assert (result.exit_code, result.stderr) == (1, f"error: {message}")
     assert not Path("m.png").exists()
+
+
+def test_the_elements_of_a_buffer_have_limits(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file of holes takes no space, but a terabyte of memory; short texts make long lists."""
+    monkeypatch.chdir(tmp_path)
+    Path("m.burnish").write_text(READER)
+    Path("many.json").write_text(f"[{'[],' * 7_000_000}1]")
+    with Path("holes.json").open("wb") as holes:
+        holes.truncate(10**12)
+    said = {
+        "holes.json": "`holes.json` for `next` has 1,000 GB, and the limit is 256 MB: "
+        "`--budget file=1000G` raises it",
+        "many.json": "the elements of `many.json` take 1.01 GB, and the limit is 1 GB: "
+        "`--budget memory=1009M` raises it",
+    }
+    for name, message in said.items():
+        result = invoke("render", "m.burnish", "-o", "m.png", "--size", 4, "--set", f"next={name}")
+        assert (result.exit_code, result.stderr) == (1, f"error: {message}\n")
+        assert not Path("m.png").exists()

@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import groupby
 from pathlib import Path
 
+from burnish.compiler.budget import LIMITS, amount_with_unit
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.syntax.ast import KINDS
-from burnish.compiler.budget import LIMITS, amount_with_unit
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.runner.routes import EVERY_ROUTE
 

@@ -25,6 +25,7 @@ LEFT_OUT: Mapping[str, str] = {
     "cli/test_conform.py": _DRAW,
     "cli/test_conform_explain.py": _DRAW,
     "cli/test_gallery.py": _DRAW,
+    "cli/test_gallery_hostile.py": _DRAW,
     "cli/test_graph.py": _LARGE,
     "cli/test_kills.py": _COMMANDS,
     "cli/test_names.py": _COMPILERS,

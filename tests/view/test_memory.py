@@ -11,7 +11,7 @@ import pytest
 from burnish.commands.view.documents import Documents
 from burnish.commands.view.keeping import Keeping, Shelf
 from burnish.commands.view.pictures import Pictures, Wanted
-from burnish.targets.budget import allowed, raised
+from burnish.compiler.budget import allowed, raised
 from burnish.targets.runner.textures.kinds import PictureError
 
 from .kit import Viewer, viewing

@@ -12,7 +12,7 @@ from playwright.sync_api import Page
 from burnish.commands.view.keeping import Keeping
 from burnish.commands.view.pictures import Pictures, Wanted
 from burnish.commands.view.uploads import MOST_BYTES
-from burnish.targets.budget import raised
+from burnish.compiler.budget import raised
 from burnish.targets.runner.textures.kinds import PictureError
 
 from .kit import Viewer

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from html import escape
 
-from ..shapes import FAINT, INK, NAME_SIZE, TEXT_SIZE, cut, text, width_of
+from ..shapes import FAINT, INK, NAME_SIZE, TEXT_SIZE, cut, escaped, text, width_of
 from .looks import ONCE, texture_color
 from .model import MARKS, Column, FramePicture, Life, MarkKind, Row
 
@@ -90,8 +89,8 @@ class _Lanes:
             if self._shown[self._place[number]] is not None:
                 x = self._left + CELL * (self._place[number] + 0.5)
                 words = f"{self._picture.columns[number].name}: {MARKS[mark]}"
-                yield f"<g><title>{escape(words)}</title>{drawn_mark(mark, x, middle)}</g>"
-        yield f"<g><title>{escape(row.holds)}</title>"
+                yield f"<g><title>{escaped(words)}</title>{drawn_mark(mark, x, middle)}</g>"
+        yield f"<g><title>{escaped(row.holds)}</title>"
         yield text(self._right + 30, middle + 4, cut(row.holds, HOLDS), TEXT_SIZE, FAINT) + "</g>"
 
     def _is_left_out(self, life: Life) -> bool:
@@ -120,7 +119,7 @@ class _Lanes:
         words = f"{life.result}{' of the last frame' if life.before else ''}"
         return (
             f'<path d="M{left:.1f} {top:.1f} H{right:.1f} {point} H{left:.1f} {dent}" '
-            f'fill="{color}" fill-opacity="{opacity:.2f}"><title>{escape(words)}</title></path>'
+            f'fill="{color}" fill-opacity="{opacity:.2f}"><title>{escaped(words)}</title></path>'
         )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from html import escape
 
 from ..layout import Item, Layout, laid_out
 from ..shapes import (
@@ -14,6 +13,7 @@ from ..shapes import (
     Colors,
     begun,
     cut,
+    escaped,
     stroke,
     text,
     width_of,
@@ -144,7 +144,7 @@ class _Flow:
 
 def _titled(shape: str, words: str, dash: str) -> str:
     dashed = f' stroke-dasharray="{dash}"' if dash else ""
-    return f"<g{dashed}><title>{escape(words)}</title>{shape}</g>"
+    return f"<g{dashed}><title>{escaped(words)}</title>{shape}</g>"
 
 
 def _inner(box: Box, item: Item) -> float:
@@ -189,7 +189,7 @@ def _box(box: Box, item: Item) -> Iterator[str]:
     dash = f' stroke-dasharray="{ONCE}"' if box.only_first or box.kind == "previous" else ""
     corner = 6.0 if is_step else min(height / 2, 14.0)
     yield "<g>"
-    yield f"<title>{escape(_tooltip(box))}</title>"
+    yield f"<title>{escaped(_tooltip(box))}</title>"
     for behind in (2 * STACK, STACK) if stack else ():
         yield _rectangle(item.x + behind, item.y + behind, width, height, corner, colors, dash)
     yield _rectangle(item.x, item.y, width, height, corner, colors, dash)

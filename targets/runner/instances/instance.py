@@ -167,8 +167,9 @@ class Instance:
         Layers, slices or faces are files separated by commas. A storage buffer is a JSON file with
         a list of elements.
 
-        Raises ``ParameterError`` as ``set`` does, also for a file that is no such list, and
-        ``PictureError`` for a picture that cannot be read.
+        Raises ``ParameterError`` as ``set`` does, also for a file that is no such list,
+        ``PictureError`` for a picture that cannot be read, and ``FileError`` and ``BudgetError``
+        for another file that cannot be read, or is too large.
         """
         _check_name(name)
         expect("text", text, str, "a text")

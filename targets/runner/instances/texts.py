@@ -10,9 +10,13 @@ import json
 import re
 from pathlib import Path
 
+from ....compiler.budget import check
+from ..files import read_file
 from .shapes import Elements, Kind, Members, Numbers, Shape
 from .values import ParameterError
 
+_BYTES_OF_VALUE = 72
+"""How much memory Python needs for an empty list or mapping in a list, or less for a number."""
 _WORDS = {"true": True, "false": False, "1": True, "0": False}
 
 
@@ -32,12 +36,14 @@ def parse(text: str, shape: Shape, name: str) -> object:
 def elements_in_file(name: str, path: str) -> list[object]:
     """The elements of a storage buffer from a JSON file.
 
-    Raises ``ParameterError`` if it cannot be read, or holds no list.
+    Raises ``FileError`` and ``BudgetError`` if it cannot be read, and ``ParameterError`` if it
+    holds no list.
     """
+    data = read_file(Path(path), f"`{path}` for `{name}`")
+    values = sum(map(data.count, (b",", b"[", b"{")))
+    check("memory", values * _BYTES_OF_VALUE, f"the elements of `{path}` take")
     try:
-        found = json.loads(Path(path).read_text("utf-8"))
-    except OSError as error:
-        reason = error.strerror or str(error)
+        found = json.loads(data)
     except (ValueError, RecursionError) as error:
         reason = f"it is no JSON: {error}"
     else:

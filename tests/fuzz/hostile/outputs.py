@@ -15,8 +15,8 @@ from burnish.commands.replacing import replace_all
 
 OUTPUTS = ("Good.frag.wgsl", "Good.json", "Good.plan.json", "good.png", "index.html")
 FOREIGN = (
-    f".burnish-output-{os.getuid()}", ".burnish-0123456789abcdef", "lock", "new", "old", "whole", ".tmp",
-    "notes", "sub",
+    f".burnish-output-{os.getuid()}", ".burnish-0123456789abcdef", "lock", "new", "old", "whole",
+    ".tmp", "notes", "sub",
 )  # fmt: skip
 """Names of what no command has written; some are those of an earlier version's journal."""
 

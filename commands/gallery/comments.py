@@ -1,0 +1,204 @@
+"""Reads the comment about a whole file: its lines that begin with ``//!``.
+
+Its paragraphs stand on the page of the file. An indented one is a command, and if it is a
+``burnish render`` of this very file, it says how the pictures of the page are drawn::
+
+    //! Cloth in the wind.
+    //!
+    //!     burnish render cloth.burnish -o cloth.png --steps 60 --again now=after
+
+Such a command is not run, since the file may come from anybody and the page may be published.
+``FOLLOWED`` lists the options that a file may ask for; each is read by itself, with the rules that
+``render`` has for it. Whoever asks for something else has a note on the page, and is drawn plainly.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import islice
+from pathlib import Path, PurePath
+from typing import Any, NamedTuple
+
+import click
+
+from ..catalogue import is_shown
+from ..render import render
+
+_MARK = "//!"
+_INDENT = " " * 5
+"""What a command begins with, behind the mark."""
+_BEGINNING = "burnish render "
+LONGEST = 4000
+"""The most letters of a command that is followed."""
+_SRGB = "srgb:"
+
+
+class Paragraph(NamedTuple):
+    """A part of the comment."""
+
+    text: str
+    is_command: bool
+
+
+class Asked(NamedTuple):
+    """What a file asks for."""
+
+    words: Sequence[str]
+    """The words behind ``burnish render``; none if it asks for nothing that is followed."""
+    options: Mapping[str, Any]
+    """Values of options, by the names that ``render`` has for them."""
+    note: str
+    """What is not followed; else empty."""
+
+
+NOTHING = Asked((), {}, "")
+
+
+class _NotFollowedError(Exception):
+    """Ends reading a command; the text is the end of a sentence about the comment."""
+
+
+def paragraphs(source: str) -> list[Paragraph]:
+    """The comment about a whole file, in the order of its lines."""
+    found: list[Paragraph] = []
+    lines: list[str] = []
+
+    def end() -> None:
+        if lines:
+            found.append(Paragraph(" ".join(lines), is_command=False))
+            lines.clear()
+
+    for line in source.splitlines():
+        if not line.startswith(_MARK):
+            continue
+        text = line.removeprefix(_MARK)
+        if text.startswith(_INDENT) or not text.strip():
+            end()
+        if not text.strip():
+            continue
+        if text.startswith(_INDENT):
+            found.append(Paragraph(text.strip(), is_command=True))
+        else:
+            lines.append(text.strip())
+    end()
+    return found
+
+
+def asked(source: str, name: str, root: Path) -> Asked:
+    """What a file called ``name`` in the gallery's folder ``root`` asks for."""
+    try:
+        words = next(_commands(source, name), None)
+        return Asked(words, _options(words[1:], root), "") if words else NOTHING
+    except _NotFollowedError as reason:
+        said = f"the comment of the file {reason}; it is drawn without that"
+        return NOTHING._replace(note=said)
+
+
+def files_of(value: str, root: Path) -> Iterator[Path]:
+    """All files that are there and that the value of a parameter, a texture or a buffer may name:
+    ``Instance.set_text`` takes it as one path, or as several with commas between them."""
+    plain = value.strip().removeprefix(_SRGB)
+    parts = dict.fromkeys((value, plain, *map(str.strip, plain.split(","))))
+    for path in (root / part for part in parts if part):
+        try:
+            path.lstat()
+        except (OSError, ValueError):
+            continue
+        yield path
+
+
+def _commands(source: str, name: str) -> Iterator[list[str]]:
+    """The words behind ``burnish render`` of each command that draws this file."""
+    for text, is_command in paragraphs(source):
+        if not is_command or not text.startswith(_BEGINNING):
+            continue
+        if len(text) > LONGEST:
+            raise _NotFollowedError(f"has a command of over {LONGEST} letters")
+        try:
+            words = shlex.split(text.removeprefix(_BEGINNING))
+        except ValueError as error:
+            reason = str(error).lower()
+            raise _NotFollowedError(f"has a command that cannot be read ({reason})") from None
+        if words and words[0] == name:
+            yield words
+
+
+def _options(words: Sequence[str], root: Path) -> dict[str, Any]:
+    """The values of all options of a command."""
+    given: dict[click.Option, list[str]] = {}
+    rest = iter(words)
+    for word in rest:
+        name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
+        option = _RENDERS.get(name)
+        if option is None or name not in FOLLOWED:
+            raise _NotFollowedError(f"asks for `{word}`, which a gallery does not follow")
+        for following in islice(rest, 0 if equals else 1):
+            value = following
+        if reason := FOLLOWED[name](value, root):
+            raise _NotFollowedError(f"asks for `{name} {value}`: {reason}")
+        given.setdefault(option, []).append(value)
+    context = click.Context(render)
+    values: dict[str, Any] = {}
+    try:
+        for option, texts in given.items():
+            if option.name is not None and option.name != "output":
+                text = texts if option.multiple else texts[-1]
+                values[option.name] = option.process_value(context, text)
+    except click.ClickException as error:
+        raise _NotFollowedError(f"has a command with a mistake ({error.message})") from None
+    return values
+
+
+def _anything(_value: str, _root: Path) -> str:
+    return ""
+
+
+def _at_most(most: int) -> Callable[[str, Path], str]:
+    def check(value: str, _root: Path) -> str:
+        few = len(value) < 9 and value.isdecimal() and int(value) <= most
+        return "" if few else f"a gallery takes up to {most}"
+
+    return check
+
+
+def _plain_name(value: str, _root: Path) -> str:
+    """What is written is named by the gallery. But people may copy the command from the page."""
+    is_plain = PurePath(value).name == value and value[:1] not in ("", ".", "-")
+    return "" if is_plain else "a picture is written beside the file"
+
+
+def _own_files(value: str, root: Path) -> str:
+    """Pictures, and elements of buffers, only of the gallery's folder, by relative paths."""
+    _name, _equals, text = value.partition("=")
+    paths = list(files_of(text, root))
+    if any(PurePath(part.strip()).is_absolute() for part in text.removeprefix(_SRGB).split(",")):
+        return "a gallery takes files by relative paths"
+    if not all(is_shown(path, root) for path in paths):
+        return "a gallery takes only files of its own folder"
+    return ""
+
+
+FOLLOWED: Mapping[str, Callable[[str, Path], str]] = {
+    "-o": _plain_name,
+    "--output": _plain_name,
+    "--mesh": _anything,
+    "--instances": _at_most(1000),
+    "--set": _own_files,
+    "--steps": _at_most(1000),
+    "--again": _anything,
+    "--background": _anything,
+    "--frames": _at_most(60),
+    "--target": _anything,
+    "--material": _anything,
+    "--rig": _anything,
+    "--pass": _anything,
+}
+"""The options that a file may ask for. Each function says why a value is not followed, or nothing;
+what a value means, and whether it makes sense, is asked of the option itself."""
+
+_RENDERS = {
+    name: option for option in render.params if isinstance(option, click.Option)
+    for name in option.opts
+}  # fmt: skip
+"""The options of ``burnish render``."""

@@ -1,0 +1,63 @@
+"""Opens files that a user names, or that a file which was received names.
+
+They may be anything: a pipe that nobody writes to, a device that never ends, a file of many
+gigabytes. Pictures, scenes and the elements of buffers are read by this module, so that all of them
+refuse these in the same words.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+from ...compiler.budget import check
+
+
+class FileError(ValueError):
+    """A file cannot be read; the text tells people why."""
+
+
+def read_file(path: Path, name: str, limit: str = "file") -> bytes:
+    """All bytes of a file; ``name`` is what errors call it, and ``limit`` the row of the budget
+    that says how many there may be. Raises ``FileError`` and ``BudgetError``."""
+    with opened(path, name, limit) as file:
+        size = os.fstat(file.fileno()).st_size
+        data = file.read(size + 1)
+    if len(data) > size:
+        raise FileError(f"cannot read {name}: it grows while it is read")
+    return data
+
+
+@contextmanager
+def opened(path: Path, name: str, limit: str = "file") -> Iterator[BinaryIO]:
+    """A file that is open for reading, and has no more bytes than the budget allows.
+
+    Raises ``FileError``, also if reading fails inside the ``with`` block, and ``BudgetError``.
+    """
+    if "\0" in os.fspath(path):
+        raise FileError(f"cannot read {name}: a name has no character NUL")
+    try:
+        # Opening a device can have effects, so it is not even tried.
+        _check_regular(path.stat(), name)
+        with open(path, "rb", opener=_without_waiting) as file:
+            # Something else may have been put in its place since.
+            status = os.fstat(file.fileno())
+            _check_regular(status, name)
+            check(limit, status.st_size, f"{name} has")
+            yield file
+    except OSError as error:
+        raise FileError(f"cannot read {name}: {error.strerror or error}") from None
+
+
+def _check_regular(status: os.stat_result, name: str) -> None:
+    if not stat.S_ISREG(status.st_mode):
+        raise FileError(f"cannot read {name}: it is not a file")
+
+
+def _without_waiting(path: str, flags: int) -> int:
+    """Open a file; should it have become a pipe, this does not wait until somebody writes."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
