@@ -18,11 +18,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ...compiled import CompiledFrame, CompiledMaterial
+from ...compiler.budget import BudgetError
 from ...compiler.diagnostics import rules
 from ...compiler.diagnostics.diagnostic import CompileError, Report
 from ...compiler.inputs import Inputs
 from ...compiler.ir.stages import COMPUTED
-from ...compiler.budget import BudgetError
 from ...targets.closing import Closing
 from ...targets.conformance import summary
 from ...targets.conformance.conform import conform as compare
