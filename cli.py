@@ -1,8 +1,8 @@
 """The command line: ``burnish COMMAND``, one file in ``commands`` for each command.
 
 Exit codes: 0 all is well, 1 the input has errors, 2 the command line itself makes no sense, 130
-interrupted. Starting fast is a feature: what was compiled before, and has not changed since, is
-written again before anything of click or the compiler is loaded.
+interrupted, 143 asked to end by SIGTERM. Starting fast is a feature: what was compiled before, and
+has not changed since, is written again before anything of click or the compiler is loaded.
 """
 
 from __future__ import annotations
@@ -10,18 +10,24 @@ from __future__ import annotations
 import gc
 import os
 import sys
+import time
 
 from .commands.results import answer, ask
-from .commands.terminal import FAILED, INTERRUPTED, flushed, show_everything
+from .commands.terminal import BY_SIGNAL, FAILED, code_of, flushed, show_everything
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .commands.results import Question
 
+PATIENCE = 1.0
+"""How many seconds threads may take to end after an interruption."""
+
 
 def main() -> None:
     """Run the command line that the process was started with."""
     code = flushed(_exit_code(sys.argv[1:]))
+    if code > BY_SIGNAL:
+        _leave_threads(code)
     if code:
         sys.exit(code)
 
@@ -37,16 +43,15 @@ def _exit_code(arguments: list[str]) -> int:
         from .garbage import SELDOM
 
         gc.set_threshold(*SELDOM)
+        _heed_termination()
         succeeded = _compiled(arguments, question)
         if succeeded is not None:
             return 0 if succeeded else FAILED
-        if os.getpid() == 1:
-            _heed_termination()
         from .commands.group import burnish
 
         burnish.main(arguments, obj=question)
-    except KeyboardInterrupt:
-        return INTERRUPTED
+    except KeyboardInterrupt as interrupt:
+        return code_of(interrupt)
     except BrokenPipeError:
         return FAILED  # A reader that has left, as `head` does: nobody is told, as click does it.
     except SystemExit as ended:
@@ -61,13 +66,37 @@ def _exit_code(arguments: list[str]) -> int:
 
 
 def _heed_termination() -> None:
-    """Have SIGTERM end the process as Ctrl-C does, if it is the first one, as in a container.
+    """Have SIGTERM and SIGHUP end the process as Ctrl-C does, with all that it has started.
 
-    The kernel ignores it there unless somebody listens, and ``--watch`` would run for ever.
+    Who ignores them, as nohup does, goes on to do so. But the first process, as in a container, has
+    to listen to SIGTERM: the kernel ignores it there otherwise, and ``--watch`` would run for ever.
     """
     import signal
 
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    def end(number: int, _frame: object) -> None:
+        raise KeyboardInterrupt(number)
+
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)  # Windows has no SIGHUP.
+        is_first = os.getpid() == 1 and name == "SIGTERM"
+        if number and (is_first or signal.getsignal(number) == signal.SIG_DFL):
+            signal.signal(number, end)
+
+
+def _leave_threads(code: int) -> None:
+    """End the process after an interruption, even if some threads still compute something.
+
+    Those that have waited for a compiler or a driver end at once, and remove their files.
+    """
+    import threading
+
+    others = [each for each in threading.enumerate() if each is not threading.current_thread()]
+    end = time.monotonic() + PATIENCE
+    for thread in others:
+        if not thread.daemon:
+            thread.join(max(0.0, end - time.monotonic()))
+    if any(thread.is_alive() for thread in others if not thread.daemon):
+        os._exit(code)
 
 
 def _compiled(arguments: list[str], question: Question | None) -> bool | None:

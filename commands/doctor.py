@@ -41,12 +41,16 @@ def doctor() -> None:
 
 
 def _tools(states: Mapping[str, ToolState]) -> Iterator[Line]:
+    from ..targets.toolchain.versions import refuses_sandbox
+
     width = max(map(len, states))
     versions = max(len(state.version or "") for state in states.values())
     for name, state in states.items():
         if state.problem is None:
             found = f"{state.version:<{versions}}  {state.paths[0]}"
             yield Styled(f"{'ok':<8}", "green"), f"  {name:<{width}}  {found}"
+            if name == "chromium" and refuses_sandbox():
+                yield [f"{_INDENT}it runs without its sandbox, which it refuses to use as root"]
         else:
             mark = "unusable" if state.paths else "missing"
             yield Styled(f"{mark:<8}", "red"), f"  {name:<{width}}  {state.tool.purpose}"

@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from .. import __version__
-from .terminal import FAILED, INTERRUPTED, complain, show_everything
+from .terminal import FAILED, INTERRUPTED, code_of, complain, show_everything
 
 COMMANDS = (
     "compile",
@@ -77,8 +77,8 @@ class _QuietGroup(click.Group):
     def invoke(self, context: click.Context) -> Any:
         try:
             return super().invoke(context)
-        except KeyboardInterrupt:
-            context.exit(INTERRUPTED)
+        except KeyboardInterrupt as interrupt:
+            context.exit(code_of(interrupt))
 
 
 @click.group(cls=_QuietGroup, context_settings={"help_option_names": ["-h", "--help"]})

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..compiler.budget import allowed, raised
 from .console import remark, say
 from .failures import fail, told
 from .options import (
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
     from ..targets.runner.sheet import Panel
 
 REFERENCE = "reference"
+OF_A_PIXEL = 600
+"""About how many bytes the reference needs for each pixel of a plain picture."""
 LARGEST_SHEET = 2**27
 """The most pixels of all pictures on a sheet together."""
 
@@ -46,13 +49,16 @@ def _names(_context: click.Context, _option: click.Parameter, given: str) -> tup
     return tuple(name.strip() for name in given.split(",") if name.strip())
 
 
-def _size(_context: click.Context, _option: click.Parameter, given: str) -> tuple[int, int]:
+def _size(context: click.Context, _option: click.Parameter, given: str) -> tuple[int, int]:
     found = re.fullmatch(r"([0-9]+)(?:x([0-9]+))?", given)
     if not found:
         raise click.BadParameter(f"'{given}' is neither like 512 nor like 640x480")
     size = int(found[1]), int(found[2] or found[1])
     if not all(1 <= side <= LARGEST for side in size):
         raise click.BadParameter(f"a side has 1 to {LARGEST} pixels")
+    # Whoever names a size has the memory for it; the budget is for what files ask for.
+    needed = size[0] * size[1] * OF_A_PIXEL
+    context.with_resource(raised({"memory": allowed("memory") + needed}))
     return size
 
 

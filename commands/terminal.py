@@ -15,8 +15,10 @@ if TYPE_CHECKING:
 
 FAILED = 1
 """The exit code for errors in the input."""
-INTERRUPTED = 130
-"""The exit code that shells expect of a program that Ctrl-C ended."""
+BY_SIGNAL = 128
+"""Shells expect of a program that a signal has ended this exit code and the signal's number."""
+INTERRUPTED = BY_SIGNAL + 2
+"""The exit code after Ctrl-C."""
 
 
 def wants_color(stream: IO[Any] | None) -> bool:
@@ -25,6 +27,11 @@ def wants_color(stream: IO[Any] | None) -> bool:
     ``None`` is a stream that was closed before the program began.
     """
     return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR")
+
+
+def code_of(interrupt: KeyboardInterrupt) -> int:
+    """The exit code after Ctrl-C, or after the signal whose number the exception has."""
+    return BY_SIGNAL + interrupt.args[0] if interrupt.args else INTERRUPTED
 
 
 def show_everything() -> None:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 
 
@@ -44,6 +45,10 @@ LIMITS: Mapping[str, Limit] = {
     row.name: row
     for row in (
         Limit("memory", 10**9, "bytes", "what is drawn or computed at the same time"),
+        Limit(
+            "operations", 10**10, "operations",
+            "what is computed without a sign of how far it is; for many pixels, each counts",
+        ),
         Limit("document", 64 * 10**6, "bytes", "a plan, or the JSON of a scene"),
         Limit("file", 256 * 10**6, "bytes", "a picture, a buffer, or another file that is read"),
         Limit("pixels", 2**25, "pixels", "a picture"),
@@ -51,7 +56,7 @@ LIMITS: Mapping[str, Limit] = {
         Limit("nodes", 10**5, "nodes", "a scene"),
         Limit("objects", 2**16, "objects", "a scene"),
     )
-}
+}  # fmt: skip
 """All limits, by name."""
 
 _SCALES: Mapping[str, int] = {"": 1, "k": 10**3, "M": 10**6, "G": 10**9}
@@ -60,6 +65,8 @@ _AMOUNT = re.compile(r"([0-9]{1,15})([kMG]?)")
 
 _raised: dict[str, int] = {}
 """The limits that were raised, by name."""
+_held: ContextVar[int] = ContextVar("held", default=0)
+"""How much memory this thread has counted for what it still has."""
 
 
 def allowed(name: str) -> int:
@@ -85,6 +92,19 @@ def check(name: str, amount: int, what: str) -> None:
         f"{what} {amount_with_unit(amount, row)}, and the limit is {amount_with_unit(most, row)}: "
         f"`--budget {name}={rounded_up(amount)}` raises it"
     )
+
+
+@contextmanager
+def holding(amount: int, what: str) -> Iterator[None]:
+    """Count memory for as long as the ``with`` block runs, on top of what this thread has; raises
+    as ``check`` does."""
+    before = _held.get()
+    check("memory", before + amount, what)
+    token = _held.set(before + amount)
+    try:
+        yield
+    finally:
+        _held.reset(token)
 
 
 @contextmanager

@@ -50,8 +50,13 @@ def folder() -> str:
 
 
 def private_folder() -> str:
-    """The folder in which data are kept; ``BURNISH_CACHE`` says where. It need not be there."""
-    return os.path.join(os.environ.get("BURNISH_CACHE") or folder(), "private")  # noqa: PTH118
+    """The folder in which data are kept; ``BURNISH_CACHE`` says where. It need not be there.
+
+    A relative path would lead to what lies in the current folder, and counts as little as others do
+    that lead to caches.
+    """
+    moved = os.environ.get("BURNISH_CACHE", "")
+    return os.path.join(moved if os.path.isabs(moved) else folder(), "private")  # noqa: PTH117, PTH118
 
 
 def digest(data: bytes) -> str:

@@ -27,7 +27,7 @@ from .semantics.shading.elaborate import elaborate
 from .semantics.shading.kernels import kernel_shader
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
-from .syntax.load import check_text, load_source
+from .syntax.load import TOTAL_LIMIT, check_text, load_source
 from .syntax.parser import parse
 
 _NOT_OWN = {
@@ -50,6 +50,8 @@ class Frontend:
                 report.add(rules.MISSING_FOLDER, None, path=folder)
         self._base = _without_links(folders[0]) if folders else ""
         """The folder from which outputs count the names of files."""
+        self._size = 0
+        """How many characters have been read, of all files."""
         self._report = report
         self._records = Records(report)
         self._library = standard_library(FOLDER)
@@ -66,9 +68,17 @@ class Frontend:
         self, path: Path, report: Report, name: str = "", span: Span | None = None
     ) -> Source | None:
         """The text of a file, and a note that it was read."""
+        if self._size > TOTAL_LIMIT:
+            return None  # This has been reported of the file that was too much.
         source = load_source(path, report, name, span, partial(self.inputs.read, path))
-        if source is not None:
-            source.portable = self._portable(path)
+        if source is None:
+            return None
+        source.portable = self._portable(path)
+        self._size += len(source.text)
+        if self._size > TOTAL_LIMIT:
+            limit = f"{TOTAL_LIMIT} characters"
+            report.add(rules.TOO_MUCH_IMPORTED, span, path=source.name, limit=limit)
+            return None
         return source
 
     def _portable(self, path: Path) -> str:

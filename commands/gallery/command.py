@@ -4,7 +4,6 @@ writes the pages."""
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
@@ -135,6 +134,8 @@ def _entries(
     files: Sequence[Listed], routes: Sequence[Route], shown: Sequence[Route], request: Request
 ) -> Iterator[tuple[Listed, Entry, bool]]:
     """Each file with its entry, and whether this was made anew; as soon as it is there."""
+    from ...targets.toolchain.limits import WORKERS
+    from ...targets.toolchain.surroundings import python_worker
     from ...targets.toolchain.workers import Pool, Worker
     from .kept import Kept
 
@@ -149,9 +150,9 @@ def _entries(
     if not to_make:
         return
     names = ",".join(route.name for route in routes), ",".join(route.name for route in shown)
-    folder = str(request.folder)
-    command = [sys.executable, "-m", f"{__package__}.worker", folder, *names, str(request.size)]
-    pool = Pool(min(request.jobs, len(to_make)), lambda: Worker(lambda: command))
+    folder = str(request.folder.absolute())
+    command = python_worker(f"{__package__}.worker", folder, *names, str(request.size))
+    pool = Pool(min(request.jobs, len(to_make)), lambda: Worker(lambda: command, WORKERS))
     try:
         with ThreadPoolExecutor(request.jobs) as threads:
             root = request.folder.resolve()

@@ -1,6 +1,6 @@
 """A process of ``burnish gallery``: it makes the entries of files, one after the other.
 
-``command.py`` starts a few with ``python -m``; each keeps its drivers, which start slowly.
+``command.py`` starts a few; each keeps its drivers, which start slowly.
 """
 
 from __future__ import annotations

@@ -74,6 +74,8 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
 
 
 def _serve(request: Request, port: int, *, opens: bool) -> None:
+    from ...targets.toolchain.surroundings import search_path
+
     try:
         import watchfiles  # noqa: F401
 
@@ -92,6 +94,8 @@ def _serve(request: Request, port: int, *, opens: bool) -> None:
     say(f"{request.file} is shown at {server.address}")
     say("Only this computer can open it. Ctrl-C ends it.")
     if opens:
+        # The module looks for browsers by PATH, and those of the current folder are not the user's.
+        os.environ["PATH"] = search_path()
         # Some browsers of terminals return only when they are closed.
         Thread(target=webbrowser.open, args=(server.address,), daemon=True).start()
     server.run()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from ...frozen import fresh, record
 from ..ir.frame import (
@@ -104,20 +105,21 @@ class Lifetimes:
 def only_first(frame: Frame) -> frozenset[str]:
     """The names of steps that are needed in the first frame only, as ``previous`` reads what they
     leave before there is a last one."""
-    makers = {left: step for step in frame.steps for left in written_by(step)}
+    makers: dict[Left, list[Step]] = {}
+    for step in frame.steps:
+        for left in written_by(step):
+            makers.setdefault(left, []).append(step)
     pending: list[Left] = [output.source for output in frame.outputs]
-    needed: dict[str, None] = {}
+    needed: set[str] = set()
     while pending:
-        step = makers[pending.pop()]
+        step = makers[pending.pop()][-1]
         if step.name in needed:
             continue
-        needed[step.name] = None
         # All steps that draw into one image belong together.
-        mine = set(written_by(step))
-        for other in frame.steps:
-            if not mine.isdisjoint(written_by(other)):
+        for other in chain.from_iterable(makers[left] for left in written_by(step)):
+            if other.name not in needed or other is step:
                 pending += _always_read(other)
-                needed[other.name] = None
+                needed.add(other.name)
     return frozenset(step.name for step in frame.steps if step.name not in needed)
 
 

@@ -5,9 +5,9 @@
 
 from __future__ import annotations
 
-from ...frozen import record
+from ...frozen import fresh, record
 from ..ir.frame import Attachment, Frame, Image
-from .lifetimes import ALWAYS, Lifetimes, attachments_of, read_by
+from .lifetimes import ALWAYS, Left, Lifetimes, attachments_of, read_by
 
 DrawnPart = tuple[Image, int | None, int]
 """A layer and a level of a result; ``None`` is all of its layers."""
@@ -24,19 +24,24 @@ class Needs:
 
     frame: Frame
     lifetimes: Lifetimes
+    last_use: dict[Left, int] = fresh(factory=dict)
+    """The last step that reads something, or draws over it with one sample."""
+
+    @classmethod
+    def of(cls, frame: Frame, lifetimes: Lifetimes) -> Needs:
+        """The needs of a frame's steps, of which each is looked at once here."""
+        found = cls(frame, lifetimes)
+        for number, step in enumerate(frame.steps):
+            found.last_use.update(dict.fromkeys(read_by(step), number))
+            for each in attachments_of(step):
+                if each.over is not None and each.image.samples == 1:
+                    found.last_use[each.over] = number
+        found.last_use.update((output.source, ALWAYS) for output in frame.outputs)
+        return found
 
     def is_needed(self, number: int, image: Image) -> bool:
         """Whether somebody reads an image behind a step that draws it."""
-        if image in self.lifetimes.kept or self.lifetimes.last[image] == number:
-            return image in self.lifetimes.kept
-        later = self.frame.steps[number + 1 :]
-        reads = any(image in set(read_by(step)) for step in later)
-        drawn_over = any(
-            each.over is image and each.image.samples == 1
-            for step in later
-            for each in attachments_of(step)
-        )
-        return reads or drawn_over or any(o.source is image for o in self.frame.outputs)
+        return image in self.lifetimes.kept or self.last_use.get(image, -1) > number
 
     def is_resolved(self, number: int, image: Image) -> bool:
         """Whether somebody reads the means of a result's samples behind a step."""

@@ -122,7 +122,7 @@ class _Planning:
         self._frame = frame
         self._shares = shares
         self._lifetimes = Lifetimes.of(frame)
-        self._needs = Needs(frame, self._lifetimes)
+        self._needs = Needs.of(frame, self._lifetimes)
         self._stencils = Stencils.of(frame)
         self._waits = Waits(self._is_rare)
         self._textures = Textures(self._waits, shares=shares)

@@ -25,6 +25,7 @@ from ..ir.stages import COMPUTED, STORE
 from ..ir.types import width
 from .bounds import Bounded, Errors, all_remembered, exact
 from .bounds.bounded import joined as joined_lanes
+from .cost import check_operations
 from .evaluate import Evaluator, LeafValues
 from .held_values import HeldValues, as_rounded
 from .in_groups import Groups, InGroups, PlainInGroups
@@ -84,7 +85,8 @@ def computed(
     joins = [part for row in scatters for part in (row.value, row.place, row.condition)]
     roots = [*(result.value for result in stores), *joins]
     lanes = sum(width(root.type) for root in roots)
-    check("memory", count * lanes * _OF_A_LANE, f"what {shader.name} computes needs")
+    check_operations(roots, min(count, _AT_ONCE), shader.name)
+    check("memory", count * lanes * _OF_A_LANE, f"what `{shader.name}` computes needs")
     parts = _Parts(shader, roots, values, textures, rules, errors)
     with np.errstate(all="ignore"):
         found, undecided = parts.joined(count)

@@ -16,7 +16,10 @@ from ..diagnostics.file_names import readable, why_unreadable
 from ..diagnostics.nearest import nearest
 from ..diagnostics.source import Source, Span
 
-SIZE_LIMIT = 16 * 1024 * 1024
+SIZE_LIMIT = 1024 * 1024
+"""Bytes of one file. The library's longest one has 18 000; to check a million takes seconds."""
+TOTAL_LIMIT = 4 * SIZE_LIMIT
+"""Bytes of a file with all that it imports."""
 PATIENCE = 10
 """For how many seconds to wait for what comes out of a pipe, which may be nothing for ever."""
 
@@ -54,7 +57,11 @@ def load_source(
 
 
 def check_text(text: str, name: str, report: Report) -> bool:
-    """Whether a string consists of characters; if it does not, ``report`` says so."""
+    """Whether a string consists of characters, and not of too many; ``report`` says what is wrong
+    with it."""
+    if len(text) > SIZE_LIMIT:
+        report.add(rules.TOO_LARGE, None, path=name, limit=f"{SIZE_LIMIT} characters")
+        return False
     if text.isascii():
         return True
     lone = re.search("[\\ud800-\\udfff]", text)

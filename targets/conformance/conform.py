@@ -105,21 +105,22 @@ def rows_of(
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
     # one material share its pictures, so those of another are what a thread can go on with.
-    with ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as pool:
+    pool = ThreadPoolExecutor(2 * (os.cpu_count() or 1))
+    try:
         pending = {
             pool.submit(_row, plan, route, runner, toolchain, interrupted, brief=brief): (i, j)
             for j, route in enumerate(routes)
             for i, plan in enumerate(plans)
         }
-        try:
-            for number, future in enumerate(as_completed(pending), 1):
-                rows[pending[future]] = future.result()
-                if done is not None:
-                    done(number, len(pending))
-        except BaseException:
-            interrupted.set()
-            pool.shutdown(cancel_futures=True)
-            raise
+        for number, future in enumerate(as_completed(pending), 1):
+            rows[pending[future]] = future.result()
+            if done is not None:
+                done(number, len(pending))
+    finally:
+        # After Ctrl-C, the threads end with the processes for which they wait: whoever has opened
+        # the runner and the toolchain, closes them.
+        interrupted.set()
+        pool.shutdown(wait=False, cancel_futures=True)
     return [rows[place] for place in sorted(rows)]
 
 

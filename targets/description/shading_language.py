@@ -63,7 +63,8 @@ class Language:
     """What a text of one stage calls its entry point; ``{entry}`` is what it is called where
     several stages stand in one text."""
     reserved: Callable[[], Reserved]
-    """Loads the words that cannot be names; called on first use."""
+    """Loads the words that compilers refuse as names; called on first use. The words that texts
+    have themselves need not be among them: ``emit/own_words.py`` finds these."""
     literals: Literals = Literals()
     forms: Forms = Forms()
     natives: Spellings = EMPTY
@@ -105,7 +106,8 @@ class Language:
     output_prefix: str = ""
     """The same for render targets."""
     fixed_names: tuple[str, ...] = ()
-    """Names that the skeleton uses itself."""
+    """Names that texts have besides the words of their skeleton and of these rows: those of helper
+    functions, entry points and the structs of stages."""
     line_directive: str = ""
     """Says which line of which file the next one is, by ``{line}`` and the file's ``{name}`` or
     ``{number}``; empty where the language has no such thing."""

@@ -17,6 +17,7 @@ from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
 from ..description.shading_language import Language
 from .namer import Namer
+from .own_words import taken_words
 
 
 @frozen
@@ -92,8 +93,8 @@ class _Naming:
     def __init__(self, program: Program, language: Language) -> None:
         self._program = program
         self._language = language
-        self._reserved = language.reserved()
-        self._module = Namer(self._reserved, language.fixed_names)
+        self._reserved = taken_words(language)
+        self._module = Namer(self._reserved, (*language.fixed_names, *self._supplied_parameters()))
 
     def names(self) -> Names:
         """Decide all names. Those that hosts see are declared first."""
@@ -134,6 +135,14 @@ class _Naming:
             functions=self._functions(fields),
             common=self._module,
         )
+
+    def _supplied_parameters(self) -> Iterator[str]:
+        """What the pipeline supplies as parameters of an entry point: resources may be others."""
+        for stage in self._program.stages:
+            for supplied in stage.row.inputs:
+                row = self._language.inputs.get(supplied.name)
+                if row is not None and row.read == "{name}":
+                    yield supplied.name
 
     def _declare(self, wanted: str) -> str:
         return self._module.declare(wanted)

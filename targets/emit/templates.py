@@ -44,7 +44,7 @@ Renderer = Callable[["FileView", "Forms", "Profile", bool], str]
 @cache
 def renderer(path: Path) -> Renderer:
     """The function that fills in the skeleton at ``path``."""
-    sources = tuple(_sources(path))
+    sources = tuple(skeleton_texts(path))
     found: Renderer | None = precomputed("skeletons", _key(sources))
     if found is not None:
         return found
@@ -62,7 +62,7 @@ def functions_to_generate(paths: Iterable[Path]) -> Precomputations:
 
     Each is called ``render_`` and its key. A skeleton that has to be left to Jinja has none.
     """
-    found = {_key(sources): sources for sources in (tuple(_sources(path)) for path in paths)}
+    found = {_key(sources): sources for sources in (tuple(skeleton_texts(path)) for path in paths)}
     return {key: partial(_translated, found[key], f"render_{key}") for key in found}
 
 
@@ -85,7 +85,7 @@ def by_jinja(path: Path) -> Renderer:
     from jinja2 import Template
 
     environment = _environment()
-    code = environment.compile(_flat(environment, tuple(_sources(path))), path.name)
+    code = environment.compile(_flat(environment, tuple(skeleton_texts(path))), path.name)
     template = Template.from_code(environment, code, environment.make_globals(None))
     return lambda file, forms, profile, flip_y: template.render(
         file=file, forms=forms, profile=profile, flip_y=flip_y
@@ -98,14 +98,14 @@ def joiner(separator: str) -> Callable[[], str]:
     return lambda: next(given, separator)
 
 
-def _sources(path: Path) -> Iterator[str]:
+def skeleton_texts(path: Path) -> Iterator[str]:
     """The text of a skeleton, then that of the one it extends: a file beside it, or one in here."""
     source = path.read_text(encoding="utf-8")
     extends = _EXTENDS.match(source)
     yield source[extends.end() :] if extends else source
     if extends:
         beside = path.parent / extends[1]
-        yield from _sources(beside if beside.is_file() else _HERE / extends[1])
+        yield from skeleton_texts(beside if beside.is_file() else _HERE / extends[1])
 
 
 def _flat(environment: Environment, sources: tuple[str, ...]) -> Tree:

@@ -315,6 +315,19 @@ ES_31 = Profile(
     checkers=("glslang-es310",),
 )
 
+OF_EXTENSIONS = (
+    # The types of numbers, vectors and matrices that say how many bits they have.
+    "(float(16|32|64)|u?int(8|16|32|64))_t$",
+    "(f(16|32|64)|[iu](8|16|32|64))vec[2-4]$",
+    "f(16|32|64)mat[2-4](x[2-4])?$",
+    "f16(sampler|image|texture|subpassInput)",
+    # What the extensions of vendors add, and what they are called without one.
+    r"\w+(AMD|ARB|EXT|KHR|NV|QCOM)$",
+    "coopmat$|nonprivate$|(device|queuefamily|workgroup|subgroup|shadercall)coherent$|spirv_",
+)
+"""Patterns of words that glslang knows whatever the version of a text: it takes each for the type
+or the qualifier where a structure of that name is meant."""
+
 LANGUAGE = Language(
     name="glsl",
     title="GLSL",
@@ -333,12 +346,12 @@ LANGUAGE = Language(
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
     profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),
-    reserved=partial(read_reserved, FOLDER / "reserved.txt", "gl_", "GL_", ".*__"),
+    reserved=partial(read_reserved, FOLDER / "reserved.txt", "gl_", "GL_", ".*__", *OF_EXTENSIONS),
     buffer_blocks=True,
     global_fields=True,
     varying_prefix="v_",
     point_prefix="p_",
     output_prefix="out_",
-    fixed_names=("main", "viewport_height"),
+    fixed_names=("main",),
     line_directive="#line {line} {number}",
 )

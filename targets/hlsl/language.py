@@ -273,9 +273,12 @@ ATOMICS: Mapping[ScatterOperator, str] = {
 LANGUAGE = Language(
     name="hlsl",
     registers={
-        "block": "b{binding}", "buffer": "t{binding}", "written": "u{binding}",
+        "block": "b{binding}",
+        "buffer": "t{binding}",
+        "written": "u{binding}",
         "image": "u{binding}",
-        "texture": "t{binding}", "sampler": "s{binding}",
+        "texture": "t{binding}",
+        "sampler": "s{binding}",
     },
     line_directive='#line {line} "{name}"',
     title="HLSL",
@@ -297,10 +300,5 @@ LANGUAGE = Language(
     semantic=semantic,
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
-    fixed_names=(
-        *HELPERS, "main", *ENTRY_POINTS, "input", "output", "stream", "clip_position",
-        "target_layer", "primitive_index", "patch", "patch_weights", "patch_coordinate",
-        "patch_index", "point_index", "edge_levels", "inner_levels", "levels_of_patch",
-        "PatchInput", "PatchOutput", *STAGE_STRUCTS,
-    ),
-)  # fmt: skip
+    fixed_names=(*HELPERS, "main", *ENTRY_POINTS, *STAGE_STRUCTS),
+)

@@ -6,7 +6,7 @@ by ``availability.py`` where it follows from the table of capabilities or from o
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.kernel import invocations
@@ -86,9 +86,8 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
         limit = getattr(profile.limits, name)
         if count > limit:
             of_corners = by_corner and name == "attributes"
-            yield Excess(
-                name, count, limit, of_expansion=of_corners, instead=BY_CORNER if of_corners else ""
-            )
+            instead = BY_CORNER if of_corners else INSTEAD.get(name, "")
+            yield Excess(name, count, limit, of_expansion=of_corners, instead=instead)
     if not {stage.row for stage in _emitting(program)} - {*profile.stages}:
         yield from _too_much_emitted(program, profile)
     yield from _excessive_places(program, profile.limits)
@@ -105,6 +104,7 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "textures": max(len(stage.resources) for stage in program.stages),
         "block_bytes": max((block.size for block in program.blocks), default=0),
         "nested_blocks": max(depths),
+        "inlined_operations": max(map(_inlined_operations, program.stages)),
         "render_targets": len(program.results_of(TARGET)),
         "work_group": 0 if program.work_group is None else invocations(program.work_group),
         "shared_bytes": _shared_bytes(program),
@@ -163,6 +163,20 @@ def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
                 yield Excess(name, count, limit, of_expansion=True, instead=instead)
 
 
+def _inlined_operations(stage: Stage) -> int:
+    """The operations that the calls of a stage come to, if each is the function's body instead; at
+    most ``UNCOUNTED``. Functions stand behind those that they call."""
+    whole: dict[Node, int] = {}
+
+    def of_calls(nodes: Iterable[Node]) -> int:
+        return sum(whole[node.operands[0]] for node in nodes if node.op == "apply")
+
+    for function in stage.functions:
+        nodes = visible((function.value,))
+        whole[function.body] = min(len(nodes) + of_calls(nodes), UNCOUNTED)
+    return min(of_calls(visible(stage.roots)), UNCOUNTED)
+
+
 def _nested_blocks(region: Region) -> int:
     """How many loops and branches stand inside of each other."""
     deepest = 0
@@ -187,14 +201,24 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 
 
 LANE_BYTES = 4
+UNCOUNTED = 10**9
+"""So many operations in place of calls, or more: they double with each function that calls the one
+before it twice."""
 FLOATS = frozenset(("r32f", "rg32f", "rgba32f"))
 """The formats of targets that have 32-bit floats."""
 
+INLINED = (
+    "compilers and drivers put the whole body of a function wherever it is called, with those of "
+    "all that it calls: have an equation compute once what several calls share, or a loop what "
+    "they repeat"
+)
 BY_CORNER = (
     "each corner that is read has inputs of its own, unless the vertex stage reads storage "
     "buffers: read fewer slots by corner, or compile for a profile that has these, or with "
     "`--native-stages` for one that has the stage"
 )
+INSTEAD = {"inlined_operations": INLINED}
+"""What a user can do about a limit that no profile has more of."""
 
 WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captures the vertices"
 

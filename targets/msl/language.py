@@ -273,8 +273,5 @@ LANGUAGE = Language(
     global_members=False,
     resource_arguments=True,
     line_directive='#line {line} "{name}"',
-    fixed_names=(
-        *HELPERS, *ENTRY_POINTS, "input", "output", "clip_position",
-        *STAGE_STRUCTS,
-    ),
-)  # fmt: skip
+    fixed_names=(*HELPERS, *ENTRY_POINTS, *STAGE_STRUCTS),
+)

@@ -20,6 +20,8 @@ from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules
 from ...frozen import changed
 from ..closing import Closing
+from ..toolchain.limits import WORKERS
+from ..toolchain.surroundings import python_worker
 from ..toolchain.workers import Pool, Worker
 from .reference import dumped, expected, loaded
 from .scene_state import SceneState
@@ -34,7 +36,7 @@ class References(Closing):
     def __init__(self, size: int) -> None:
         """With no process, everything is drawn by whoever asks."""
         self._size = size
-        self._pool = Pool(size, lambda: Worker(lambda: [sys.executable, "-m", __name__]))
+        self._pool = Pool(size, lambda: Worker(lambda: python_worker(__name__), WORKERS))
 
     def close(self) -> None:
         self._pool.close()

@@ -6,7 +6,6 @@ compiles them to DXIL, which is not drawn.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -15,6 +14,8 @@ from itertools import chain
 from ...compiler.diagnostics.nearest import suggestion
 from ...stdlib.builtins.accuracy import Platform
 from ..toolchain.checkers import CHECKERS
+from ..toolchain.limits import BROWSERS, WORKERS, Limits
+from ..toolchain.surroundings import python_worker
 from ..toolchain.tools import ToolState, inspect_all, tool_named
 
 
@@ -25,7 +26,7 @@ class DriverRow:
     name: str
     title: str
     module: str
-    """The worker's module: ``python -m MODULE ARGUMENTS…``."""
+    """The worker's module, which is run with its ``arguments``."""
     needs: tuple[str, ...]
     """The names of the tools that it needs; all of them are required."""
     arguments: tuple[str, ...] = ()
@@ -34,6 +35,8 @@ class DriverRow:
     """Whether one process is enough, because it starts slowly and uses all cores anyway."""
     any_device: bool = False
     """Whether it draws with any device of the machine, which ``--device`` names."""
+    limits: Limits = WORKERS
+    """What the worker may take."""
 
     @property
     def draws_frames(self) -> bool:
@@ -51,7 +54,7 @@ class DriverRow:
         arguments = [argument.format_map(paths) for argument in self.arguments]
         if self.any_device:
             arguments.append(device)
-        return [sys.executable, "-m", f"{_PACKAGE}.drivers.{self.module}", *arguments]
+        return python_worker(f"{_PACKAGE}.drivers.{self.module}", *arguments)
 
 
 _FRAME_MODULES = ("vulkan", "opengl")
@@ -141,11 +144,11 @@ DRIVERS: Mapping[str, DriverRow] = {
         DriverRow("llvmpipe", "OpenGL on Mesa's llvmpipe", "opengl", ("llvmpipe", "moderngl")),
         DriverRow(
             "webgpu", "WebGPU in Chromium, on SwiftShader", "browser",
-            ("chromium", "playwright"), ("webgpu",), one_worker=True,
+            ("chromium", "playwright"), ("webgpu",), one_worker=True, limits=BROWSERS,
         ),
         DriverRow(
             "webgl2", "WebGL 2 in Chromium, on SwiftShader", "browser",
-            ("chromium", "playwright"), ("webgl2",), one_worker=True,
+            ("chromium", "playwright"), ("webgl2",), one_worker=True, limits=BROWSERS,
         ),
     )
 }  # fmt: skip

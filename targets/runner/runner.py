@@ -138,7 +138,7 @@ class Runner(Closing):
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(
             1 if row.one_worker else count,
-            lambda: Worker(lambda: row.command(self._states, self._wanted)),
+            lambda: Worker(lambda: row.command(self._states, self._wanted), row.limits),
         )
 
     def _ask(self, driver: str, request: Mapping[str, Any]) -> Mapping[str, Any]:

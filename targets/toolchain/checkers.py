@@ -11,7 +11,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .clang import check_against
+from .clang import check_against, headers_in
+from .directives import foreign_directive
 from .glslang import check_glsl, check_hlsl, check_vulkan_glsl
 from .job import Job, Message, Verdict
 from .messages import read_dxc, read_naga, read_tint
@@ -36,6 +37,8 @@ MSL_ENTRIES = {
     "comp": r"kernel void {name}\(",
 }
 """How entry points are defined there."""
+SHOWN = 60
+"""How many characters of a directive are shown that is refused."""
 NAGA_NO_ENTRY = "Unable to find the entry point"
 
 
@@ -51,6 +54,19 @@ class Checker:
     """The largest number of jobs that one call of ``check`` takes."""
     together: int = 1
     """How many jobs one call takes even where others could be made at the same time."""
+    has_directives: bool = True
+    """Whether its language has directives, of which texts may have only those that are emitted."""
+    headers: tuple[str, ...] = ()
+    """What a text may include."""
+
+    def refusal(self, job: Job) -> Verdict | None:
+        """The verdict on a text that no compiler may have; ``None`` for other texts."""
+        found = foreign_directive(job.text, self.headers) if self.has_directives else None
+        if found is None:
+            return None
+        line, directive = found
+        said = f"no emitted text has the directive '{directive[:SHOWN]}', so it was not compiled"
+        return rejected(job, (Message("error", line, None, said),), said)
 
 
 def _each(check: Callable[[Job, Toolbox], Verdict]) -> Check:
@@ -133,9 +149,12 @@ CHECKERS: dict[str, Checker] = {
         ),
         Checker("dxc-spirv", ("dxc", "spirv-tools"), _each(_dxc_spirv)),
         Checker("dxc-dxil", ("dxc",), _each(_dxc_dxil)),
-        Checker("naga", ("naga", "spirv-tools"), _each(_naga)),
-        Checker("tint", ("tint", "node"), _each(_tint)),
-        Checker("clang-msl", ("clang",), _each(check_against(MSL_DECLARATIONS, MSL_ENTRIES))),
+        Checker("naga", ("naga", "spirv-tools"), _each(_naga), has_directives=False),
+        Checker("tint", ("tint", "node"), _each(_tint), has_directives=False),
+        Checker(
+            "clang-msl", ("clang",), _each(check_against(MSL_DECLARATIONS, MSL_ENTRIES)),
+            headers=headers_in(MSL_DECLARATIONS),
+        ),
     )
 }  # fmt: skip
 

@@ -21,6 +21,7 @@ from .verdicts import accepted_unless_error, undone
 
 _OPTIONS = (
     "-x", "c++", "-std=c++14", "-fsyntax-only", "-nostdinc", "-Wno-unknown-attributes",
+    "-fno-crash-diagnostics",  # would leave files
     # What a text converts it has to say.
     "-Werror=float-conversion", "-Werror=implicit-int-float-conversion", "-Werror=sign-conversion",
 )  # fmt: skip
@@ -56,6 +57,11 @@ def check_against(
         return accepted_unless_error(job, messages, outcome.log)
 
     return check
+
+
+def headers_in(declarations: Path) -> tuple[str, ...]:
+    """What texts may include that are checked against the folder ``declarations``."""
+    return tuple(sorted(header.stem for header in declarations.glob("*.h")))
 
 
 def _known(declarations: Path) -> dict[str, bool]:

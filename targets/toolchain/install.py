@@ -33,6 +33,8 @@ from typing import TextIO
 
 from .places import is_trusted
 from .sources import Debian, Extra, OwnInstaller
+from .surroundings import environment as isolated
+from .surroundings import which
 from .tools import DXC_LIBRARY, TOOLS, Tool, cache_folder, inspect, judge, tool_named
 
 ON_WINDOWS = os.name == "nt"
@@ -195,7 +197,7 @@ def _install_into_cache(tool: Tool, version: str) -> None:
 
 
 def _apt(*names: str) -> None:
-    if os.geteuid() != 0 or not shutil.which("apt-get"):
+    if os.geteuid() != 0 or not which("apt-get"):
         raise InstallError(
             f"it needs {', '.join(names)}: install what your system's package manager calls so, "
             "or run this as root where there is apt-get"
@@ -217,7 +219,7 @@ def _cargo_naga(version: str, folder: Path) -> None:
     A package of our own that needs the crate has cargo download it. Cargo insists on the digest
     that the registry tells, and writes it into a lock.
     """
-    if not shutil.which("cargo"):
+    if not which("cargo"):
         _apt(*CARGO_PACKAGES)
     with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=cache_folder()) as name:
         package = Path(name)
@@ -301,10 +303,11 @@ def _extract_dxc(archive: Path, folder: Path) -> None:
 def _run(*command: str, environment: Mapping[str, str] = MappingProxyType({})) -> None:
     """Run a command of an installer; print its output only if it fails."""
     print("  " + " ".join(command), flush=True)
-    if not shutil.which(command[0]):
+    program = which(command[0])
+    if program is None:
         raise InstallError(f"it needs {command[0]}, which is not on PATH")
     process = subprocess.Popen(
-        command,
+        (program, *command[1:]),
         cwd=cache_folder(),  # Many of them read settings from the current folder and those above.
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
@@ -313,7 +316,7 @@ def _run(*command: str, environment: Mapping[str, str] = MappingProxyType({})) -
         errors="replace",
         env={
             **NETWORK_SETTINGS,
-            **os.environ,
+            **isolated(),
             "DEBIAN_FRONTEND": "noninteractive",
             **environment,
         },

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import os
 import platform
-import shutil
 import stat
 from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
+
+from .surroundings import which
 
 ROOT = Path("/")
 """The root of the system's files; tests replace it."""
@@ -46,8 +47,8 @@ class Programs(Place):
         return _all_files(folder / "bin" / name for name in self.names)
 
     def outside(self) -> Paths | None:
-        found = [shutil.which(name) for name in self.names]
-        return tuple(Path(path) for path in found if path) if all(found) else None
+        found = [which(name) for name in self.names]
+        return tuple(path for path in found if path) if all(found) else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +59,8 @@ class AnyProgram(Place):
     """The first name that is found is used."""
 
     def outside(self) -> Paths | None:
-        found = (shutil.which(name) for name in self.names)
-        return next(((Path(path),) for path in found if path), None)
+        found = (which(name) for name in self.names)
+        return next(((path,) for path in found if path), None)
 
 
 @dataclass(frozen=True, slots=True)

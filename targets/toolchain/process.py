@@ -1,21 +1,34 @@
-"""Runs one external program with a time limit, and reports how it ended."""
+"""Runs one external program with limits, and reports how it ended."""
 
 from __future__ import annotations
 
 import os
 import signal
 import subprocess
-from collections.abc import Sequence
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from threading import Thread
+from typing import IO, Literal
+
+from .children import Child, Family
+from .limits import COMPILERS, Limits, exhausted, in_words
 
 Ending = Literal["ended", "crashed", "timeout"]
 
 RUST_PANIC = 101
 """The exit code of a Rust program that panicked. No other tool here uses it."""
-
-QUIET = {"NO_COLOR": "1", "RUST_BACKTRACE": "0", "LC_ALL": "C.UTF-8"}
+BY_SIGNAL = 128
+"""Above this, an exit code is of a program whose child was killed by a signal, as of clang."""
+PART = 1 << 16
+"""How many bytes of a program's output are read at once."""
+SPARE = 5
+"""How many seconds of processor time a program may have beyond its time limit."""
+END_LIMIT = 10.0
+"""How many seconds are waited for the end of a pipe whose program was killed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,35 +50,102 @@ def run(
     time_limit: float,
     stdin: bytes = b"",
     folder: Path | None = None,
+    limits: Limits = COMPILERS,
+    family: Family | None = None,
 ) -> Outcome:
     """Run a program to its end, or kill it after ``time_limit`` seconds.
 
     A program that cannot be started counts as crashed: the tool is broken, not the shader.
+    ``folder`` is a private one; without it, the program runs where nothing is. Whoever owns the
+    ``family`` may end the program meanwhile, from another thread.
     """
+    name = arguments[0]
+    seconds = int(time_limit) + SPARE
     try:
-        ended = subprocess.run(
-            arguments,
-            input=stdin,
-            capture_output=True,
-            cwd=folder,
-            timeout=time_limit,
-            check=False,
-            env=os.environ | QUIET,
-        )
-    except subprocess.TimeoutExpired:
-        return Outcome("timeout", 0, b"", f"{arguments[0]}: no answer within {time_limit:g} s")
+        with _input(stdin) as file:
+            child = Child(arguments, limits, stdin=file, folder=folder, seconds=seconds, group=True)
     except OSError as error:
-        return Outcome("crashed", 0, b"", f"{arguments[0]}: could not be started: {error}")
-    log = (ended.stdout + ended.stderr).decode(errors="replace")
-    if crashed(ended.returncode):
-        log += f"{arguments[0]}: {how_it_crashed(ended.returncode)}\n"
-        return Outcome("crashed", ended.returncode, ended.stdout, log)
-    return Outcome("ended", ended.returncode, ended.stdout, log)
+        return Outcome("crashed", 0, b"", f"{name}: could not be started: {error}")
+    family = family or Family()
+    family.adopt(child)
+    try:
+        return _outcome(name, child, limits, time_limit)
+    finally:
+        child.bury()
+        family.dismiss(child)
+
+
+@contextmanager
+def _input(data: bytes) -> Iterator[int | IO[bytes]]:
+    """What a program reads: a file, so that nobody has to wait until it is read."""
+    if not data:
+        yield subprocess.DEVNULL
+        return
+    with tempfile.TemporaryFile() as file:
+        file.write(data)
+        file.seek(0)
+        yield file
+
+
+def _outcome(name: str, child: Child, limits: Limits, time_limit: float) -> Outcome:
+    """Read what a program writes until it ends, its time is up, or it has written too much."""
+    deadline = time.monotonic() + time_limit
+    readers = [_Reader(child, stream, limits.output) for stream in _outputs(child)]
+    for reader in readers:
+        reader.join(max(0.0, deadline - time.monotonic()))
+    code = _exit_code(child, deadline)
+    child.kill()
+    for reader in readers:
+        reader.join(END_LIMIT)
+    output = bytes(readers[0].read)
+    log = (output + readers[1].read).decode(errors="replace")
+    if any(reader.was_too_much for reader in readers):
+        reason = f"stopped, after it had written more than {in_words(limits.output)}"
+        return Outcome("crashed", 0, b"", f"{name}: {reason}\n")
+    if code is None:
+        return Outcome("timeout", 0, b"", f"{name}: no answer within {time_limit:g} s")
+    if crashed(code):
+        reason = exhausted(log, limits) or f"{log}{name}: {how_it_crashed(code)}"
+        return Outcome("crashed", code, output, f"{reason}\n")
+    return Outcome("ended", code, output, log)
+
+
+def _outputs(child: Child) -> tuple[IO[bytes], IO[bytes]]:
+    out, errors = child.process.stdout, child.process.stderr
+    assert out is not None and errors is not None
+    return out, errors
+
+
+def _exit_code(child: Child, deadline: float) -> int | None:
+    """The exit code; ``None`` if the time is up."""
+    try:
+        return child.process.wait(max(0.0, deadline - time.monotonic()))
+    except subprocess.TimeoutExpired:
+        return None
+
+
+class _Reader(Thread):
+    """Reads one of a program's outputs, and kills the program if there is no end of it."""
+
+    def __init__(self, child: Child, stream: IO[bytes], most: int) -> None:
+        super().__init__(daemon=True)
+        self.read = bytearray()
+        self.was_too_much = False
+        self._child, self._stream, self._most = child, stream, most
+        self.start()
+
+    def run(self) -> None:
+        while part := os.read(self._stream.fileno(), PART):
+            self.read += part
+            if len(self.read) > self._most:
+                self.was_too_much = True
+                self._child.kill()
+                return
 
 
 def crashed(code: int) -> bool:
     """Whether an exit code means that the program crashed instead of answering."""
-    return code < 0 or code == RUST_PANIC
+    return code < 0 or code == RUST_PANIC or code > BY_SIGNAL
 
 
 def how_it_crashed(code: int) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from .children import Family
+from .limits import COMPILERS
 from .process import Outcome, run
 from .tools import ToolState, inspect, tool_named
 from .workers import Pool, Worker
@@ -19,8 +21,9 @@ class Toolbox:
         self.time_limit = time_limit
         """The time limit of one run of one tool, in seconds."""
         self._states: dict[str, ToolState] = {}
-        self.dxc = Pool(parallel, lambda: Worker(self._dxc_command))
-        self.tint = Pool(1, lambda: Worker(self._tint_command))
+        self._running = Family()
+        self.dxc = Pool(parallel, lambda: Worker(self._dxc_command, COMPILERS))
+        self.tint = Pool(1, lambda: Worker(self._tint_command, COMPILERS))
 
     def problem(self, tool: str) -> str | None:
         """Why a tool cannot be used; ``None`` if it can."""
@@ -35,10 +38,13 @@ class Toolbox:
     ) -> Outcome:
         """Run the first program of a tool; the tool must have no ``problem``."""
         command = [self._path(tool), *arguments]
-        return run(command, time_limit=self.time_limit, stdin=stdin, folder=folder)
+        return run(
+            command, time_limit=self.time_limit, stdin=stdin, folder=folder, family=self._running
+        )
 
     def close(self) -> None:
-        """End the workers' processes."""
+        """End all tools and workers. Whoever waits for one of them is told that it was killed."""
+        self._running.close()
         self.dxc.close()
         self.tint.close()
 

@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 from ..closing import Closing
-from .checkers import CHECKERS
+from .checkers import CHECKERS, Checker
 from .job import Job, Message, Verdict
 from .toolbox import Toolbox
 
@@ -29,9 +29,10 @@ class Toolchain(Closing):
         self._threads = ThreadPoolExecutor(self._parallel)
 
     def close(self) -> None:
-        """Cancel all work and end all workers."""
-        self._threads.shutdown(cancel_futures=True)
+        """Cancel all work and end all tools, first those for which threads wait."""
+        self._threads.shutdown(wait=False, cancel_futures=True)
         self._toolbox.close()
+        self._threads.shutdown()
 
     def problem(self, checker: str) -> str | None:
         """Why a checker cannot be used, tool by tool; ``None`` if it can."""
@@ -74,6 +75,14 @@ class Toolchain(Closing):
         checker = jobs[0].checker
         problem = problems[checker]
         if problem is None:
-            return CHECKERS[checker].check(jobs, self._toolbox)
+            return _checked(CHECKERS[checker], jobs, self._toolbox)
         message = Message("error", None, None, problem)
         return [Verdict(job, "missing", (message,), log=problem) for job in jobs]
+
+
+def _checked(checker: Checker, jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
+    """The verdicts of a checker, which gets only texts that it may have."""
+    refusals = [checker.refusal(job) for job in jobs]
+    rest = [job for job, refusal in zip(jobs, refusals, strict=True) if refusal is None]
+    answers = iter(checker.check(rest, toolbox) if rest else ())
+    return [refusal or next(answers) for refusal in refusals]

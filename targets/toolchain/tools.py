@@ -3,7 +3,8 @@
 A tool is whatever Burnish uses but does not contain: compilers, drivers, a browser, and the Python
 packages that talk to them. ``doctor``, the checkers and the routes look tools up here, and
 ``install.py`` installs them. A tool is looked for in Burnish's cache folder first (the variable
-``BURNISH_TOOLS`` moves it), if no other user can change that, then where systems have it.
+``BURNISH_TOOLS`` moves it), if no other user can change that, then where systems have it; but
+nowhere in the current folder, which may be somebody else's.
 """
 
 from __future__ import annotations
@@ -251,8 +252,8 @@ TOOLS: tuple[Tool, ...] = (
 
 def cache_folder() -> Path:
     """The folder that has a sub-folder for each tool that Burnish has installed itself."""
-    moved = os.environ.get("BURNISH_TOOLS")
-    return Path(moved) if moved else Path(cache.folder()) / "tools"
+    moved = Path(os.environ.get("BURNISH_TOOLS", ""))
+    return moved if moved.is_absolute() else Path(cache.folder()) / "tools"
 
 
 def tool_named(name: str) -> Tool:
@@ -267,8 +268,11 @@ def inspect(tool: Tool) -> ToolState:
 
 def inspect_all(tools: Iterable[Tool] = TOOLS) -> dict[str, ToolState]:
     """The states of several tools by name, in their order; looks for all of them at once."""
-    with ThreadPoolExecutor() as threads:
+    threads = ThreadPoolExecutor()
+    try:
         return {state.tool.name: state for state in threads.map(inspect, tools)}
+    finally:  # After Ctrl-C, nobody waits for a program that does not say its version.
+        threads.shutdown(wait=False, cancel_futures=True)
 
 
 def judge(tool: Tool, paths: Paths | None) -> ToolState:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import mmap
+import os
 import re
 from collections.abc import Callable
 from importlib.metadata import version as installed_version
 
+from .limits import ASKED
 from .places import Paths
 from .process import run
 
@@ -35,6 +37,11 @@ def browser_beside(programs: tuple[str, ...]) -> Version:
         return _said([str(program), "--version"], r"(\d+(?:\.\d+)+)") if program else None
 
     return version
+
+
+def refuses_sandbox() -> bool:
+    """Whether a browser of Chromium's family certainly does not start with its sandbox: as root."""
+    return os.name == "posix" and os.geteuid() == 0
 
 
 def written_in(number: int, pattern: bytes) -> Version:
@@ -74,6 +81,6 @@ def of_python_package(name: str) -> Version:
 
 
 def _said(command: list[str], pattern: str) -> str | None:
-    outcome = run(command, time_limit=VERSION_LIMIT)
+    outcome = run(command, time_limit=VERSION_LIMIT, limits=ASKED)
     found = re.search(pattern, outcome.log) if outcome.ending == "ended" else None
     return found[1] if found else None

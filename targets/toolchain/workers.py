@@ -7,15 +7,19 @@ hangs, only the current request fails: the next request starts a new child.
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from queue import LifoQueue
-from threading import Event, Timer
+from subprocess import PIPE
+from threading import Event, Lock, Timer
 from typing import IO, Any
 
+from .children import Child
+from .limits import COMPILERS, Limits, exhausted, in_words
 from .process import Ending, how_it_crashed
 
 LOG_TAIL = 20_000
@@ -39,14 +43,30 @@ class Answer:
 class Worker:
     """One child process, which the first request starts."""
 
-    def __init__(self, command: Callable[[], Sequence[str]]) -> None:
+    def __init__(self, command: Callable[[], Sequence[str]], limits: Limits = COMPILERS) -> None:
         self._find_command = command
+        self._limits = limits.scaled()
         self._command: Sequence[str] = ()
-        self._child: subprocess.Popen[bytes] | None = None
+        self._child: Child | None = None
         self._errors: IO[bytes] | None = None
+        self._closed = False
+        self._lock = Lock()
+        """Held while a request is answered, and while the child is taken leave of."""
 
     def ask(self, request: Mapping[str, Any], time_limit: float) -> Answer:
         """Send one request and wait at most ``time_limit`` seconds for its answer."""
+        with self._lock:
+            return self._answer(request, time_limit)
+
+    def close(self) -> None:
+        """End the child process, if there is one; a request that it works on gets no answer."""
+        self._closed = True
+        if child := self._child:
+            child.kill()
+        with self._lock:
+            self._bury()
+
+    def _answer(self, request: Mapping[str, Any], time_limit: float) -> Answer:
         timed_out = Event()
         try:
             child = self._child or self._start()
@@ -61,66 +81,68 @@ class Worker:
         timer.daemon = True
         try:
             timer.start()  # Here, too, Ctrl-C may come, and a timer would keep the process waiting.
-            line = _exchange(child, json.dumps(request).encode() + b"\n")
+            line = _exchange(child, json.dumps(request).encode() + b"\n", self._limits.output)
         finally:
             timer.cancel()
-        if line.endswith(b"\n") and not timed_out.is_set():
+        if timed_out.is_set():
+            return self._post_mortem("timeout", f"no answer within {time_limit:g} s")
+        if len(line) > self._limits.output:
+            most = in_words(self._limits.output)
+            return self._post_mortem("crashed", f"stopped, after an answer of more than {most}")
+        if not line.endswith(b"\n"):
+            return self._post_mortem("crashed", "")
+        with suppress(ValueError):
             return Answer("ended", json.loads(line), "")
-        return self._post_mortem(f"no answer within {time_limit:g} s" if timed_out.is_set() else "")
+        return self._post_mortem("crashed", "stopped, after an answer that is no JSON")
 
-    def close(self) -> None:
-        """End the child process, if there is one."""
-        if self._child is not None:
-            self._bury(self._child)
-
-    def _start(self) -> subprocess.Popen[bytes]:
+    def _start(self) -> Child:
         self._command = self._find_command()
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115 - closed in _bury
-        self._child = subprocess.Popen(
-            self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._errors
-        )
+        self._child = Child(self._command, self._limits, stdin=PIPE, stderr=self._errors)
+        if self._closed:  # It was too early then to end this child.
+            self._child.kill()
         return self._child
 
-    def _post_mortem(self, timeout: str) -> Answer:
+    def _post_mortem(self, ending: Ending, reason: str) -> Answer:
+        """Why there is no answer, without a ``reason`` by the way in which the child has ended."""
         assert self._child is not None and self._errors is not None
+        if reason:
+            self._child.kill()
         try:
-            code = self._child.wait(END_LIMIT)
+            code = self._child.process.wait(END_LIMIT)
         except subprocess.TimeoutExpired:
             self._child.kill()
-            code = self._child.wait()
-        self._errors.seek(0)
-        said = self._errors.read()[-LOG_TAIL:].decode(errors="replace")
-        self._bury(self._child)
-        reason = timeout or how_it_crashed(code)
-        ending: Ending = "timeout" if timeout else "crashed"
-        return Answer(ending, {}, f"{said}{self._command[0]}: {reason}\n")
+            code = self._child.process.wait()
+        size = self._errors.seek(0, os.SEEK_END)
+        self._errors.seek(max(0, size - LOG_TAIL))
+        said = self._errors.read().decode(errors="replace")
+        if size >= self._limits.file:
+            reason = f"stopped, after messages of more than {in_words(self._limits.file)}"
+        self._bury()
+        if not reason and (lacking := exhausted(said, self._limits)):
+            return Answer(ending, {}, f"{lacking}\n")
+        return Answer(ending, {}, f"{said}{self._command[0]}: {reason or how_it_crashed(code)}\n")
 
-    def _bury(self, child: subprocess.Popen[bytes]) -> None:
-        child.kill()
-        child.wait()
-        for stream in (child.stdin, child.stdout, self._errors):
-            if stream is not None:
-                _close(stream)
-        self._child = None
+    def _bury(self) -> None:
+        if self._child is not None:
+            self._child.bury()
+        if self._errors is not None:
+            self._errors.close()
+        self._child = self._errors = None
 
 
-def _exchange(child: subprocess.Popen[bytes], request: bytes) -> bytes:
-    """The child's answer to a request: a whole line, or less if the child died."""
-    assert child.stdin is not None and child.stdout is not None
+def _exchange(child: Child, request: bytes, most: int) -> bytes:
+    """The child's answer to a request: a whole line, or less if the child died, or more than
+    ``most`` bytes of a line that is longer.
+    """
+    stdin, stdout = child.process.stdin, child.process.stdout
+    assert stdin is not None and stdout is not None
     try:
-        child.stdin.write(request)
-        child.stdin.flush()
+        stdin.write(request)
+        stdin.flush()
     except BrokenPipeError:
         return b""
-    return child.stdout.readline()
-
-
-def _close(stream: IO[bytes]) -> None:
-    """Close a stream, even if a dead reader has left something in its buffer."""
-    try:
-        stream.close()
-    except BrokenPipeError:
-        return
+    return stdout.readline(most + 1)
 
 
 class Pool:

@@ -186,8 +186,5 @@ LANGUAGE = Language(
     profiles=(WEBGPU,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", "__", "_$"),
     global_members=False,
-    fixed_names=(
-        "main", *ENTRY_POINTS, "input", "output", "clip_position",
-        *STAGE_STRUCTS,
-    ),
-)  # fmt: skip
+    fixed_names=("main", *ENTRY_POINTS, *STAGE_STRUCTS),
+)

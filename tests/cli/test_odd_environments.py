@@ -179,7 +179,7 @@ def test_a_first_process_can_be_ended(place: Path) -> None:
     with started(line, cwd=place, env=environment(place)) as program:
         until(lambda: written(program), "the first compile")
         until(lambda: ended(program), "the end of the process", pause=0.2)
-        assert program.exit_code() == 130
+        assert program.exit_code() == 143
 
 
 def ended(program: Program) -> bool:

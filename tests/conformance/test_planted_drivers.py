@@ -102,10 +102,11 @@ def test_errors_are_found(studio: Studio, error: Error, monkeypatch: pytest.Monk
     own = DriverRow.command
 
     def command(row: DriverRow, *arguments: object) -> list[str]:
-        python, _, module, *more = own(row, *arguments)  # type: ignore[arg-type]
+        python, flags, launcher, folders, module, *more = own(row, *arguments)  # type: ignore[arg-type]
         wrong = f"burnish.targets.runner.drivers.{error.module}"
         planted = "burnish.tests.conformance.planted.driver"
-        return [python, "-m", planted, module, wrong, error.before, error.after, *more]
+        start = [python, flags, launcher, folders, planted]
+        return [*start, module, wrong, error.before, error.after, *more]
 
     monkeypatch.setattr(DriverRow, "command", command)
     try:

@@ -18,6 +18,7 @@ from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.syntax.ast import KINDS
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.runner.routes import EVERY_ROUTE
+from burnish.targets.toolchain.limits import EVERY_LIMIT, in_words
 
 from .builtins_page import builtins_page
 from .tables import DOCS, NOTE, spliced, table
@@ -163,7 +164,12 @@ def security_page() -> str:
     """The page on security with its table of limits brought up to date."""
     page = (DOCS / "security.md").read_text(encoding="utf-8")
     rows = ((f"`{row.name}`", amount_with_unit(row.most, row), row.of) for row in LIMITS.values())
-    return spliced(page, "limits", table(("limit", "at most", "of what"), rows))
+    page = spliced(page, "limits", table(("limit", "at most", "of what"), rows))
+    processes = [
+        (row.of, *map(in_words, (row.memory, row.file, row.output))) for row in EVERY_LIMIT
+    ]
+    head = ("program", "memory", "each file that it writes", "output")
+    return spliced(page, "processes", table(head, processes))
 
 
 PAGES: Mapping[str, Callable[[], str]] = {

@@ -1,6 +1,6 @@
-"""Programs with mistakes: the examples and the library, with tokens changed at random.
+"""Programs with mistakes: all sources of the tree, with tokens and lines changed at random.
 
-``test_mutations.py`` and ``make fuzz`` compile them. Whatever a text says, the compiler either
+``test_robustness.py`` and ``make fuzz`` compile them. Whatever a text says, the compiler either
 reports errors or makes shaders that the compilers behind it accept: it neither raises anything
 else nor hangs. A program follows from its seed alone.
 """
@@ -14,7 +14,8 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("examples", "examples/shared", "stdlib", "tests/conformance/materials")
+FOLDERS = ("examples", "stdlib", "tests")
+"""What lies in them, at any depth, is changed: every kind of declaration stands somewhere there."""
 
 TOKEN = re.compile(
     r"\s+|//[^\n]*|[A-Za-z_]\w*|#[0-9a-fA-F]+|[\d.]+\w*|\"[^\"\n]*\"|->|\.\.|[<>=!]=|."
@@ -35,10 +36,21 @@ Change = Callable[[random.Random, Tokens, Sequence[str]], None]
 
 
 @cache
+def files() -> tuple[Path, ...]:
+    """The files whose texts are changed."""
+    return tuple(path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.burnish")))
+
+
+@cache
 def sources() -> tuple[str, ...]:
     """The texts that are changed."""
-    files = [path for folder in FOLDERS for path in sorted((ROOT / folder).glob("*.burnish"))]
-    return tuple(path.read_text("utf-8") for path in files)
+    return tuple(path.read_text("utf-8") for path in files())
+
+
+@cache
+def search_path() -> tuple[Path, ...]:
+    """The folders by which the imports of these texts are found."""
+    return tuple(dict.fromkeys(path.parent for path in files()))
 
 
 def mutated(seed: int) -> str:
@@ -110,6 +122,46 @@ def _odd(chance: random.Random, tokens: Tokens, _others: Sequence[str]) -> None:
     tokens[at:at] = [" ", chance.choice(ODD), " "]
 
 
+def _line(tokens: Tokens, at: int) -> tuple[int, int]:
+    """The tokens of the line in which one stands, without the space at its ends."""
+    start, end = at, at
+    while start > 0 and "\n" not in tokens[start - 1]:
+        start -= 1
+    while end < len(tokens) and "\n" not in tokens[end]:
+        end += 1
+    return start, end
+
+
+def _half_line(chance: random.Random, tokens: Tokens, _others: Sequence[str]) -> None:
+    """Nothing stands behind a token in its line, as if somebody were still writing it."""
+    at = _place(chance, tokens)
+    del tokens[at + 1 : _line(tokens, at)[1]]
+
+
+def _without_line(chance: random.Random, tokens: Tokens, _others: Sequence[str]) -> None:
+    start, end = _line(tokens, _place(chance, tokens))
+    del tokens[start:end]
+
+
+def _line_elsewhere(chance: random.Random, tokens: Tokens, _others: Sequence[str]) -> None:
+    """A line stands once more, behind another one."""
+    if tokens:
+        start, end = _line(tokens, _place(chance, tokens))
+        behind = _line(tokens, _place(chance, tokens))[1]
+        tokens[behind:behind] = ["\n", *tokens[start:end]]
+
+
+def _misspelt(chance: random.Random, tokens: Tokens, _others: Sequence[str]) -> None:
+    """A name that nothing has, in one place: a base, an import, a type, a slot."""
+    at = _place(chance, tokens, r"[A-Za-z_]")
+    tokens[at : at + 1] = [f"{tokens[at] if tokens else ''}_gone"]
+
+
+def _unfinished(chance: random.Random, tokens: Tokens, _others: Sequence[str]) -> None:
+    """The file ends early."""
+    del tokens[_place(chance, tokens) :]
+
+
 def _splice(chance: random.Random, tokens: Tokens, others: Sequence[str]) -> None:
     """A piece of another file."""
     at, start = _place(chance, tokens), chance.randrange(len(others) or 1)
@@ -117,4 +169,7 @@ def _splice(chance: random.Random, tokens: Tokens, others: Sequence[str]) -> Non
 
 
 GENTLE: Sequence[Change] = (_number, _name, _operator, _argument)
-CHANGES: Sequence[Change] = (_delete, _duplicate, _swap, _number, _name, _name, _odd, _splice)
+CHANGES: Sequence[Change] = (
+    _delete, _duplicate, _swap, _number, _name, _name, _odd, _splice,
+    _half_line, _half_line, _without_line, _line_elsewhere, _misspelt, _unfinished,
+)  # fmt: skip

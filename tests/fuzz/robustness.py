@@ -5,24 +5,31 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import count
 
 import burnish
+from burnish.commands.graph.command import as_svg
+from burnish.compiled import CompiledFrame, CompiledMaterial
 from burnish.compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from burnish.compiler.diagnostics.render import render_all
 from burnish.targets.toolchain import Job, Toolchain
 
 from ..examples.kit import jobs_of
-from .mutations import ROOT, mutated
+from .mutations import mutated, search_path
 
 SHARE_CHECKED = 0.5
 """The share of the time in which the compilers behind Burnish may check texts, at most."""
 
 
-def problem(text: str) -> str | None:
-    """The traceback of what the compiler raises beside errors in the text; ``None`` if nothing."""
+def problem(text: str, native_stages: bool = False) -> str | None:
+    """The traceback of what checking, compiling or drawing the graph raises beside errors in the
+    text; ``None`` if nothing."""
     try:
-        _compiled(text)
+        burnish.check(text + "\n", search_path=search_path())
+        result = _compiled(text, native_stages)
+        for subject in (*result.materials, *result.frames) if result else ():
+            _show(subject)
     except Exception:
         return traceback.format_exc()
     return None
@@ -44,7 +51,7 @@ def found(seed: int, seconds: float) -> Iterator[tuple[int, str, str]]:
             if begin - start >= seconds:
                 return
             text = mutated(number)
-            trouble = problem(text)
+            trouble = problem(text, native_stages=number % 4 < 2)
             if trouble is None and checking <= SHARE_CHECKED * (begin - start):
                 trouble = refused(text, toolchain)
                 checking += time.monotonic() - begin
@@ -52,10 +59,13 @@ def found(seed: int, seconds: float) -> Iterator[tuple[int, str, str]]:
                 yield number, text, trouble
 
 
-def _compiled(text: str) -> burnish.CompileResult | None:
+def _compiled(text: str, native_stages: bool = False) -> burnish.CompileResult | None:
     """The result, if there is one. Diagnostics can be shown, and their edits lie in the text."""
     try:
-        result = burnish.compile(text + "\n", "all", search_path=[ROOT / "examples"], partial=True)
+        result = burnish.compile(
+            text + "\n", "all", search_path=search_path(), partial=True,
+            native_stages=native_stages,
+        )  # fmt: skip
         diagnostics = result.diagnostics
     except CompileError as error:
         result, diagnostics = None, error.diagnostics
@@ -63,6 +73,12 @@ def _compiled(text: str) -> burnish.CompileResult | None:
     render_all(diagnostics)
     assert all(map(_is_inside, diagnostics))
     return result
+
+
+def _show(subject: CompiledMaterial | CompiledFrame) -> None:
+    """Draw the graph, unless it is too large for people."""
+    with suppress(CompileError):
+        as_svg(subject)
 
 
 def _is_inside(found: Diagnostic) -> bool:

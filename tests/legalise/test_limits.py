@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import burnish
+from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.ir.stages import VERTEX
 from burnish.frozen import changed
 from burnish.targets import registry
@@ -89,6 +90,43 @@ def test_a_program_may_have_as_much_as_the_limit_and_no_more(limit: str, count: 
     for most, expected in ((count, []), (count - 1, [Excess(limit, count, count - 1)])):
         limits = changed(profile.limits, **{limit: most})
         assert list(excesses(program, changed(profile, limits=limits))) == expected
+
+
+def doubling(levels: int) -> str:
+    """Functions each of which calls the one before it twice, down to one of a few operations."""
+    rows = ["fn f0(x: float) -> float = sin(x) * cos(x) + sin(2 * x)"]
+    rows += [
+        f"fn f{i}(x: float) -> float = f{i - 1}(x) * f{i - 1}(x + 1)" for i in range(1, levels)
+    ]
+    return "\n".join([*rows, f"material M {{ alpha = f{levels - 1}(uv.x) }}"])
+
+
+def in_place_of_calls(levels: int) -> int:
+    profile = registry.load("hlsl").profiles[0]
+    limits = changed(profile.limits, inlined_operations=-1)
+    (found,) = excesses(staged(doubling(levels)).program, changed(profile, limits=limits))
+    return found.count
+
+
+def test_what_calls_come_to_doubles_with_each_function_and_is_counted_to_an_end() -> None:
+    counts = [in_place_of_calls(levels) for levels in (10, 11, 12)]
+    assert counts[0] > 3 * 2**8
+    assert 1.9 < counts[1] / counts[0] < 2.1 and 1.9 < counts[2] / counts[1] < 2.1
+    assert in_place_of_calls(100) == in_place_of_calls(200) == 10**9
+
+
+def test_calls_that_nobody_could_inline_are_refused_for_all_targets() -> None:
+    assert burnish.compile(doubling(9), "all", partial=True).materials[0].lacking == {}
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(doubling(60), "hlsl")
+    assert render_all(caught.value.diagnostics) == (
+        "error[B0702]: 1000000000 operations in place of calls of M, but hlsl:sm6 has only 10000\n"
+        "  = help: compilers and drivers put the whole body of a function wherever it is called, "
+        "with those of all that it calls: have an equation compute once what several calls share, "
+        "or a loop what they repeat"
+    )
+    lacking = burnish.compile(doubling(60), "all", partial=True).materials[0].lacking
+    assert len(lacking) == sum(len(registry.load(name).profiles) for name in registry.names())
 
 
 def test_a_stage_that_a_profile_has_not_got_is_told_once() -> None:

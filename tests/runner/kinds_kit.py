@@ -6,6 +6,7 @@ sampler is called ``reader``. ``at`` goes from 0 to 1 over the picture, with y d
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
@@ -122,19 +123,22 @@ def _names(slot: TextureSlot) -> tuple[str, str, str]:
 
 def _vulkan_pipeline(slots: Sequence[TextureSlot], read: str) -> Pipeline:
     lines = [f"{_VULKAN_HEAD}in vec4 color;"]
+    readers: dict[str, str] = {}
     for slot in slots:
         texture, sampler, _ = _names(slot)
         name, binding = slot.texture.identifier, slot.texture.binding
         lines.append(f"layout(set = 0, binding = {binding}) uniform {texture} {name}_texture;")
         if slot.sampler is None:
-            lines.append(f"#define {name} {name}_texture")
+            readers[name] = f"{name}_texture"
             continue
         reader = "samplerShadow" if slot.compare else "sampler"
         binding = slot.sampler.binding
-        lines += [
-            f"layout(set = 0, binding = {binding}) uniform {reader} {slot.sampler.identifier};",
-            f"#define {name} {sampler}({name}_texture, {slot.sampler.identifier})",
-        ]
+        lines.append(
+            f"layout(set = 0, binding = {binding}) uniform {reader} {slot.sampler.identifier};"
+        )
+        readers[name] = f"{sampler}({name}_texture, {slot.sampler.identifier})"
+    for name, reader in readers.items():
+        read = re.sub(rf"\b{name}\b", reader, read)
     text = "\n".join([*lines, _GLSL_STAGE.format(read=read)])
     fragment = vulkan_kit.glsl("frag", text)
     made = vulkan_kit.shading(vulkan_kit.painted_pipeline(), fragment)

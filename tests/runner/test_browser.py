@@ -92,8 +92,9 @@ def test_ends_when_killed(worker: Program) -> None:
 
 PARENT = """
 import sys, time
+from burnish.targets.toolchain.limits import BROWSERS
 from burnish.targets.toolchain.workers import Worker
-worker = Worker(lambda: [sys.executable, "-m", *sys.argv[1:]])
+worker = Worker(lambda: [sys.executable, "-m", *sys.argv[1:]], BROWSERS)
 print(worker.ask({}, 120).reply, flush=True)
 time.sleep(600)
 """

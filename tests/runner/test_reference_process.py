@@ -42,7 +42,7 @@ def test_if_the_process_ends_the_picture_is_drawn_here(
     text: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        reference_process, "Worker", lambda _: Worker(lambda: [sys.executable, "-c", text])
+        reference_process, "Worker", lambda *_: Worker(lambda: [sys.executable, "-c", text])
     )
     with References(1) as references:
         assert _same(references.expected(*QUESTION), expected(*QUESTION))

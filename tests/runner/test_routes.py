@@ -78,11 +78,11 @@ def test_what_starts_a_worker() -> None:
     states = routes.inspect_tools(chosen)
     for route in chosen:
         assert routes.problem(route, states) is None
-        python, _, module, *arguments = DRIVERS[route.driver].command(states)
+        python, _, _, _, module, *arguments = DRIVERS[route.driver].command(states)
         assert python == sys.executable
         assert find_spec(f"{module}.__main__") is not None
         assert not any("{" in argument for argument in arguments)
-    (icd,) = DRIVERS["lavapipe"].command(states)[3:]
+    (icd,) = DRIVERS["lavapipe"].command(states)[5:]
     assert Path(icd).name.startswith("lvp_icd")
 
 

@@ -23,6 +23,7 @@ from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
 from burnish.targets.runner.drivers.wire import from_json, to_json
+from burnish.targets.toolchain.limits import BROWSERS
 from burnish.targets.toolchain.workers import Answer, Worker
 
 from . import textual_shaders as shaders
@@ -52,7 +53,7 @@ class Asker:
 
     def __init__(self, api: str) -> None:
         self.api = api
-        self._worker = Worker(lambda: [sys.executable, "-m", *COMMANDS[api]])
+        self._worker = Worker(lambda: [sys.executable, "-m", *COMMANDS[api]], BROWSERS)
 
     def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
         """The worker's answer to a request, whatever it is."""

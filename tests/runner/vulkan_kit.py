@@ -61,7 +61,7 @@ class Asker:
         assert not problems, "; ".join(problems)
         self.driver = driver
         self.command = row.command(states)
-        self._worker = Worker(lambda: self.command)
+        self._worker = Worker(lambda: self.command, row.limits)
 
     def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
         """The worker's answer to a request, whatever it is."""

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.compiler import frontend
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.syntax import load
 
@@ -122,7 +123,7 @@ ODD = {
     "pipe": "B0003 `{folder}/pipe` cannot be read: it is a pipe or a device",
     "socket": "B0003 `{folder}/socket` cannot be read: it is a pipe or a device",
     "latin": "B0004 `{folder}/latin` is not UTF-8 text: byte 5 is 0xf6",
-    "large": "B0005 `{folder}/large` is larger than 16777216 bytes",
+    "large": "B0005 `{folder}/large` is larger than 1048576 bytes",
     "": "B0002 `{folder}` is a folder, not a file",
 }
 
@@ -131,6 +132,23 @@ ODD = {
 def test_an_import_of_something_else(name: str, expected: str, odd: Path) -> None:
     text = f'import "{name}".{{x}}\nmaterial M {{ alpha = x(uv.x) }}\n'
     assert complaint(text, odd) == f"<text>:1:1: {expected.format(folder=odd)}"
+
+
+def test_files_are_only_so_large_together(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is told once, and no further file is read."""
+    monkeypatch.setattr(frontend, "TOTAL_LIMIT", 1000)
+    for name in "abc":
+        (tmp_path / f"{name}.burnish").write_text(f"{name} = 1.0 //{'x' * 600}\n", "utf-8")
+    imports = "".join(f'import "{name}.burnish".{{{name}}}\n' for name in "abc")
+    assert complaint(f"{imports}material M {{ alpha = a + b + c }}\n", tmp_path) == (
+        f"<text>:2:1: B0014 with `{tmp_path}/b.burnish`, the imported files are larger than 1000 "
+        "characters"
+    )
+
+
+def test_a_text_is_only_so_large(tmp_path: Path) -> None:
+    text = f"material M {{ }}\n//{'x' * load.SIZE_LIMIT}"
+    assert complaint(text, tmp_path) == "B0005 `<text>` is larger than 1048576 characters"
 
 
 def test_an_import_that_nobody_may_read(odd: Path, monkeypatch: pytest.MonkeyPatch) -> None:

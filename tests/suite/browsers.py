@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 
 from playwright.sync_api import Browser, Page, Route, sync_playwright
 
-from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, FLAGS, START_LIMIT
+from burnish.targets.runner.drivers.browser.chromium import CANVAS_FLAGS, launch
 from burnish.targets.toolchain.tools import tool_named
 
 from .processes import LIMIT
@@ -27,12 +27,7 @@ def browser() -> Iterator[Browser]:
     paths = tool_named("chromium").find()
     assert paths is not None
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(
-            executable_path=paths[0],
-            headless=True,
-            args=(*FLAGS, *CANVAS_FLAGS),
-            timeout=START_LIMIT,
-        )
+        started, _ = launch(playwright, paths[0], CANVAS_FLAGS)
         yield started
         started.close()
 

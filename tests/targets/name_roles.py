@@ -157,7 +157,31 @@ def _loops(words: Words) -> str:
     return _material("", "param count_ : int", f"({fold})\n + ({iteration})", words)
 
 
+def _kernel(members: str, term: str, words: Words) -> str:
+    """A kernel that writes the sum of a term for each word."""
+    found = _lines(term, words, "\n + ")
+    return f"kernel Subject_ {{\n{members}\nresult found_ : float[16] = {found}\n}}\n"
+
+
+def _buffers(words: Words) -> str:
+    return _kernel(_lines("buffer {w} : float[]", words), "{w}[index] * {i}", words)
+
+
+def _results(words: Words) -> str:
+    """Beside functions of the text that join a work group."""
+    members = _lines("result {w} : float[16] = float(index) * {i}", words)
+    joined = "result joined_ : float[16] = group_sum(float(index))"
+    return _kernel(f"{members}\n{joined}", "{i} * 0.5", words)
+
+
+def _scatters(words: Words) -> str:
+    members = _lines("scatter {w} : uint[16] add {i}u at index", words)
+    return _kernel(members, "{i} * 0.5", words)
+
+
 NAMES_OF_VALUES = SURFACE | IN_RECORDS
+
+NAMES_IN_KERNELS = IN_RECORDS | {"float", "index", "texel", "group_sum"}
 
 ROLES: Mapping[str, Role] = {
     "parameter": Role(_parameters, NAMES_OF_VALUES),
@@ -178,5 +202,9 @@ ROLES: Mapping[str, Role] = {
     "target": Role(_targets, in_hlsl=0),
     "host block": Role(_host_blocks, NAMES_OF_VALUES),
     "host member": Role(_host_members, NAMES_OF_VALUES),
+    # What kernels read and write has numbers of bindings, of which a device has few.
+    "buffer": Role(_buffers, NAMES_IN_KERNELS, at_once=60),
+    "result": Role(_results, NAMES_IN_KERNELS, at_once=60),
+    "scatter": Role(_scatters, NAMES_IN_KERNELS, at_once=60),
     "index of a fold and state of an iteration": Role(_loops, frozenset({"uv"}), at_once=200),
 }

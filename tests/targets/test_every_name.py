@@ -1,6 +1,6 @@
 """Every word that a shading language could mind is a name like any other in Burnish.
 
-The words are those of ``words/``. Each is a name in each role, and the real compilers read the
+The words are those of ``words/``, and those that the texts of each language have. Each is a name in each role, and the real compilers read the
 texts of all profiles.
 """
 
@@ -14,11 +14,13 @@ import pytest
 import burnish
 from burnish import api
 from burnish.compiler.passes.checkpoint import VARIABLE
+from burnish.targets import registry
+from burnish.targets.emit.own_words import taken_words
 from burnish.targets.toolchain import Job, Toolchain, Verdict
 
 from .name_roles import RESERVED, ROLES, Role
 
-STAGES = {"vertex": "vert", "fragment": "frag"}
+STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}
 FOLDER = Path(__file__).with_name("words")
 OTHERS = "glsl,glsl:gl330,glsl:gl450,glsl:es300,glsl:es310,msl,wgsl"
 """All targets but HLSL."""
@@ -34,7 +36,9 @@ def words_of(name: str) -> list[str]:
     return [word for line in lines if not line.startswith("#") for word in line.split()]
 
 
-WORDS = sorted({word for file in FOLDER.glob("*.txt") for word in words_of(file.stem)} - RESERVED)
+LISTED = {word for file in FOLDER.glob("*.txt") for word in words_of(file.stem)}
+EMITTED = {word for name in registry.names() for word in taken_words(registry.load(name)).words}
+WORDS = sorted((LISTED | EMITTED) - RESERVED)
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +57,7 @@ def _large_programs(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def jobs(role: Role, words: Sequence[str], targets: str) -> Iterator[Job]:
     """The texts of a program with these names, for each checker."""
-    (made,) = burnish.compile(role.program(words), targets).materials
+    (made,) = burnish.compile(role.program(words), targets, partial=True).materials
     for file in made.files:
         for checker in file.checkers:
             if checker != SAME_FRONT_END:

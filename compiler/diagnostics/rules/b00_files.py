@@ -75,3 +75,8 @@ MISSING_FOLDER = error(
     "The search path consists of the folders that `--include` or `search_path=` names. Check "
     "their names.",
 )
+TOO_MUCH_IMPORTED = error(
+    "B0014",
+    "with `{path}`, the imported files are larger than {limit}",
+    "A file and all that it imports are read as a whole. Import only what is used.",
+)

@@ -88,7 +88,8 @@ NOT_IN_KERNEL = error(
     "B0515",
     "{what} is not available in a kernel",
     "Derivatives, and reads of textures without a level, compare neighbouring pixels. A kernel "
-    "reads `name.level(coordinate, 0)` or `name.load(texel)`.",
+    "reads `name.level(coordinate, 0)` or `name.load(texel)`. It has no vertices either, at which "
+    "`@vertex e` could be computed.",
 )
 WORK_GROUP_SIDES = error(
     "B0516",

@@ -174,3 +174,9 @@ BLEND_CONSTANT_UNUSED = error(
     "them: `target color : rgba16f = e blend { source = constant, destination = "
     "one_minus_constant }`.",
 )
+TOO_MANY_STEPS = error(
+    "B0828",
+    "`{name}` has more than {most} steps",
+    "Repetitions inside of each other multiply their steps, each of which a host draws one by one. "
+    "What is done so often belongs into a loop of a shader.",
+)

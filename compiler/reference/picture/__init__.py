@@ -7,6 +7,7 @@ imports it.
 
 from . import formats
 from .canvas import NOWHERE, Canvas
+from .canvas import size_of as canvas_size
 from .copies import Places
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
@@ -23,6 +24,7 @@ __all__ = [
     "Places",
     "RasterRules",
     "Texels",
+    "canvas_size",
     "draw",
     "draw_onto",
     "expected_on",

@@ -32,6 +32,10 @@ Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
 NOWHERE = -1
 """The place of what no face has drawn."""
+_OF_A_SAMPLE = 80
+"""Bytes of a canvas for each sample: depths, stencil values, and what is undecided."""
+_OF_A_TARGET = 200
+"""Bytes for each sample of a target: four lanes with their ends, and again in the picture."""
 _AT_ONCE = 1 << 16
 """How many samples are drawn at once, so that a large picture needs no more memory than others."""
 
@@ -53,6 +57,11 @@ class Shades:
         colours = [colour[:, which] for colour in self.colours]
         each = np.arange(len(which))
         return Shades(colours, self.discarded[which], self.undecided[which], each)
+
+
+def size_of(samples: int, targets: int) -> int:
+    """About how many bytes a canvas takes, and the picture that is made of it."""
+    return samples * (_OF_A_SAMPLE + targets * _OF_A_TARGET)
 
 
 class Canvas:

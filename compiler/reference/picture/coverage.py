@@ -13,10 +13,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...budget import holding
 from .faces import Faces
 from .samples import Location, locations
 from .scene import Bools, Floats, Ints, RasterRules
 
+_OF_A_ROW = 150
+"""Bytes for each row of pixels of a face, while those are found that it covers."""
+_OF_A_FRAGMENT = 120
+"""Bytes for each pixel that a face may cover: its place, its depths, and what it is drawn with."""
+_OF_A_SHADE = 110
+"""Bytes for each target that such a pixel is drawn to: four lanes with their ends."""
 _CANDIDATES = 1 << 18
 """How many pixels are tested at once."""
 
@@ -84,12 +91,18 @@ class _Spans:
         return _Spans(*(getattr(self, name)[begin:end] for name in self.__slots__))
 
 
-def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
-    """The samples that faces cover."""
+def coverage_of(faces: Faces, rules: RasterRules, targets: int = 1) -> Coverage:
+    """The samples that faces cover, of which each is shaded for so many targets.
+
+    Raises ``BudgetError`` where they are too many.
+    """
     edges = _edges(faces, rules)
-    found = []
+    found, candidates = [], 0
     for number, at in enumerate(locations(rules)):
-        for part in _portions(_spans(faces, edges, rules, at)):
+        spans = _spans(faces, edges, rules, at)
+        candidates += int(spans.length.sum())
+        _check_memory(len(spans.face), candidates, targets)
+        for part in _portions(spans):
             found.append(_covered(faces, edges, part, rules, number, at))
     fragments = joined([part.fragments for part in found])
     certain = np.concatenate([np.zeros(0, np.bool_), *(part.certain for part in found)])
@@ -98,6 +111,13 @@ def coverage_of(faces: Faces, rules: RasterRules) -> Coverage:
         order = np.argsort(fragments.face, kind="stable")
         fragments, certain = fragments.only(order), certain[order]
     return Coverage(fragments, certain, doubtful)
+
+
+def _check_memory(rows: int, candidates: int, targets: int) -> None:
+    """Raise ``BudgetError`` for more pixels than memory has room for, drawn over each other."""
+    size = rows * _OF_A_ROW + candidates * (_OF_A_FRAGMENT + targets * _OF_A_SHADE)
+    with holding(size, "what is drawn over each other needs"):
+        return
 
 
 def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
@@ -161,6 +181,7 @@ def _spans(faces: Faces, edges: _Edges, rules: RasterRules, at: Location) -> _Sp
     top = _clamped(np.ceil(faces.y.min(axis=1) - slack - at.y), upper, lower)
     bottom = _clamped(np.floor(faces.y.max(axis=1) + slack + (1.0 - at.y)), upper, lower)
     rows = np.where(right > left, np.maximum(bottom - top, 0), 0)
+    _check_memory(int(rows.sum()), 0, 0)
     face = np.repeat(np.arange(len(rows)), rows)
     y = np.arange(len(face)) + np.repeat(top - np.cumsum(rows) + rows, rows)
     begin, end = _between(edges, face, y + at.y)

@@ -8,13 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from ...budget import holding
 from ...ir.shader import RenderTarget, Shader
 from ...ir.stages import DISCARD
 from ...ir.types import Type, width
 from ..bounds import Errors, as_bounded
+from ..cost import check_operations
 from ..namespace import Lanes
 from .assembly import faces_of
-from .canvas import BLACK, Canvas, Shades, nearest, with_missing
+from .canvas import BLACK, Canvas, Shades, nearest, size_of, with_missing
 from .coverage import Coverage, Fragments, coverage_of, has_level_edges, joined
 from .faces import Faces
 from .hulls import Hulls
@@ -68,12 +70,14 @@ def draw(
     """
     written = written_by(shader)
     rules = replace(rules, samples=shader.render_state.samples)
-    canvas = Canvas(
-        rules.sample_count, clear, written, rounds=errors is not None,
-        depth=shader.render_state.depth.clear, blend_constant=blend_constant,
-    )  # fmt: skip
-    broken = draw_onto(canvas, shader, values, textures, geometry, rules, errors, progress)
-    return expected_on(canvas, rules, broken)
+    size = size_of(rules.sample_count, len(written))
+    with holding(size, f"the picture of `{shader.name}` needs"):
+        canvas = Canvas(
+            rules.sample_count, clear, written, rounds=errors is not None,
+            depth=shader.render_state.depth.clear, blend_constant=blend_constant,
+        )  # fmt: skip
+        broken = draw_onto(canvas, shader, values, textures, geometry, rules, errors, progress)
+        return expected_on(canvas, rules, broken)
 
 
 def draw_onto(
@@ -117,6 +121,7 @@ class _Drawing:
         errors: Errors | None,
     ) -> None:
         self._rules = rules
+        check_operations([result.value for result in shader.results], _LANES, shader.name)
         self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
         self._faces: Faces = faces_of(
@@ -159,7 +164,7 @@ class _Drawing:
     def draw(self, progress: Callable[[float], None] | None, hulls: Hulls | None) -> None:
         """Draw all fragments on the canvas."""
         canvas = self._canvas
-        coverage = coverage_of(self._faces, self._rules)
+        coverage = coverage_of(self._faces, self._rules, len(self._lanes))
         fragments, sure = coverage.fragments, coverage.certain
         seen = self._let_through(fragments)
         fragments, sure = fragments.only(seen), sure[seen]

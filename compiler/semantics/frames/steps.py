@@ -58,6 +58,9 @@ from .values import Made, Numbers, StepValue, no_result, no_step
 DEEPEST = 48
 """How deep expressions about steps nest."""
 
+MOST_STEPS = 1024
+"""Of one frame. The largest example has 52; planning and hosts look at each of them."""
+
 DEPTH_FORMAT = "depth32f"
 
 OF_A_DEFAULT = (
@@ -239,6 +242,10 @@ class Steps:
     ) -> Made:
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
+        if len(self.steps) >= MOST_STEPS:
+            name = self._frame.instance.record.symbol.declaration.name
+            self._ctx.report.add(rules.TOO_MANY_STEPS, name.span, name=name.text, most=MOST_STEPS)
+            return FAILURE
         if declaration.abstract:
             self._ctx.report.add(rules.ABSTRACT_USE, e.callee.span, name=symbol.name)
             return FAILURE

@@ -92,7 +92,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     check_rig(ctx, setting.surface)
     ctx.deferred.report()
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
-    if ctx.report.failed or not delivers_vertices(results):
+    if ctx.report.failed or not (delivers_vertices(results) and _writes_something(results)):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
@@ -133,6 +133,12 @@ def _of_pattern(steps: Iterable[MadeSlots]) -> list[Node]:
 def delivers_vertices(results: Iterable[Result]) -> bool:
     """Whether there is a clip position, without which a pass draws nothing, or it captures."""
     return any(result.kind in (CLIP_POSITION, CAPTURE) for result in results)
+
+
+def _writes_something(results: Iterable[Result]) -> bool:
+    """Whether a pass has a target, or captures. One that has neither lost its targets to a mistake
+    elsewhere, such as a base that does not exist; this has been reported where it was made."""
+    return any(result.kind in (TARGET, CAPTURE) for result in results)
 
 
 def _chain(setting: Setting) -> Chain:

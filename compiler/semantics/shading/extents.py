@@ -13,7 +13,7 @@ from ...ir.host import KNOWN_IN_TREES
 from ...ir.kernel import WRITTEN_GROUP
 from ...ir.leaves import Buffer
 from ...ir.node import Node, bare, reachable
-from ...ir.operations import joins_group
+from ...ir.operations import CROSS, joins_group
 from ...ir.shader import BufferInfo, ParameterInfo
 from ...ir.types import INT, RuntimeArray, Type
 from ...syntax import ast
@@ -88,7 +88,8 @@ def exists_in_kernels(ctx: Context, value: Node, written: Span) -> bool:
     missing = missing_in_kernels(value)
     if missing is not None:
         span = ctx.places.within(missing, written)
-        ctx.report.add(rules.NOT_IN_KERNEL, span, what=f"`{missing.data}`")
+        what = f"@{CROSS.data(missing).origin}" if missing.op == "cross" else missing.data
+        ctx.report.add(rules.NOT_IN_KERNEL, span, what=f"`{what}`")
     return missing is None
 
 

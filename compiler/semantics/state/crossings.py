@@ -35,6 +35,7 @@ from ...ir.stages import (
     Domain,
     SystemInput,
     inputs_of,
+    joined_in,
 )
 from ...ir.types import INT, UINT, Matrix, Scalar, Vector, scalar_kind, width, with_width
 from .origins import Origin
@@ -42,6 +43,8 @@ from .places import Places
 from .scope import FAILURE, Failure
 
 KERNEL_INPUTS = inputs_of(COMPUTED)
+_KERNEL_CROSSINGS = joined_in(COMPUTED)
+"""Between which stages of a kernel values cross: there are none, as it has only one."""
 INPUTS = inputs_of(RASTERISED)
 """The names by which expressions read what the pipeline supplies."""
 
@@ -211,4 +214,6 @@ def _exists_in_kernels(node: Node) -> bool:
     """Whether a kernel has what an operation needs, besides its operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
+    if node.op == "cross":
+        return (CROSS.data(node).origin, CROSS.data(node).destination) in _KERNEL_CROSSINGS
     return node.op != "input" or INPUT.data(node).name in KERNEL_INPUTS

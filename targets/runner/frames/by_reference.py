@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ....compiler.budget import holding
 from ....compiler.ir.shader import Shader
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
@@ -24,6 +25,7 @@ from ....compiler.reference.picture import (
     Places,
     RasterRules,
     Texels,
+    canvas_size,
     draw_onto,
     written_by,
 )
@@ -32,7 +34,7 @@ from ..instances.instance import Instance
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
-from .drawn import Drawn, attachments, load, store
+from .drawn import Drawn, attachments, load, size_of_drawn, store
 from .host import FrameDraw, FrameHost, Row
 
 Floats = NDArray[np.float64]
@@ -73,6 +75,19 @@ class ReferenceFrames:
         plan = self.host.plan
         is_first = self.frames == 0
         self.host.begin(self.frames)
+        with holding(self._size(), f"the frame `{plan['frame']}` needs"):
+            self._draw_all(plan, progress, is_first=is_first)
+
+    def _size(self) -> int:
+        """How many bytes the textures of the frame take, as far as their sizes are known yet; those
+        of kernels are when these have run."""
+        sizes = 0
+        for number, row in enumerate(self.host.plan["textures"]):
+            if row["size"]["value"] is not None:
+                sizes += size_of_drawn(row, self.host.size_of(number))
+        return sizes
+
+    def _draw_all(self, plan: Row, progress: Progress | None, *, is_first: bool) -> None:
         self._keep()
         steps = plan["steps"]
         for number, step in enumerate(steps):
@@ -142,7 +157,15 @@ class ReferenceFrames:
 
     def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
         shader = drawable(self._shader(step["draws"][0]["uses"][0]["shader"]))
-        rules, depth = self._rules_of(step, shader), step["depth"]
+        rules = self._rules_of(step, shader)
+        size = canvas_size(rules.sample_count, len(step["targets"]))
+        with holding(size, f"the step `{step['name']}` needs"):
+            self._draw_on_canvas(step, draws, layer, shader, rules)
+
+    def _draw_on_canvas(
+        self, step: Row, draws: list[FrameDraw], layer: int, shader: Shader, rules: RasterRules
+    ) -> None:
+        depth = step["depth"]
         canvas = Canvas(
             rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,

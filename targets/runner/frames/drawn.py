@@ -31,6 +31,8 @@ Bools = NDArray[np.bool_]
 
 DEPTHS, STENCILS = "depth", "stencil8"
 """What the formats of depths begin with, and end with if there are stencil values."""
+_BESIDE = 20
+"""Bytes of each texel besides its lanes: what is undecided, stencil values, and faces."""
 _ENDS = 3
 """A value, and between which numbers that of a device is."""
 
@@ -92,6 +94,14 @@ class Drawn:
     def copy(self) -> Drawn:
         """The same contents in a texture of its own."""
         return deepcopy(self)
+
+
+def size_of_drawn(row: Row, size: tuple[int, int]) -> int:
+    """How many bytes a texture of a plan takes, with its levels and what is noted beside it."""
+    width, height = size
+    texels = sum(halved(width, level) * halved(height, level) for level in range(row["levels"]))
+    lanes = 1 if row["format"].startswith(DEPTHS) else 4
+    return texels * int(row["layers"]) * int(row["samples"]) * (_ENDS * lanes * 8 + _BESIDE)
 
 
 Textures = Mapping[int, Drawn]

@@ -13,6 +13,7 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from ....arguments import expect
+from ....compiler.budget import check
 from ....frozen import EMPTY
 from . import derived
 from .blocks import write
@@ -27,6 +28,9 @@ from .values import ParameterError, changed, filled, initial, plain, rounded, un
 if TYPE_CHECKING:
     from ..textures.texture import Texture
 
+_COPIES = 25
+"""How many times the size of a buffer is needed until what a kernel has written is there: as
+numbers with their ends, as bytes, and as the text by which processes send it."""
 FORMAT = 1
 """The version of the reflection that this code reads."""
 _PARTS = (
@@ -248,11 +252,14 @@ class Instance:
 
     def result_counts(self) -> dict[str, int]:
         """How many elements each buffer has that a kernel writes. Raises
-        ``MissingValuesError``."""
+        ``MissingValuesError``, and ``BudgetError`` for more than there is memory for."""
         counts = {row["name"]: row["count"] for row in self._reflection["results"]}
         inputs = self._read_by(chain.from_iterable(counts.values()))
         found = {name: derived.compute(steps, inputs) for name, steps in counts.items()}
-        return {name: max(int(count), 0) for name, (count,) in found.items()}
+        numbers = {name: max(int(count), 0) for name, (count,) in found.items()}
+        size = sum(numbers[row["name"]] * row["stride"] for row in self._reflection["results"])
+        check("memory", size * _COPIES, f"what `{self._reflection['material']}` writes needs")
+        return numbers
 
     def image_size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""

@@ -6,16 +6,20 @@ when our process has ended, in whatever way.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from importlib.abc import Traversable
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-from playwright.sync_api import Error, Route, sync_playwright
+from playwright.sync_api import Browser, Error, Playwright, Route, sync_playwright
 
 from ....toolchain.tools import tool_named
+from ....toolchain.versions import refuses_sandbox
 from ..device import DriverError
 
 # Only a page with a secure origin may use WebGPU. This address is never requested from the network,
@@ -28,7 +32,6 @@ START_LIMIT = 50_000.0
 """How many milliseconds the browser may take to start; it is slow on a busy machine."""
 
 FLAGS = (
-    "--no-sandbox",  # without which it does not run as root; the page is our own
     "--enable-unsafe-webgpu",
     # Use the software renderer even if there is a GPU, so that pictures are the same everywhere.
     "--use-webgpu-adapter=swiftshader",
@@ -41,8 +44,32 @@ FLAGS = (
     "--no-first-run",
 )
 
+_NO_HOME = dict.fromkeys(("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"), os.devnull)
+"""Where nothing can be: the browser keeps nothing, and has none of the user's settings."""
+
 CANVAS_FLAGS = ("--enable-features=Vulkan", "--use-vulkan=swiftshader")
 """What it takes besides, without a GPU, for a canvas to show what WebGPU draws to it."""
+
+
+def launch(
+    playwright: Playwright, program: Path, further: Sequence[str] = ()
+) -> tuple[Browser, bool]:
+    """Start a browser, and tell whether it has its sandbox, as it has wherever it can.
+
+    Where the system forbids what the sandbox consists of, as many containers do, it ends at once,
+    and is started without. Raises ``Error``.
+    """
+
+    def start(*, sandbox: bool) -> Browser:
+        return playwright.chromium.launch(
+            executable_path=program, headless=True, args=(*FLAGS, *further),
+            timeout=START_LIMIT, chromium_sandbox=sandbox, env={**os.environ, **_NO_HOME},
+        )  # fmt: skip
+
+    if not refuses_sandbox():
+        with suppress(Error):
+            return start(sandbox=True), True
+    return start(sandbox=False), False
 
 
 class Chromium:
@@ -59,9 +86,7 @@ class Chromium:
             raise DriverError(f"chromium is missing; to install it: {install}")
         self._playwright = sync_playwright().start()
         try:
-            self._browser = self._playwright.chromium.launch(
-                executable_path=paths[0], headless=True, args=FLAGS, timeout=START_LIMIT
-            )
+            self._browser, sandboxed = launch(self._playwright, paths[0])
             self._page = self._browser.new_page()
             self._page.route("**/*", partial(_serve, folder or files(__package__)))
             self._page.goto(PAGE, timeout=START_LIMIT)
@@ -69,7 +94,7 @@ class Chromium:
         except Error as error:
             self._playwright.stop()
             raise DriverError(f"chromium does not start: {error.message}") from None
-        self.version = self._browser.version
+        self.version = self._browser.version + ("" if sandboxed else ", without its sandbox")
 
     def call(self, function: str, argument: str) -> Mapping[str, Any]:
         """The result of a function of the module. Raises ``DriverError`` if the page is lost."""
