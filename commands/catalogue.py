@@ -54,7 +54,8 @@ class Group(NamedTuple):
 
 def catalogue(folder: Path) -> list[Group]:
     """The files of a folder and of those in it, in the order of its README."""
-    found = {path.relative_to(folder).as_posix(): path for path in sorted(_files(folder))}
+    names = sorted(_files(folder), key=lambda name: name.split("/"))
+    found = {name: folder / name for name in names}
     readme = _lines(folder)
     groups = []
     for title, intro, rows in _tables(readme):
@@ -79,21 +80,26 @@ def is_shown(path: Path, root: Path, ending: str = "") -> bool:
     return is_file and real.endswith(ending) and not any(map(_is_hidden, inside.parts))
 
 
-def _files(folder: Path) -> Iterator[Path]:
-    """All files with the ending, in this folder and those in it; links to folders are left out."""
+def _files(folder: Path) -> Iterator[str]:
+    """The names of all files with the ending, in this folder and those in it; links to folders are
+    left out."""
     root = folder.resolve()
-    pending = [folder]
+    pending = [""]
     while pending:
+        within = pending.pop()
         try:
-            with os.scandir(pending.pop()) as entries:
+            with os.scandir(folder / within) as entries:
                 found = [entry for entry in entries if not _is_hidden(entry.name)]
         except OSError:
             continue  # What may not be read cannot be shown.
         for entry in found:
+            name = within + entry.name
             if entry.is_dir(follow_symlinks=False):
-                pending.append(Path(entry.path))
-            elif entry.name.endswith(ENDING) and is_shown(Path(entry.path), root, ENDING):
-                yield Path(entry.path)
+                pending.append(f"{name}/")
+            elif name.endswith(ENDING) and (
+                entry.is_file(follow_symlinks=False) or is_shown(folder / name, root, ENDING)
+            ):
+                yield name
 
 
 def _is_hidden(name: str) -> bool:

@@ -50,8 +50,9 @@ class Watched:
 
     def begin(self) -> None:
         """Have the first document ready before a browser asks, and tell the terminal what is wrong
-        with it. Then watch all files that are opened, in a thread that ends with the process."""
-        Thread(target=self._work, daemon=True).start()
+        with it; and watch all files that are opened."""
+        _start(self._first)
+        _start(self._follow_all)
 
     def end(self) -> None:
         """Watch nothing any more."""
@@ -90,29 +91,38 @@ class Watched:
         self._follow(name, found)
         return found
 
-    def _work(self) -> None:
+    def _first(self) -> None:
         self.document(Choice())
         self.workshop.tidy()
-        for name in self._watcher.changes():
-            self._change(name)
 
-    def _change(self, name: str) -> None:
+    def _follow_all(self) -> None:
+        for name in self._watcher.changes():
+            with self._lock:
+                changed = self._opened.get(name)
+            if changed is not None:
+                self._change(name, changed)
+
+    def _change(self, name: str, changed: Documents) -> None:
         """Tell of a change, and make what nobody asks for, so that the terminal tells what is
         wrong."""
-        with self._lock:
-            changed = self._opened.get(name)
-        if changed is None:
-            return
         with self.workshop.working():
             changed.forget()
             self._follow(name, changed)
         self._told(name, changed.version)
         if not self.is_seen:
-            with self.workshop.working():
-                changed.get(Choice())
-            self.workshop.tidy()
+            _start(partial(self._make, changed))
+
+    def _make(self, documents: Documents) -> None:
+        with self.workshop.working():
+            documents.get(Choice())
+        self.workshop.tidy()
 
     def _follow(self, name: str, documents: Documents) -> None:
         file, search_path = documents.file, self._request.search_path
         find = partial(sources, file, search_path)
         self._watcher.follow(name, file, lambda: find() | documents.others)
+
+
+def _start(act: Callable[[], object]) -> None:
+    """Do something in a thread that ends with the process, whatever it does then."""
+    Thread(target=act, daemon=True).start()

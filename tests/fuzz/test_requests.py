@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from .requests import Asked, asked
+from .hostile.requests import Asked, asked
 
 
 @pytest.fixture(scope="module")

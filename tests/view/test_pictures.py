@@ -156,7 +156,7 @@ def test_files_that_were_asked_for_longest_ago_go() -> None:
     files = [png((shade, 0, 0)) for shade in (10, 20, 30)]
     first, second = (pictures.keep("a.png", file, FLAT) for file in files[:2])
     room = 2 * (len(files[0]) + len(repr(first)))
-    with raised({"memory": 2 * room}):
+    with raised({"memory": 4 * room}):
         assert pictures.get(first)
         third = pictures.keep("a.png", files[2], FLAT)
         assert [pictures.get(word) is not None for word in (first, second, third)] == [

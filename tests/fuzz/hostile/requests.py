@@ -1,15 +1,17 @@
 """Hostile HTTP requests to the server of ``burnish view``, each made of a seed.
 
-``test_requests.py`` asks a few of them. All happens in this process: the application is called as
-uvicorn calls it, with paths, queries, headers and bodies that no browser would send.
+``received.py`` tries them, and ``test_requests.py`` asks a few. All happens in this process: the
+application is called as uvicorn calls it, with paths, queries, headers and bodies that no browser
+would send.
 """
 
 from __future__ import annotations
 
 import asyncio
+import atexit
 import gc
-from collections.abc import Iterator, MutableMapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, MutableMapping, Sequence
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
@@ -19,6 +21,8 @@ from urllib.parse import quote, quote_from_bytes, unquote
 
 from burnish.commands.view.request import Request
 from burnish.commands.view.server import Server
+
+from .names import hostile_names
 
 SECRET = "Kept0Private"
 """A word that stands in files beside the folder, in hidden ones, and in what links lead to."""
@@ -133,6 +137,19 @@ class Asked:
         return Answered(sent[0]["status"], sent[0]["headers"], body)
 
 
+def trial() -> Callable[[Random, Path], None]:
+    """What asks a random request of one server, which all of them share."""
+    stack = ExitStack()
+    server = stack.enter_context(asked())
+    atexit.register(stack.close)
+
+    def ask(random: Random, _base: Path) -> None:
+        problem = server.problem(str(random.getrandbits(64)))
+        assert problem is None, problem
+
+    return ask
+
+
 @contextmanager
 def asked() -> Iterator[Asked]:
     """A server for as long as the block runs, in which garbage is looked for among what is new."""
@@ -169,6 +186,8 @@ def request_of(seed: str, host: str) -> Hostile:
 
 
 def _text(random: Random) -> str:
+    if random.random() < 0.1:
+        return next(hostile_names(random))
     return "".join(random.choice(_WORDS) for _ in range(random.randrange(4)))
 
 
