@@ -28,8 +28,10 @@ def problem(text: str, native_stages: bool = False) -> str | None:
     try:
         burnish.check(text + "\n", search_path=search_path())
         result = _compiled(text, native_stages)
-        for subject in (*result.materials, *result.frames) if result else ():
-            _show(subject)
+        for material in result.materials if result else ():
+            _show(material)
+        for frame in result.frames if result else ():
+            _show(frame)
     except Exception:
         return traceback.format_exc()
     return None

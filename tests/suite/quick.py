@@ -64,6 +64,7 @@ LEFT_OUT: Mapping[str, str] = {
     "targets/test_every_name.py": _COMPILERS,
     "targets/test_metal.py": _COMPILERS,
     "targets/test_operands_of_reads.py": _COMPILERS,
+    "targets/test_own_words.py": _LARGE,
     "toolchain": _COMPILERS,
     "view/test_folder.py": _DRAW,
     "view/test_modules.py": _COMPILERS,

@@ -1,7 +1,7 @@
 """Every word that a shading language could mind is a name like any other in Burnish.
 
-The words are those of ``words/``, and those that the texts of each language have. Each is a name in each role, and the real compilers read the
-texts of all profiles.
+The words are those of ``words/``, and those that the texts of each language have. Each is a name in
+each role, and the real compilers read the texts of all profiles.
 """
 
 from __future__ import annotations
