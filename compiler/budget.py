@@ -50,7 +50,7 @@ LIMITS: Mapping[str, Limit] = {
             "what is computed without a sign of how far it is; for many pixels, each counts",
         ),
         Limit("document", 64 * 10**6, "bytes", "a plan, or the JSON of a scene"),
-        Limit("values", 3 * 10**6, "values", "the JSON of a scene"),
+        Limit("values", 3 * 10**6, "values", "the JSON of a scene, or the tags of its nodes"),
         Limit("file", 256 * 10**6, "bytes", "a picture, a buffer, or another file that is read"),
         Limit("pixels", 2**25, "pixels", "a picture"),
         Limit("nodes", 10**5, "nodes", "a scene"),

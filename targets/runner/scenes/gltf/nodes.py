@@ -1,14 +1,14 @@
 """Walks over the nodes of a glTF file: where each one is in the world, and its tags.
 
-Nodes form trees, however deep. A file that says otherwise is refused. Tags are handed down, so what
-they take together grows with the depth of a tree, and is counted.
+Nodes form trees, however deep. A file that says otherwise is refused. Tags are handed down, so there
+may be many more of them than in the file, and they are counted.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from sys import getsizeof
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,12 +35,13 @@ class Placed:
         return self.node.name or f"node {self.number}"
 
 
-def placed_nodes(file: File, memory: Tally) -> list[Placed]:
+def placed_nodes(file: File, path: Path, memory: Tally) -> list[Placed]:
     """The nodes of the file's scene, each before those below it. Raises ``SceneError``, and
     ``BudgetError`` if what they take is too much."""
     _check_parents(file)
     memory.add(len(file.nodes) * _BYTES_OF_NODE)
-    return list(_walk(file, _roots(file), memory))
+    tags = Tally("values", f"handing down the tags of {path} takes")
+    return list(_walk(file, _roots(file), tags))
 
 
 _BYTES_OF_NODE = 1000
@@ -88,7 +89,7 @@ def _roots(file: File) -> tuple[int, ...]:
     return roots
 
 
-def _walk(file: File, roots: tuple[int, ...], memory: Tally) -> Iterator[Placed]:
+def _walk(file: File, roots: tuple[int, ...], handed_down: Tally) -> Iterator[Placed]:
     waiting: list[tuple[int, Matrix, frozenset[str]]] = [
         (root, np.eye(4), frozenset()) for root in reversed(roots)
     ]
@@ -105,7 +106,7 @@ def _walk(file: File, roots: tuple[int, ...], memory: Tally) -> Iterator[Placed]
         tags = inherited
         if isinstance(node.extras, Extras) and not inherited.issuperset(node.extras.tags):
             tags = inherited.union(node.extras.tags)
-            memory.add(getsizeof(tags))
+            handed_down.add(len(tags))
         yield Placed(number, node, to_world, tags)
         waiting += [(child, to_world, tags) for child in reversed(node.children)]
 

@@ -65,7 +65,7 @@ class _Reader:
         self._notes = notes
         self._memory = memory
         check("nodes", len(file.nodes), f"{path} has")
-        self._nodes = placed_nodes(file, memory)
+        self._nodes = placed_nodes(file, path, memory)
         self._places = {each.number: each.to_world for each in self._nodes}
         self._skins: dict[int, Matrix] = {}
         self._meshes: dict[tuple[int, int, int], Mesh] = {}
