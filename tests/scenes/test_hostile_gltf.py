@@ -178,6 +178,19 @@ def test_buffers_have_only_finite_numbers(number: float, tmp_path: Path) -> None
     )
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_number_that_signals_when_it_is_converted(tmp_path: Path) -> None:
+    """Such a NaN makes NumPy warn where others do not."""
+    made = triangle()
+    matrices = made.array(np.eye(4).reshape(1, 16))
+    data = np.eye(4, dtype="<f4").tobytes()[:-4] + bytes.fromhex("0100807f")
+    uri = "data:;base64," + base64.b64encode(data).decode()
+    made.whole["buffers"][-1]["uri"] = uri
+    made.add("skins", joints=[0], inverseBindMatrices=matrices)
+    made.whole["nodes"][0]["skin"] = 0
+    assert refused(made.save(tmp_path)) == "skin 0: accessor 1 has numbers that are not finite"
+
+
 def test_numbers_that_no_gpu_can_hold(tmp_path: Path) -> None:
     made = triangle()
     primitive = made.whole["meshes"][0]["primitives"][0]

@@ -56,7 +56,8 @@ class Accessors:
         if accessor.normalized and found.dtype.kind in "iu":
             scaled = found / np.iinfo(found.dtype).max
             return np.maximum(scaled, -1.0)
-        floats = found.astype(np.float64)
+        with np.errstate(invalid="ignore"):  # Some NaN signal here; all are refused below.
+            floats = found.astype(np.float64)
         if not np.isfinite(floats).all():
             raise SceneError(f"{what}: accessor {index} has numbers that are not finite")
         return floats
