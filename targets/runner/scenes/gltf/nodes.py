@@ -1,7 +1,7 @@
 """Walks over the nodes of a glTF file: where each one is in the world, and its tags.
 
-Nodes form trees, however deep. A file that says otherwise is refused. Tags are handed down, so there
-may be many more of them than in the file, and they are counted.
+Nodes form trees, however deep. A file that says otherwise is refused. Tags are handed down, so
+there may be many more of them than in the file, and they are counted.
 """
 
 from __future__ import annotations
