@@ -181,8 +181,13 @@ def scenery_of(plan: Mapping[str, Any], mesh: str, scene: Path | None) -> Scener
 
 
 def _tell_unused_lamps(host: FrameHost) -> None:
+    from ..targets.runner.scenes.notes import Notes
+
+    notes = Notes()
     for name in host.unused_lamps():
-        remark("note", f"the light {name!r} of the scene is left out: the rig has no place for it")
+        notes.add(f"the light {name!r} of the scene", " is left out: the rig has no place for it")
+    for note in notes.told():
+        remark("note", note)
 
 
 def _host(frame: PlannedFrame, request: Request, scenery: Scenery) -> FrameHost:

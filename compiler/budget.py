@@ -50,11 +50,13 @@ LIMITS: Mapping[str, Limit] = {
             "what is computed without a sign of how far it is; for many pixels, each counts",
         ),
         Limit("document", 64 * 10**6, "bytes", "a plan, or the JSON of a scene"),
+        Limit("values", 3 * 10**6, "values", "the JSON of a scene, or the tags of its nodes"),
         Limit("file", 256 * 10**6, "bytes", "a picture, a buffer, or another file that is read"),
         Limit("pixels", 2**25, "pixels", "a picture"),
-        Limit("vertices", 4 * 10**6, "vertices", "all meshes of a scene"),
         Limit("nodes", 10**5, "nodes", "a scene"),
-        Limit("objects", 2**16, "objects", "a scene"),
+        Limit("objects", 2**12, "objects", "a scene, with its cameras and lights"),
+        Limit("vertices", 4 * 10**6, "vertices", "all objects of a scene together"),
+        Limit("numbers", 2**26, "numbers", "the accessors of a scene, each time one is read"),
     )
 }  # fmt: skip
 """All limits, by name."""
@@ -118,6 +120,24 @@ def raised(limits: Mapping[str, int]) -> Iterator[None]:
     finally:
         _raised.clear()
         _raised.update(before)
+
+
+class Tally:
+    """What something takes of one limit, piece by piece: the vertices of one mesh after another."""
+
+    def __init__(self, name: str, what: str) -> None:
+        """``name`` and ``what`` are those of ``check``."""
+        self._name = name
+        self._what = what
+        self._total = 0
+
+    def add(self, amount: int, *, passing: int = 0) -> None:
+        """Count a piece before it is there, and what is needed beside it while it is made.
+
+        Raises ``BudgetError`` if that is more than there may be.
+        """
+        self._total += amount
+        check(self._name, self._total + passing, self._what)
 
 
 def amount_of(text: str) -> int:

@@ -24,9 +24,6 @@ _BYTES_OF_TEXEL = 4
 besides."""
 _SRGB = "srgb:"
 
-FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
-"""Of files without floats. Pillow knows others, which run programs or are no pictures."""
-
 
 class Kept(NamedTuple):
     """A file that was given."""
@@ -109,7 +106,7 @@ def _announced(kept: Kept, wanted: Wanted) -> int:
 
     if kept.is_float:
         return 0
-    width, height = announced_size(kept.data, kept.name, FORMATS)
+    width, height = announced_size(kept.data, kept.name)
     levels = 4 / 3 if wanted.sample == "float" else 1
     return int(width * height * _BYTES_OF_TEXEL * levels)
 
@@ -138,5 +135,5 @@ def _texture(kept: Kept, wanted: Wanted, *, srgb: bool) -> Texture:
     from ...targets.runner.textures.files import picture_given
     from ...targets.runner.textures.texture import Texture
 
-    array = picture_given(kept.data, kept.name, FORMATS, *wanted)
+    array = picture_given(kept.data, kept.name, *wanted)
     return Texture.of_array(array, srgb=srgb, dimension=wanted.dimension, sample=wanted.sample)

@@ -34,7 +34,8 @@ class Camera:
 
     def world_to_clip(self, aspect: float) -> Matrix:
         """The projection times the view transform; ``aspect`` is width divided by height."""
-        return self._projection(aspect) @ self.world_to_camera
+        with np.errstate(all="ignore"):  # Who sets it refuses what is not finite.
+            return self._projection(aspect) @ self.world_to_camera
 
     def _projection(self, aspect: float) -> Matrix:
         if self.fov is not None:

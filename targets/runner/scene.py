@@ -10,6 +10,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,9 @@ from .instances.shapes import WHOLE, kind_of, lanes_of
 from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
 from .looks import PLAIN, Look
 from .meshes import BONES, CHANNELS, Mesh, MeshError
+
+Pose = tuple[tuple[tuple[float, ...], ...], ...]
+"""The transforms of bones, each column by column."""
 
 INSTANCES = 4
 """How many instances are drawn if the material distinguishes them."""
@@ -50,8 +54,11 @@ class Scene:
     def apply(self, instance: Instance, aspect: float, but: frozenset[str] = frozenset()) -> None:
         """Set all parameters and textures that belong to a scene, but those with some names;
         ``aspect`` is width divided by height."""
-        given = self.values(aspect)
-        for name, role in value_roles(instance.reflection).items():
+        roles = value_roles(instance.reflection)
+        given = self._values(aspect)
+        if _POSE in roles.values():
+            given[_POSE] = self._pose()
+        for name, role in roles.items():
             if role in given and name not in but:
                 instance.set(name, given[role])
         for name, role in texture_roles(instance.reflection).items():
@@ -61,13 +68,19 @@ class Scene:
 
     def values(self, aspect: float) -> dict[str, Any]:
         """The values of the scene that are no light's, by what it calls them."""
+        return {**self._values(aspect), _POSE: self._pose()}
+
+    def _values(self, aspect: float) -> dict[str, Any]:
+        """The same without the pose, which may consist of many numbers and is rarely read."""
         return {
             "world_to_clip": _columns(self.camera.world_to_clip(aspect)),
             "eye": self.camera.eye,
             "object_to_world": _columns(np.array(self.object_to_world)),
-            "pose": pose() if self.bones is None else _padded(self.bones),
             **self.look.parameters,
         }
+
+    def _pose(self) -> Pose:
+        return pose() if self.bones is None else _padded(self.bones)
 
     def unused_lamps(self, instance: Instance) -> list[Lamp]:
         """The lights of a file for which the rig has no place."""
@@ -126,7 +139,8 @@ def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
     return found
 
 
-_OF_VIEWS = ("world_to_clip", "eye", "object_to_world", "pose")
+_POSE = "pose"
+_OF_VIEWS = ("world_to_clip", "eye", "object_to_world", _POSE)
 """What a scene calls the values that are not a light's."""
 
 
@@ -291,7 +305,8 @@ def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
 _BONES_OF_POSE = 64
 
 
-def pose() -> tuple[tuple[tuple[float, ...], ...], ...]:
+@cache
+def pose() -> Pose:
     """A transform for each of 64 bones: the meshes here bend, each bone more than the last one.
 
     Every bone rotates around the origin of its own slice of the mesh; see ``meshes.BONES``.
@@ -316,7 +331,7 @@ def _columns(matrix: Matrix) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(column) for column in matrix.T.tolist())
 
 
-def _padded(bones: Matrix) -> tuple[tuple[tuple[float, ...], ...], ...]:
+def _padded(bones: Matrix) -> Pose:
     """As many transforms as ``pose`` has, or more if there are more bones."""
     rest = np.tile(np.eye(4), (max(_BONES_OF_POSE - len(bones), 0), 1, 1))
     return tuple(_columns(bone) for bone in np.concatenate([bones, rest]))

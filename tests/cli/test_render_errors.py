@@ -83,9 +83,11 @@ VALUES = {
     "torch.outer=40grad": "`torch.outer` (angle) cannot hold '40grad'",
     "paint=none.png": "cannot read none.png: No such file or directory",
     "paint=srgb:none.png": "cannot read none.png: No such file or directory",
-    "paint=.": "cannot read .: Is a directory",
+    "paint=.": "cannot read .: it is not a file",
     "paint=cut.png": "cannot read cut.png: image file is truncated",
-    "paint=text.png": "text.png is not a picture of a known format",
+    "paint=text.png": (
+        "text.png is not a picture of a known format: PNG, JPEG, WEBP, GIF, BMP, TGA or TIFF"
+    ),
     "paint=wide.png": "wide.png has 8193 x 1 texels, and no side may have more than 8192",
     "paint=#12345": "'#12345' is no colour, which would be '#b5651d'",
 }

@@ -159,7 +159,7 @@ def test_files_that_cannot_be_opened(tmp_path: Path) -> None:
     assert str(caught.value) == f"cannot read {tmp_path / 'none.png'}: No such file or directory"
     with pytest.raises(PictureError) as caught:
         Texture.load(tmp_path)
-    assert str(caught.value) == f"cannot read {tmp_path}: Is a directory"
+    assert str(caught.value) == f"cannot read {tmp_path}: it is not a file"
 
 
 def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:
@@ -182,5 +182,5 @@ def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:
 def test_a_pipe_is_no_picture(tmp_path: Path) -> None:
     """Nobody waits for what may never come out of it."""
     os.mkfifo(tmp_path / "pipe.png")
-    with pytest.raises(PictureError, match=r"pipe\.png: it is a pipe or a device$"):
+    with pytest.raises(PictureError, match=r"pipe\.png: it is not a file$"):
         Texture.load(tmp_path / "pipe.png")

@@ -15,8 +15,7 @@ from zlib import compress, crc32
 import numpy as np
 import pytest
 
-from burnish.targets.runner.scenes.gltf import reading
-from burnish.targets.runner.scenes.gltf.meshes import MAX_VERTICES
+from burnish.compiler.budget import BudgetError, raised
 from burnish.targets.runner.scenes.gltf.reading import read_gltf
 from burnish.targets.runner.scenes.records import SceneError
 
@@ -25,7 +24,7 @@ from .kit import Builder, Json, glb, png, triangle
 
 def refused(path: Path) -> str:
     """What is said about a file, without its own name."""
-    with pytest.raises(SceneError) as caught:
+    with pytest.raises((SceneError, BudgetError)) as caught:
         read_gltf(path)
     return str(caught.value).replace(str(path), "m")
 
@@ -70,8 +69,9 @@ OWN_WORDS = {
     "4 GB": (put("accessors", 0, "count", 2**32),
              "m is no glTF 2.0: Expected `int` <= 2147483647 - at `$.accessors[0].count`"),
     "2 GB": (put("accessors", 0, "count", 2**31 - 1),
-             "mesh 0, primitive 0: it has 2147483647 vertices, and may have 2097152"),
-    "2 M": (put("accessors", 0, "count", 2_000_000),
+             "m draws 2,147,483,647 vertices, and the limit is 4,000,000 vertices: "
+             "`--budget vertices=2148M` raises it"),
+    "2 M": (put("accessors", 0, "count", 900_000),
             "accessor 0: it does not lie within buffer view 0"),
     "negative": (put("accessors", 0, "count", -1),
                  "m is no glTF 2.0: Expected `int` >= 1 - at `$.accessors[0].count`"),
@@ -98,7 +98,8 @@ OWN_WORDS = {
     "no type": (put("accessors", 0, "componentType", 5124),
                 "m is no glTF 2.0: Invalid enum value 5124 - at `$.accessors[0].componentType`"),
     "many zeros": (put("accessors", 0, {"componentType": 5126, "count": 2**31 - 1, "type": "MAT4"}),
-                   "mesh 0, primitive 0: it has 2147483647 vertices, and may have 2097152"),
+                   "m draws 2,147,483,647 vertices, and the limit is 4,000,000 vertices: "
+                   "`--budget vertices=2148M` raises it"),
     "sparse": (put("accessors", 0, "sparse", {
                    "count": 4, "indices": {"bufferView": 0, "componentType": 5125},
                    "values": {"bufferView": 0}}),
@@ -135,6 +136,10 @@ OWN_WORDS = {
     "far": (far, "node 1: its place in the world is not finite"),
     "huge": (put("nodes", 0, "matrix", [1e308] * 16),
              "node 0: its place in the world is not finite"),
+    "perspective": (put("nodes", 0, "matrix", [*[0.0] * 11, 1, 0, 0, 0, 0]),
+                    "node 0: its matrix is no move, turn or scale"),
+    "lens": (put("cameras", [{"type": "perspective", "perspective": {"yfov": 5e-324, "znear": 1}}]),
+             "m is no glTF 2.0: Expected `float` >= 1e-06 - at `$.cameras[0].perspective.yfov`"),
     "weights": (put("meshes", 0, "primitives", 0, "targets", [{}]), None),
     "too many weights": (
         lambda whole: (put("meshes", 0, "primitives", 0, "targets", [{}])(whole),
@@ -171,6 +176,19 @@ def test_buffers_have_only_finite_numbers(number: float, tmp_path: Path) -> None
     assert refused(made.save(tmp_path)) == (
         "mesh 0, primitive 0, POSITION: accessor 1 has numbers that are not finite"
     )
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_number_that_signals_when_it_is_converted(tmp_path: Path) -> None:
+    """Such a NaN makes NumPy warn where others do not."""
+    made = triangle()
+    matrices = made.array(np.eye(4).reshape(1, 16))
+    data = np.eye(4, dtype="<f4").tobytes()[:-4] + bytes.fromhex("0100807f")
+    uri = "data:;base64," + base64.b64encode(data).decode()
+    made.whole["buffers"][-1]["uri"] = uri
+    made.add("skins", joints=[0], inverseBindMatrices=matrices)
+    made.whole["nodes"][0]["skin"] = 0
+    assert refused(made.save(tmp_path)) == "skin 0: accessor 1 has numbers that are not finite"
 
 
 def test_numbers_that_no_gpu_can_hold(tmp_path: Path) -> None:
@@ -304,9 +322,9 @@ def test_files_in_the_folder_are_read(tmp_path: Path) -> None:
 PICTURES: dict[str, tuple[Json, str]] = {
     "both": ({"uri": "a.png", "bufferView": 0}, "image 0: it has either a URI or a buffer view"),
     "neither": ({}, "image 0: it has either a URI or a buffer view"),
-    "no picture": ({"bufferView": 0}, "image 0 is not a picture of a known format"),
+    "no picture": ({"bufferView": 0}, "image 0 is not a picture of a known format: PNG or JPEG"),
     "outside": ({"uri": "../a.png"}, "image 0: `../a.png` is not in the folder of the glTF file"),
-    "other format": ({"uri": "a.gif"}, "image 0 is not a picture of a known format"),
+    "other format": ({"uri": "a.gif"}, "image 0 is not a picture of a known format: PNG or JPEG"),
     "half": ({"uri": "a.png"}, "cannot read image 0: Truncated File Read"),
 }
 
@@ -339,28 +357,29 @@ def zeros(made: Builder, count: int = 2**19) -> int:
     return made.add("accessors", componentType=5126, count=count, type="VEC3")
 
 
-def test_the_same_vertices_again_and_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_same_vertices_again_and_again(tmp_path: Path) -> None:
     """The limit is smaller here: so many vertices as are allowed take much memory."""
-    assert MAX_VERTICES == 2**21
-    monkeypatch.setattr(reading, "MAX_VERTICES", 2**11)
     made = Builder()
     primitive = {"attributes": {"POSITION": zeros(made, 2**9)}, "mode": 0}
     made.add("meshes", primitives=[primitive] * 1000)
     made.add("nodes", mesh=0)
-    assert refused(made.save(tmp_path)) == (
-        "mesh 0, primitive 4: all meshes have more than 2048 vertices"
-    )
+    with raised({"vertices": 2**11}):
+        assert refused(made.save(tmp_path)) == (
+            "m draws 2,560 vertices, and the limit is 2,048 vertices: `--budget vertices=2560` "
+            "raises it"
+        )
 
 
 def test_the_same_numbers_again_and_again(tmp_path: Path) -> None:
     made = Builder()
-    place = zeros(made)
+    place = zeros(made, 2**17)
     targets = [{"POSITION": place}] * 1000
     primitive = {"attributes": {"POSITION": place}, "mode": 0, "targets": targets}
     made.add("meshes", primitives=[primitive])
     made.add("nodes", mesh=0)
     assert refused(made.save(tmp_path)) == (
-        "accessor 0: all accessors have more than 67108864 numbers"
+        "reading m takes 67,300,026 numbers, and the limit is 67,108,864 numbers: "
+        "`--budget numbers=68M` raises it"
     )
 
 
@@ -368,7 +387,9 @@ def test_too_many_objects(tmp_path: Path) -> None:
     made = triangle()
     made.whole["nodes"] = [{"mesh": 0}] * (2**16 + 1)
     made.whole["scenes"] = [{"nodes": list(range(2**16 + 1))}]
-    assert refused(made.save(tmp_path)) == "the scene has more than 65536 objects"
+    assert refused(made.save(tmp_path)) == (
+        "m has 65,537 objects, and the limit is 4,096 objects: `--budget objects=66k` raises it"
+    )
 
 
 def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:
@@ -390,7 +411,7 @@ def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:
         path.write_bytes(content)
         try:
             read_gltf(path)
-        except SceneError:
+        except (SceneError, BudgetError):
             refusals += 1
     assert refusals > 200
 
@@ -400,13 +421,15 @@ def test_too_many_primitives_are_refused_before_any_is_made(tmp_path: Path) -> N
     made = triangle()
     made.whole["meshes"][0]["primitives"] *= 2**16 + 1
     made.whole["accessors"] = []  # whoever made the first mesh would miss this
-    assert refused(made.save(tmp_path)) == "the scene has more than 65536 objects"
+    assert refused(made.save(tmp_path)) == (
+        "m has 65,537 objects, and the limit is 4,096 objects: `--budget objects=66k` raises it"
+    )
 
 
 @pytest.mark.parametrize(
     ("width", "height", "message"),
     [
-        (0, 0, "image 0 is not a picture of a known format"),
+        (0, 0, "image 0 is not a picture of a known format: PNG or JPEG"),
         (60_000, 60_000, "image 0 is too large: no side may have over 8192"),
         (20_000, 1, "image 0 has 20000 x 1 texels, and no side may have more than 8192"),
     ],

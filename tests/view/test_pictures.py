@@ -83,7 +83,9 @@ def test_files_that_are_no_pictures(page: Page, viewer: Viewer) -> None:
     choose(page, "paint", "text.png", b"not a picture")
     wrong = page.locator("[data-name=paint] .wrong")
     wrong.wait_for()
-    assert wrong.inner_text() == "text.png is not a picture of a known format"
+    assert wrong.inner_text() == (
+        "text.png is not a picture of a known format: PNG, JPEG, WEBP, GIF, BMP, TGA or TIFF"
+    )
     shows(page, MEANT)
     assert page.locator("#problem").is_hidden()
     choose(page, "paint", "white.png", png((255, 255, 255)))
@@ -126,7 +128,10 @@ def test_the_server_takes_pictures_only(viewer: Viewer) -> None:
     status, word = send(png())
     assert (status, len(word)) == (200, 32)
     assert send(png()) == (200, word)
-    assert send(b"") == (422, "a.png is not a picture of a known format")
+    assert send(b"") == (
+        422,
+        "a.png is not a picture of a known format: PNG, JPEG, WEBP, GIF, BMP, TGA or TIFF",
+    )
     assert send(png(), "name=a.png&dimension=4d&sample=float")[0] == 400
     assert send(png(), "name=a.png")[0] == 400
     cube = send(png(), "name=a.png&dimension=cube&sample=float")

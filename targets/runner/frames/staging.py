@@ -11,8 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..scene import Scene
-from ..scenes.records import SceneError, SceneFile, SceneObject
+from ..scenes.records import SceneError, SceneFile, SceneObject, short
 from .scenery import WHOLE, Model, Scenery, overview
+
+_TOLD = 20
+"""How many tags of a scene a message tells."""
 
 
 def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> Scenery:
@@ -36,10 +39,10 @@ def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> S
 def _model(found: SceneObject, materials: Sequence[str]) -> Model:
     named = found.look.name
     if named not in materials and len(materials) > 1:
-        said = f"the material {named!r}" if named else "no material"
+        said = f"the material {short(named)!r}" if named else "no material"
         raise SceneError(
-            f"{found.name!r} has {said} in the scene, and the frame draws {', '.join(materials)}: "
-            "call one of them like it, or let there be only one"
+            f"{short(found.name)!r} has {said} in the scene, and the frame draws "
+            f"{', '.join(materials)}: call one of them like it, or let there be only one"
         )
     return Model(
         found.mesh,
@@ -52,10 +55,12 @@ def _model(found: SceneObject, materials: Sequence[str]) -> Model:
 
 
 def _check_tags(file: SceneFile, names: Sequence[str]) -> None:
-    known = dict.fromkeys(sorted(tag for each in file.objects for tag in each.tags))
+    known = dict.fromkeys(sorted(set[str]().union(*(each.tags for each in file.objects))))
     for name in names:
         if name != WHOLE and name not in known:
-            said = f"there are {', '.join(known)}" if known else "there are no tags"
+            shown = [short(tag) for tag in [*known][:_TOLD]]
+            more = ["…"] if len(known) > _TOLD else []
+            said = f"there are {', '.join([*shown, *more])}" if known else "there are no tags"
             raise SceneError(f"the frame draws `{name}`, and nothing has this tag: {said}")
 
 

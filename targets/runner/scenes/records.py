@@ -18,6 +18,11 @@ class SceneError(ValueError):
     """A scene cannot be used; the text tells people why."""
 
 
+def short(text: str, most: int = 60) -> str:
+    """A text of a file as a message quotes it."""
+    return text if len(text) <= most else f"{text[:most]}…"
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class SceneObject:
     """A mesh at a place, with its look."""

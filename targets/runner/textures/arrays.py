@@ -70,7 +70,7 @@ def _colors(given: NDArray[Any], srgb: bool, dimension: Dimension) -> tuple[Texe
 
 def _single(given: NDArray[Any]) -> NDArray[np.float32]:
     with np.errstate(over="ignore"):
-        floats = given.astype(np.float32)
+        floats = given.astype(np.float32, copy=False)
     if not np.isfinite(floats).all():
         raise PictureError("texels are finite float32 numbers, and some of these are not")
     return floats
@@ -150,6 +150,8 @@ def _size(texels: NDArray[Any]) -> str:
 
 def _four_lanes(texels: NDArray[Any], opaque: int) -> NDArray[Any]:
     """Texels with four lanes: grey becomes three equal lanes, a missing alpha is opaque."""
+    if texels.shape[3] == 4:
+        return texels
     whole = np.full((*texels.shape[:3], 4), opaque, texels.dtype)
     whole[..., : max(texels.shape[3], 3)] = texels
     return whole

@@ -1,37 +1,63 @@
-"""Reads pictures from files into arrays."""
+"""Reads pictures from files into arrays.
+
+A picture may come from anywhere, and say of itself what it likes. So it is taken for one of a few
+formats only, whatever its name is; and its size, which its header tells, is counted before its
+texels are decoded.
+"""
 
 from __future__ import annotations
 
+import logging
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageOps, UnidentifiedImageError
+from PIL.ImageFile import ImageFile
 
+from ....compiler.budget import BudgetError, Tally, check
 from ..drivers.texels import Dimension
+from ..files import FileError, opened
 from .arrays import MAX_SIDE, check_sides
 from .high_range import format_of, read_floats
 from .kinds import FACES, Kind, PictureError
+from .metered import PARTS, Metered
 from .panorama import cube_of
+
+FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
+"""What pictures may be that do not consist of floats, by Pillow's names. It knows others, for some
+of which it runs programs."""
+
+_SMALL = ("1", "L", "LA", "P", "PA", "RGB", "RGBA", "RGBX", "RGBa", "CMYK", "YCbCr", "LAB", "HSV")
+"""The modes of Pillow in which a lane has 8 bits."""
+_OF_SMALL, _OF_LARGE = (6, 20), (22, 32)
+"""The bytes of a pixel as a texture with all its levels, and what decoding it and making the levels
+takes in addition, as measured: of colours in lanes of 8 bits, and of anything else."""
+_PASSING_OF_LAYERS = 5
+"""How often the layers of a texture are there while it is made of them, levels included."""
+
+# Pillow tells of damage by exceptions. What it logs besides is not for the terminal.
+logging.getLogger("PIL").addHandler(logging.NullHandler())
 
 
 def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> NDArray[Any]:
     """The array of a texture from one picture for each layer, or of a cube from a panorama. Raises
-    ``PictureError``."""
+    ``PictureError``, and ``BudgetError`` if it takes too much."""
+    memory = Tally("memory", "the texture takes")
     if dimension == "cube" and len(paths) == 1:
-        return cube_of(read_picture(paths[0], sample), str(paths[0]))
+        return cube_of(read_picture(paths[0], sample, memory), str(paths[0]))
     if dimension == "cube" and len(paths) != len(FACES):
         wanted = f"a cube takes six pictures, {', '.join(FACES)}, or a panorama"
         raise PictureError(f"{wanted}; there {_are(len(paths))}")
     if dimension == "2d" and len(paths) != 1:
         raise PictureError(f"a flat texture takes one picture; there {_are(len(paths))}")
-    arrays = [read_picture(path, sample) for path in paths]
+    arrays = [read_picture(path, sample, memory) for path in paths]
     if dimension == "2d":
         return arrays[0]
     for path, array in zip(paths[1:], arrays[1:], strict=True):
@@ -40,61 +66,94 @@ def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> 
                 f"the pictures of one texture are alike, and {path} is {_size_of(array)}"
                 f" where {paths[0]} is {_size_of(arrays[0])}"
             )
+    memory.add(0, passing=_PASSING_OF_LAYERS * sum(each.nbytes for each in arrays))
     return np.stack(arrays)
 
 
-def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
-    """The array of the picture in a file, for ``texel_array``. Raises ``PictureError``."""
-    with _told(str(path)):
-        if path.exists() and not (path.is_file() or path.is_dir()):
-            raise PictureError(f"cannot read {path}: it is a pipe or a device")
+def read_picture(path: Path, sample: Kind, memory: Tally) -> NDArray[Any]:
+    """The array of the picture in a file, for ``texel_array``. ``memory`` counts what the texture
+    takes. Raises ``PictureError`` and ``BudgetError``."""
+    with _told(str(path)), opened(path, str(path)) as file:
         if form := format_of(path):
-            return read_floats(path, form, str(path))
-        return _decoded(path, str(path), sample)
+            return read_floats(path, form, str(path), memory)
+        return _decoded(file, str(path), sample, FORMATS, memory)
 
 
 def picture_in(
-    data: bytes, name: str, formats: tuple[str, ...], sample: Kind = "float"
-) -> NDArray[Any]:
+    data: bytes, name: str, memory: Tally, sample: Kind = "float",
+    formats: tuple[str, ...] = FORMATS,
+) -> NDArray[Any]:  # fmt: skip
     """The array of the picture that some bytes are, in one of these formats of Pillow; errors call
-    it ``name``. Raises ``PictureError``."""
+    it ``name``. ``memory`` counts what the texture takes. Raises ``PictureError`` and
+    ``BudgetError``."""
     with _told(name):
-        return _decoded(BytesIO(data), name, sample, formats)
+        return _decoded(BytesIO(data), name, sample, formats, memory)
 
 
-def announced_size(data: bytes, name: str, formats: tuple[str, ...]) -> tuple[int, int]:
+def announced_size(data: bytes, name: str) -> tuple[int, int]:
     """The width and height of the picture that some bytes are, as they say themselves: nothing is
     decoded. Raises ``PictureError``."""
-    with _told(name), Image.open(BytesIO(data), formats=formats) as picture:
+    with _told(name), _header_of(BytesIO(data), name, FORMATS) as picture:
         return picture.size
 
 
-def picture_given(
-    data: bytes, name: str, formats: tuple[str, ...], dimension: Dimension, sample: Kind
-) -> NDArray[Any]:
-    """The array of a texture from the bytes of one picture, in one of these formats or, if its name
-    says so, of floats: a layer or a slice, or a cube from a panorama. Raises ``PictureError``."""
+def picture_given(data: bytes, name: str, dimension: Dimension, sample: Kind) -> NDArray[Any]:
+    """The array of a texture from the bytes of one picture which, if its name says so, consists of
+    floats: a layer or a slice, or a cube from a panorama. Raises ``PictureError``, and
+    ``BudgetError`` if it takes too much."""
+    memory = Tally("memory", "the texture takes")
     if form := format_of(Path(name)):
         with _told(name), TemporaryDirectory(prefix="burnish-") as folder:
             path = Path(folder) / f"picture{Path(name).suffix.lower()}"
             path.write_bytes(data)
-            array: NDArray[Any] = read_floats(path, form, name)
+            array: NDArray[Any] = read_floats(path, form, name, memory)
     else:
-        array = picture_in(data, name, formats, sample)
+        array = picture_in(data, name, memory, sample)
     if dimension == "cube":
         return cube_of(array, name)
     return array if dimension == "2d" else array[np.newaxis]
 
 
 def _decoded(
-    source: Path | BytesIO, name: str, sample: Kind, formats: tuple[str, ...] | None = None
+    file: BinaryIO, name: str, sample: Kind, formats: tuple[str, ...], memory: Tally
 ) -> NDArray[Any]:
+    with _header_of(file, name, formats) as picture:
+        _check_size(picture, name, sample, memory)
+        ImageOps.exif_transpose(picture, in_place=True)
+        return _LANES[sample](picture)
+
+
+@contextmanager
+def _header_of(file: BinaryIO, name: str, formats: tuple[str, ...]) -> Iterator[ImageFile]:
+    """The picture in a file, of which only the header has been read. Its texels are decoded where
+    they are first asked for in the ``with`` block."""
+    metered = Metered(file, name)
     with warnings.catch_warnings():
-        # The size is checked below, before anything is decoded, and more strictly.
-        warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-        with Image.open(source, formats=formats) as picture:
-            check_sides(*picture.size, name)
-            return _LANES[sample](ImageOps.exif_transpose(picture))
+        # The size is checked before anything is decoded, and more strictly; other warnings
+        # are of metadata, which nobody asks for.
+        warnings.simplefilter("ignore")
+        try:
+            picture = Image.open(metered, formats=formats)
+        except UnidentifiedImageError:
+            *most, last = formats
+            raise PictureError(
+                f"{name} is not a picture of a known format: {', '.join(most)} or {last}"
+            ) from None
+        with picture:
+            metered.end_header()
+            yield picture
+
+
+def _check_size(picture: ImageFile, name: str, sample: Kind, memory: Tally) -> None:
+    """Count a picture before its texels are decoded."""
+    width, height = picture.size
+    check_sides(width, height, name)
+    check("pixels", width * height, f"{name} has")
+    is_small = picture.mode in _SMALL and sample == "float"
+    kept, passing = _OF_SMALL if is_small else _OF_LARGE
+    memory.add(width * height * kept, passing=width * height * passing)
+    if len(picture.tile) > PARTS:
+        raise PictureError(f"{name} is damaged: it consists of {len(picture.tile):,} parts")
 
 
 @contextmanager
@@ -102,10 +161,10 @@ def _told(name: str) -> Iterator[None]:
     """Turn whatever goes wrong with a picture into a ``PictureError``."""
     try:
         yield
-    except (PictureError, MemoryError, ModuleNotFoundError):
+    except (BudgetError, PictureError, MemoryError, ModuleNotFoundError):
         raise
-    except UnidentifiedImageError:
-        raise PictureError(f"{name} is not a picture of a known format") from None
+    except FileError as error:
+        raise PictureError(str(error)) from None
     except Image.DecompressionBombError:
         raise PictureError(f"{name} is too large: no side may have over {MAX_SIDE}") from None
     except OSError as error:
@@ -120,7 +179,7 @@ def _colors(picture: Image.Image) -> NDArray[Any]:
         return np.asarray(picture, np.float32)
     if picture.mode.startswith("I"):
         return _sixteen_bits(picture)
-    return np.asarray(picture.convert("RGBA"))
+    return np.asarray(picture if picture.mode == "RGBA" else picture.convert("RGBA"))
 
 
 def _depths(picture: Image.Image) -> NDArray[Any]:

@@ -19,14 +19,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ....compiler.budget import Tally, check
 from .arrays import check_sides
 from .kinds import PictureError
 
 if TYPE_CHECKING:
     from OpenImageIO import ImageInput
 
-MAX_TEXELS = 2**25
-"""The most texels of such a picture: 8192 x 4096, as a panorama has them, are 512 MB of floats."""
+_KEPT_OF_PIXEL, _PASSING_OF_PIXEL = 22, 34
+"""The bytes of a pixel as a texture of four floats with all its levels; and what decoding it and
+making the levels takes in addition, as measured."""
+_BYTES_OF_CHANNEL = 6
+"""What decoding takes for each of the channels that the file has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +63,12 @@ def check_installed() -> None:
     import_module("OpenImageIO")
 
 
-def read_floats(path: Path, form: Format, name: str) -> NDArray[np.float32]:
+def read_floats(path: Path, form: Format, name: str, memory: Tally) -> NDArray[np.float32]:
     """The texels of a file: (height, width), or (height, width, lanes) with 3 or 4 lanes. Errors
-    call it ``name``.
+    call it ``name``, and ``memory`` counts what the texture takes.
 
     Raises ``PictureError`` for what is no such file, or is damaged or too large, and ``OSError`` if
-    it cannot be read at all.
+    it cannot be read at all; and ``BudgetError`` if it takes too much.
     """
     with path.open("rb") as file:
         if file.read(len(form.begins)) != form.begins:
@@ -77,24 +81,28 @@ def read_floats(path: Path, form: Format, name: str) -> NDArray[np.float32]:
     try:
         if source.format_name() != form.name:
             raise _damaged(name, "")
-        return _texels(source, name)
+        return _texels(source, name, memory)
     finally:
         source.close()
 
 
-def _texels(source: ImageInput, name: str) -> NDArray[np.float32]:
+def _texels(source: ImageInput, name: str, memory: Tally) -> NDArray[np.float32]:
     spec = source.spec()
     check_sides(spec.width, spec.height, name)
-    if spec.width * spec.height > MAX_TEXELS:
-        size = f"{spec.width} x {spec.height}"
-        raise PictureError(f"{name} has {size} texels, and may have {MAX_TEXELS} of floats")
+    pixels = spec.width * spec.height
+    check("pixels", pixels, f"{name} has")
+    beside = _PASSING_OF_PIXEL + spec.nchannels * _BYTES_OF_CHANNEL
+    memory.add(pixels * _KEPT_OF_PIXEL, passing=pixels * beside)
     if spec.deep or spec.depth > 1:
         raise PictureError(f"{name} is no flat picture: it has several values behind a texel")
     channels = _channels(spec.channelnames, name)
-    texels = source.read_image(0, 0, 0, spec.nchannels, "float")
+    first, last = min(channels), max(channels)
+    texels = source.read_image(0, 0, first, last + 1, "float")
     if texels is None:
         raise _damaged(name, source.geterror())
-    found: NDArray[np.float32] = texels.reshape(spec.height, spec.width, -1)[..., channels]
+    found: NDArray[np.float32] = texels.reshape(spec.height, spec.width, -1)
+    if channels != list(range(first, last + 1)):
+        found = found[..., [channel - first for channel in channels]]
     return found[..., 0] if len(channels) == 1 else found
 
 

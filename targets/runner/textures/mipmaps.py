@@ -19,8 +19,9 @@ Texels = NDArray[np.uint8 | np.float32 | np.uint32 | np.int32]
 Linear = NDArray[np.float64]
 """Texels as a shader reads them, of shape (depth, height, width, 4)."""
 
-_BAND = 256
-"""How many rows are converted at once."""
+_BAND = 128
+"""How many rows of a level are made at once: the numbers of a whole large one would take
+gigabytes."""
 
 
 def decoded(texels: Texels, format: TextureFormat) -> Linear:
@@ -80,35 +81,52 @@ def smaller(texels: Texels, format: TextureFormat, dimension: Dimension) -> list
     found: list[Texels] = []
     if all(texels.shape[axis] == 1 for axis in axes):
         return found
-    # The whole first level as float64 would take gigabytes, so half of its columns are made at a
-    # time.
-    bands = (texels[:, start : start + _BAND] for start in range(0, texels.shape[1], _BAND))
-    lanes = np.concatenate([_halved(decoded(band, format), 2) for band in bands], axis=1)
-    for axis in axes[1:]:
-        lanes = _halved(lanes, axis)
-    found.append(encoded(lanes, format))
+    lanes = _second(texels, format)
+    if dimension == "3d":
+        lanes = _halved(lanes, 0)
+    found.append(_encoded_in_bands(lanes, format))
     while any(lanes.shape[axis] != 1 for axis in axes):
         for axis in axes:
             lanes = _halved(lanes, axis)
-        found.append(encoded(lanes, format))
+        found.append(_encoded_in_bands(lanes, format))
     return found
 
 
-def _halved(lanes: Linear, axis: int) -> Linear:
-    """Half as many slices (axis 0), rows or columns; each is the mean of what it covers.
+def _second(texels: Texels, format: TextureFormat) -> Linear:
+    """The numbers of texels with half as many columns and rows."""
+    depth, height, width, count = texels.shape
+    rows = max(height // 2, 1)
+    lanes = np.empty((depth, rows, max(width // 2, 1), count))
+    reach = 3 if height % 2 else 2
+    for start in range(0, rows, _BAND):
+        end = min(start + _BAND, rows)
+        band = _halved(decoded(texels[:, 2 * start : 2 * end + reach - 2], format), 2)
+        lanes[:, start:end] = _halved(band, 1, start, height)
+    return lanes
+
+
+def _encoded_in_bands(lanes: Linear, format: TextureFormat) -> Texels:
+    bands = (lanes[:, start : start + _BAND] for start in range(0, lanes.shape[1], _BAND))
+    return np.concatenate([encoded(band, format) for band in bands], axis=1)
+
+
+def _halved(lanes: Linear, axis: int, first: int = 0, of: int | None = None) -> Linear:
+    """Half as many slices (axis 0), rows or columns; each is the mean of what it covers. Where only
+    a band is given, the results begin with number ``first``, and there were ``of`` in all.
 
     If the number is odd, 2n + 1, each of the n results covers a bit more than two. The i-th covers
     n - i parts of the first, n parts of the second and i + 1 parts of the third, out of 2n + 1
     parts.
     """
     rows = np.moveaxis(lanes, axis, 0)
-    half = len(rows) // 2
-    if half == 0:
+    total = len(rows) if of is None else of
+    n, made = total // 2, len(rows) // 2
+    if n == 0:
         return lanes
-    if len(rows) % 2 == 0:
+    if total % 2 == 0:
         mean = (rows[0::2] + rows[1::2]) / 2.0
     else:
-        i = np.arange(half).reshape(half, *([1] * (rows.ndim - 1)))
-        first, second, third = rows[0:-1:2], rows[1::2], rows[2::2]
-        mean = ((half - i) * first + half * second + (i + 1) * third) / len(rows)
+        i = np.arange(first, first + made).reshape(made, *([1] * (rows.ndim - 1)))
+        before, middle, behind = rows[0:-1:2], rows[1::2], rows[2::2]
+        mean = ((n - i) * before + n * middle + (i + 1) * behind) / total
     return np.moveaxis(mean, 0, axis)

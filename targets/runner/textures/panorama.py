@@ -6,6 +6,7 @@ and the top is +y (equirectangular). ``files.py`` calls this module.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -27,11 +28,11 @@ def cube_of(picture: NDArray[Any], name: str) -> NDArray[np.float32]:
             f"a panorama is twice as wide as high, and {name} has {width} x {height} texels"
         )
     texels = picture[..., np.newaxis] if picture.ndim == 2 else picture
-    faces = [_seen(texels, towards) for towards in _directions(height // 2)]
-    return np.stack(faces).astype(np.float32)
+    faces = (_seen(texels, towards) for towards in _directions(height // 2))
+    return np.stack([face.astype(np.float32) for face in faces])
 
 
-def _directions(side: int) -> list[Floats]:
+def _directions(side: int) -> Iterator[Floats]:
     """The direction of each texel of each face, of shape (side, side, 3): right and down on a face
     are s and t, as Direct3D, Vulkan, OpenGL and WebGPU have them."""
     steps = (np.arange(side) + 0.5) / side * 2 - 1
@@ -40,7 +41,7 @@ def _directions(side: int) -> list[Floats]:
     faces = (
         (one, -t, -s), (-one, -t, s), (s, one, t), (s, -one, -t), (s, -t, one), (-s, -t, -one),
     )  # fmt: skip
-    return [np.stack(face, axis=2) for face in faces]
+    return (np.stack(face, axis=2) for face in faces)
 
 
 def _seen(texels: NDArray[Any], towards: Floats) -> Floats:

@@ -74,7 +74,8 @@ class Texture:
 
         Raises ``PictureError`` if there is no picture, if it is damaged, if the pictures have a
         wrong size or number, or if one is larger than every WebGPU device supports: no side may
-        have more than 8192 texels, or 2048 for 3D textures.
+        have more than 8192 texels, or 2048 for 3D textures. Raises ``BudgetError`` if they take
+        more memory than is allowed.
         """
         from .files import read_pictures
 
@@ -117,7 +118,8 @@ class Texture:
         if not levels and sample == "float":
             whole += smaller(texels, format_, dimension)
         depth, height, width, _ = texels.shape
-        stored = tuple(level.astype(TEXELS[format_].kind).tobytes() for level in whole)
+        kind = TEXELS[format_].kind
+        stored = tuple(level.astype(kind, copy=False).tobytes() for level in whole)
         return cls(format_, width, height, stored, dimension, depth)
 
     @classmethod

@@ -1,22 +1,29 @@
 """Decodes accessors: the arrays of numbers that meshes, skins and morphs consist of.
 
-Each range is checked against the bytes that there are before an array is made, and the numbers of
-all arrays together are limited: a small file can name the same bytes again and again.
+Each range is checked against the bytes that there are, and each array is counted, before it is
+made: a small file can name the same bytes again and again, or zeros that no bytes stand for.
 """
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .....compiler.budget import Tally
 from ..records import SceneError
 from .folder import Folder
 from .schema import Accessor, File, Sparse
 
-MAX_NUMBERS = 2**26
-"""The most numbers of all decoded accessors together, which takes a second or so."""
+_LEAST = 1000
+"""As how many numbers an accessor is counted at least: reading a short one takes as long."""
+_LOOKED_UP = 30
+"""Likewise an accessor that is named, whether or not it is read."""
+_BYTES_OF_NUMBER = 2 * 8
+"""How much memory a number takes while it is decoded, beside its own size: as a double, and what is
+computed of it."""
 
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _SHAPES = {
@@ -31,12 +38,16 @@ Array = NDArray[Any]
 class Accessors:
     """The arrays of one file."""
 
-    def __init__(self, file: File, folder: Folder, binary: bytes | None) -> None:
+    def __init__(
+        self, file: File, folder: Folder, binary: memoryview | None, path: Path, memory: Tally
+    ) -> None:
+        """``memory`` counts what is read of the file ``path``."""
         self._file = file
         self._folder = folder
         self._binary = binary
-        self._buffers: dict[int, bytes] = {}
-        self._left = MAX_NUMBERS
+        self._memory = memory
+        self._numbers = Tally("numbers", f"reading {path} takes")
+        self._buffers: dict[int, memoryview] = {}
 
     def floats(self, index: int, type_: str, what: str) -> NDArray[np.float64]:
         """An accessor as floats, (count, lanes), or (count, column, row) for matrices; integers are
@@ -45,7 +56,8 @@ class Accessors:
         if accessor.normalized and found.dtype.kind in "iu":
             scaled = found / np.iinfo(found.dtype).max
             return np.maximum(scaled, -1.0)
-        floats = found.astype(np.float64)
+        with np.errstate(invalid="ignore"):  # Some NaN signal here; all are refused below.
+            floats = found.astype(np.float64)
         if not np.isfinite(floats).all():
             raise SceneError(f"{what}: accessor {index} has numbers that are not finite")
         return floats
@@ -65,9 +77,15 @@ class Accessors:
         """How many elements there are. Raises ``SceneError``."""
         return self._found(index, what).count
 
+    def tell_looked_up(self, count: int) -> None:
+        """Count accessors that a primitive names, which takes time even if none is read. Raises
+        ``BudgetError``."""
+        self._numbers.add(count * _LOOKED_UP)
+
     def bytes_of_view(self, index: int, what: str) -> bytes:
         """The bytes of a buffer view, such as a picture's file. Raises ``SceneError``."""
         data, _stride = self._view(index, what)
+        self._memory.add(0, passing=len(data))
         return bytes(data)
 
     def _found(self, index: int, what: str) -> Accessor:
@@ -83,9 +101,9 @@ class Accessors:
 
     def _decode(self, accessor: Accessor, what: str) -> Array:
         kind, shape = np.dtype(_TYPES[accessor.component_type]), _SHAPES[accessor.type]
-        self._left -= accessor.count * shape[0] * shape[1]
-        if self._left < 0:
-            raise SceneError(f"{what}: all accessors have more than {MAX_NUMBERS} numbers")
+        numbers = accessor.count * shape[0] * shape[1]
+        self._numbers.add(max(numbers, _LEAST))
+        self._memory.add(0, passing=numbers * (kind.itemsize + _BYTES_OF_NUMBER))
         if accessor.buffer_view is None:
             found = np.zeros((accessor.count, *shape), kind)
         else:
@@ -144,20 +162,20 @@ class Accessors:
         end = view.byte_offset + view.byte_length
         if end > len(data):
             raise SceneError(f"buffer view {index}: it does not lie within buffer {view.buffer}")
-        return memoryview(data)[view.byte_offset : end], view.byte_stride
+        return data[view.byte_offset : end], view.byte_stride
 
-    def _buffer(self, index: int, what: str) -> bytes:
+    def _buffer(self, index: int, what: str) -> memoryview:
         if index >= len(self._file.buffers):
             raise SceneError(f"{what}: there is no buffer {index}")
         if index not in self._buffers:
             self._buffers[index] = self._read(index)
         return self._buffers[index]
 
-    def _read(self, index: int) -> bytes:
+    def _read(self, index: int) -> memoryview:
         buffer = self._file.buffers[index]
         what = f"buffer {index}"
         if buffer.uri is not None:
-            data = self._folder.read(buffer.uri, what)
+            data = memoryview(self._folder.read(buffer.uri, what))
         elif index == 0 and self._binary is not None:
             data = self._binary
         else:

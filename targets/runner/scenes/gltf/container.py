@@ -1,4 +1,8 @@
-"""Takes a ``.gltf`` or ``.glb`` file apart: its JSON as records, and the bytes in it."""
+"""Takes a ``.gltf`` or ``.glb`` file apart: its JSON as records, and the bytes in it.
+
+A record of two bytes, such as ``{}``, takes a hundred in memory. So the values in the JSON are
+counted, in its bytes, before records are made of it.
+"""
 
 from __future__ import annotations
 
@@ -7,12 +11,11 @@ from pathlib import Path
 
 import msgspec
 
-from ..records import SceneError
-from .folder import read_limited
+from .....compiler.budget import Tally, check
+from ...files import FileError, read_file
+from ..records import SceneError, short
 from .schema import File
 
-MAX_JSON = 2**26
-"""The most bytes of JSON: 64 MB; geometry and pictures are not in it, or as texts."""
 SUPPORTED = frozenset({
     "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_mesh_quantization",
 })  # fmt: skip
@@ -21,22 +24,32 @@ SUPPORTED = frozenset({
 _MAGIC = b"glTF"
 _JSON, _BINARY = 0x4E4F534A, 0x004E4942
 
+_BYTES_OF_VALUE = 90
+"""How much memory a value of JSON takes as a record, at most: measured with arrays of each kind of
+record, with nothing in them."""
+_BYTES_OF_BYTE = 5
+"""Likewise a byte of JSON: itself, and that of a text with a character that takes four."""
 
-def open_file(path: Path) -> tuple[File, bytes | None]:
-    """The records of a file, and the binary part of a ``.glb``. Raises ``SceneError``."""
-    data = read_limited(path, str(path))
-    if data.startswith(_MAGIC):
+
+def open_file(path: Path, memory: Tally) -> tuple[File, memoryview | None]:
+    """The records of a file, and the binary part of a ``.glb``. Raises ``SceneError``, and
+    ``BudgetError`` if they are more than they may be; ``memory`` counts what they take."""
+    try:
+        data = memoryview(read_file(path, str(path)))
+    except FileError as error:
+        raise SceneError(str(error)) from None
+    if data[:4] == _MAGIC:
         text, binary = _chunks(data, path)
+        memory.add(len(data))
     else:
         text, binary = data, None
-    if len(text) > MAX_JSON:
-        raise SceneError(f"{path} has {len(text)} bytes of JSON, and may have {MAX_JSON}")
-    file = _records(text, path)
+    check("document", len(text), f"the JSON of {path} has")
+    file = _records(bytes(text), path, memory)
     _check_version(file, path)
     return file, binary
 
 
-def _chunks(data: bytes, path: Path) -> tuple[bytes, bytes | None]:
+def _chunks(data: memoryview, path: Path) -> tuple[memoryview, memoryview | None]:
     """The JSON and the binary part of a ``.glb``."""
     if len(data) < 12:
         raise SceneError(f"{path} is cut off: a .glb has a header of 12 bytes")
@@ -45,7 +58,7 @@ def _chunks(data: bytes, path: Path) -> tuple[bytes, bytes | None]:
         raise SceneError(f"{path} is of version {version} of glTF: only version 2 can be read")
     if length > len(data):
         raise SceneError(f"{path} is cut off: it has {len(data)} of {length} bytes")
-    found: list[tuple[int, bytes]] = []
+    found: list[tuple[int, memoryview]] = []
     at = 12
     while at < length and len(found) < 2:
         if at + 8 > length:
@@ -61,23 +74,32 @@ def _chunks(data: bytes, path: Path) -> tuple[bytes, bytes | None]:
     return found[0][1], binary
 
 
-def _records(text: bytes, path: Path) -> File:
+def _records(text: bytes, path: Path, memory: Tally) -> File:
+    values = most_values(text)
+    check("values", values, f"the JSON of {path} has")
+    memory.add(values * _BYTES_OF_VALUE + len(text) * _BYTES_OF_BYTE)
     try:
         return msgspec.json.decode(text, type=File)
     except msgspec.ValidationError as error:
-        raise SceneError(f"{path} is no glTF 2.0: {error}") from None
+        raise SceneError(f"{path} is no glTF 2.0: {short(str(error), 300)}") from None
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise SceneError(f"{path} is no glTF: {error}") from None
     except RecursionError:
         raise SceneError(f"{path} is no glTF: its JSON is nested too deeply") from None
 
 
+def most_values(text: bytes) -> int:
+    """How many values there can be in a JSON text: each but the first one stands behind a comma, or
+    behind what begins a list or an object. Those in strings are counted too."""
+    return 1 + sum(map(text.count, (b",", b"[", b"{")))
+
+
 def _check_version(file: File, path: Path) -> None:
     needed = file.asset.min_version or file.asset.version
     if needed.partition(".")[0] != "2":
-        raise SceneError(f"{path} is of version {needed[:20]} of glTF: only 2.0 can be read")
+        raise SceneError(f"{path} is of version {short(needed, 20)} of glTF: only 2.0 can be read")
     if unknown := sorted(set(file.extensions_required) - SUPPORTED):
         raise SceneError(
-            f"{path} needs the extension {unknown[0]}, which is not supported: these are "
+            f"{path} needs the extension {short(unknown[0])}, which is not supported: these are "
             f"{', '.join(sorted(SUPPORTED))}"
         )

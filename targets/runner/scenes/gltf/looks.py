@@ -6,17 +6,16 @@ draws them.
 
 from __future__ import annotations
 
+from .....compiler.budget import Tally
 from ...looks import PLAIN, Look
 from ...textures.files import picture_in
 from ...textures.kinds import PictureError
 from ...textures.texture import Texture
+from ..notes import Notes
 from ..records import SceneError
 from .accessors import Accessors
 from .folder import Folder
 from .schema import File, Image, Material, Sampler, TextureInfo
-
-MAX_TEXELS = 2**27
-"""The most texels of all pictures of a file together: 512 MB."""
 
 _FORMATS = ("PNG", "JPEG")
 """What pictures may be: other formats are no part of glTF."""
@@ -25,14 +24,17 @@ _FORMATS = ("PNG", "JPEG")
 class Looks:
     """The looks of one file. Each, and each picture, is made when it is first asked for."""
 
-    def __init__(self, file: File, folder: Folder, accessors: Accessors) -> None:
+    def __init__(
+        self, file: File, folder: Folder, accessors: Accessors, notes: Notes, memory: Tally
+    ) -> None:
+        """``memory`` counts the pictures, and ``notes`` get what is left out."""
         self._file = file
         self._folder = folder
         self._accessors = accessors
         self._looks: dict[int, Look] = {}
         self._textures: dict[tuple[int, bool], Texture] = {}
-        self._left = MAX_TEXELS
-        self.notes: list[str] = []
+        self._notes = notes
+        self._memory = memory
 
     def look(self, index: int | None, what: str) -> Look:
         """The look of a material. Raises ``SceneError``; ``what`` says in it who has the look."""
@@ -79,7 +81,7 @@ class Looks:
 
     def _texture(self, info: TextureInfo, is_color: bool, what: str) -> Texture:
         if info.tex_coord:
-            self.notes.append(f"{what}: it is read with the first texture coordinates")
+            self._notes.add(what, ": it is read with the first texture coordinates")
         if info.index >= len(self._file.textures):
             raise SceneError(f"{what}: there is no texture {info.index}")
         source = self._file.textures[info.index].source
@@ -99,15 +101,14 @@ class Looks:
         if index >= len(self._file.samplers):
             raise SceneError(f"{what}: there is no sampler {index}")
         if self._file.samplers[index] != Sampler():
-            self.notes.append(f"{what}: its sampler is left out, as materials say how they read")
+            self._notes.add(what, ": its sampler is left out, as materials say how they read")
 
     def _read(self, image: Image, is_color: bool, what: str) -> Texture:
         try:
-            array = picture_in(self._bytes(image, what), what, _FORMATS)
-            self._left -= array.shape[0] * array.shape[1]
-            if self._left < 0:
-                raise SceneError(f"{what}: all pictures have more than {MAX_TEXELS} texels")
-            return Texture.of_array(array, srgb=is_color)
+            data = self._bytes(image, what)
+            return Texture.of_array(
+                picture_in(data, what, self._memory, formats=_FORMATS), srgb=is_color
+            )
         except PictureError as error:
             raise SceneError(str(error)) from None
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .....compiler.budget import Tally
 from ...meshes import Mesh, MeshError
-from ..records import SceneError
+from ..records import SceneError, short
 from .accessors import Accessors
 from .schema import Primitive
 
@@ -19,16 +20,57 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Channels = dict[str, NDArray[Any]]
 
-MAX_VERTICES = 2**21
-"""The most vertices of all meshes of a scene together. Each has 26 numbers: 436 MB."""
-
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
 _LINES = {1, 2, 3}
+
+
+class Size(NamedTuple):
+    """How much a mesh is made of, which is known before it is made."""
+
+    vertices: int
+    corners: int
+    """Of all triangles."""
+    has_normals: bool
+    """Where there are none, each triangle gets vertices of its own."""
+
+    @property
+    def drawn(self) -> int:
+        """How many vertices are drawn."""
+        return max(self.vertices, self.corners)
+
+    def count_memory(self, memory: Tally) -> None:
+        """Count what a mesh takes, and what is needed while it is made. Raises ``BudgetError``."""
+        vertices = self.vertices if self.has_normals else self.drawn
+        memory.add(
+            vertices * _KEPT_OF_VERTEX + self.corners * _KEPT_OF_CORNER,
+            passing=vertices * _PASSING_OF_VERTEX + self.corners * _PASSING_OF_CORNER,
+        )
+
+
+_KEPT_OF_VERTEX, _KEPT_OF_CORNER = 256, 8
+"""The bytes of a mesh: 26 numbers for each vertex, with those of morph targets 32, and the number
+of a vertex for each corner."""
+_PASSING_OF_VERTEX, _PASSING_OF_CORNER = 160, 80
+"""What is needed in addition while it is made, as measured."""
 
 
 def is_drawn(primitive: Primitive) -> bool:
     """Whether a mesh can be made of a primitive; lines have no surface."""
     return primitive.mode not in _LINES
+
+
+def size_of(primitive: Primitive, accessors: Accessors, what: str) -> Size:
+    """How large the mesh of a primitive will be. Raises ``SceneError``, and ``BudgetError`` if it
+    names too many accessors; ``what`` names the primitive in them."""
+    accessors.tell_looked_up(len(primitive.attributes))
+    vertices = _check_counts(primitive, accessors, what)
+    named = primitive.indices
+    corners = vertices if named is None else accessors.count_of(named, what)
+    if primitive.mode == _POINTS:
+        corners = 0
+    elif primitive.mode != _TRIANGLES:
+        corners = 3 * max(corners - 2, 0)
+    return Size(vertices, corners, "NORMAL" in primitive.attributes)
 
 
 def mesh_of(
@@ -49,7 +91,9 @@ def _made(
     primitive: Primitive, accessors: Accessors, weights: Sequence[float], what: str
 ) -> tuple[Channels, Indices]:
     """The channels and triangles, complete."""
-    count = _check_counts(primitive, accessors, what)
+    named = (primitive.attributes, *primitive.targets)
+    accessors.tell_looked_up(sum(1 + len(each) for each in named))
+    count = accessors.count_of(primitive.attributes["POSITION"], what)
     channels = _channels(primitive, accessors, what)
     corners = _corners(primitive, accessors, count, what)
     triangles = _triangles(primitive.mode, corners, what)
@@ -76,9 +120,7 @@ def _check_counts(primitive: Primitive, accessors: Accessors, what: str) -> int:
     count = counts["POSITION"]
     for name, other in counts.items():
         if other != count:
-            raise SceneError(f"{what}: it has {count} positions, and {other} of {name}")
-    if count > MAX_VERTICES:
-        raise SceneError(f"{what}: it has {count} vertices, and may have {MAX_VERTICES}")
+            raise SceneError(f"{what}: it has {count} positions, and {other} of {short(name)}")
     return count
 
 
@@ -108,7 +150,7 @@ def _channels(primitive: Primitive, accessors: Accessors, what: str) -> Channels
 def _check_name(attribute: str, what: str) -> None:
     """Refuse an attribute that the specification does not allow; others are left out."""
     if not re.fullmatch(r"_.*|(TEXCOORD|COLOR|JOINTS|WEIGHTS)_[0-9]+", attribute):
-        raise SceneError(f"{what}: there is no attribute {attribute[:60]!r}")
+        raise SceneError(f"{what}: there is no attribute {short(attribute)!r}")
 
 
 def _color(index: int, accessors: Accessors, what: str) -> Floats:
@@ -122,8 +164,6 @@ def _corners(primitive: Primitive, accessors: Accessors, count: int, what: str) 
     """The vertices in the order in which they are drawn."""
     if primitive.indices is None:
         return np.arange(count)
-    if accessors.count_of(primitive.indices, what) > 3 * MAX_VERTICES:
-        raise SceneError(f"{what}: it has more than {3 * MAX_VERTICES} indices")
     return accessors.integers(primitive.indices, "SCALAR", f"{what}, indices").ravel()
 
 

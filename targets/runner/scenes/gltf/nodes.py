@@ -1,16 +1,19 @@
 """Walks over the nodes of a glTF file: where each one is in the world, and its tags.
 
-Nodes form trees, however deep. A file that says otherwise is refused.
+Nodes form trees, however deep. A file that says otherwise is refused. Tags are handed down, so
+there may be many more of them than in the file, and they are counted.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .....compiler.budget import Tally
 from ...cameras import Matrix
 from ..records import SceneError
 from .schema import Extras, File, Node
@@ -32,10 +35,17 @@ class Placed:
         return self.node.name or f"node {self.number}"
 
 
-def placed_nodes(file: File) -> list[Placed]:
-    """The nodes of the file's scene, each before those below it. Raises ``SceneError``."""
+def placed_nodes(file: File, path: Path, memory: Tally) -> list[Placed]:
+    """The nodes of the file's scene, each before those below it. Raises ``SceneError``, and
+    ``BudgetError`` if what they take is too much."""
     _check_parents(file)
-    return list(_walk(file, _roots(file)))
+    memory.add(len(file.nodes) * _BYTES_OF_NODE)
+    tags = Tally("values", f"handing down the tags of {path} takes")
+    return list(_walk(file, _roots(file), tags))
+
+
+_BYTES_OF_NODE = 1000
+"""What placing a node takes, as measured."""
 
 
 def _check_parents(file: File) -> None:
@@ -79,23 +89,30 @@ def _roots(file: File) -> tuple[int, ...]:
     return roots
 
 
-def _walk(file: File, roots: tuple[int, ...]) -> Iterator[Placed]:
+def _walk(file: File, roots: tuple[int, ...], handed_down: Tally) -> Iterator[Placed]:
     waiting: list[tuple[int, Matrix, frozenset[str]]] = [
         (root, np.eye(4), frozenset()) for root in reversed(roots)
     ]
     while waiting:
         number, above, inherited = waiting.pop()
         node = file.nodes[number]
+        own = _own_transform(node, number)
         with np.errstate(all="ignore"):
-            to_world = above @ _own_transform(node, number)
+            to_world = above @ own
         if not (np.abs(to_world) < _LARGEST).all():
             raise SceneError(f"node {number}: its place in the world is not finite")
-        own = node.extras.tags if isinstance(node.extras, Extras) else ()
-        tags = inherited | frozenset(own) if own else inherited
+        if (own[3] != _AFFINE).any():
+            raise SceneError(f"node {number}: its matrix is no move, turn or scale")
+        tags = inherited
+        if isinstance(node.extras, Extras) and not inherited.issuperset(node.extras.tags):
+            tags = inherited.union(node.extras.tags)
+            handed_down.add(len(tags))
         yield Placed(number, node, to_world, tags)
         waiting += [(child, to_world, tags) for child in reversed(node.children)]
 
 
+_AFFINE = np.array([0.0, 0.0, 0.0, 1.0])
+"""The last row of every transform that a node can have."""
 _LARGEST = float(np.finfo(np.float32).max)
 
 
@@ -116,7 +133,8 @@ def _own_transform(node: Node, number: int) -> Matrix:
 
 
 def _unit(rotation: tuple[float, float, float, float], number: int) -> NDArray[np.float64]:
-    length = float(np.linalg.norm(rotation))
+    with np.errstate(over="ignore"):
+        length = float(np.linalg.norm(rotation))
     if not 0.5 < length < 2:
         raise SceneError(
             f"node {number}: its rotation is a quaternion of length {length:.3g}, not 1"

@@ -3,7 +3,8 @@
 The modules of this folder are its steps: ``container.py`` takes the file apart into the records of
 ``schema.py``; ``folder.py`` reads what else it names; ``accessors.py`` decodes arrays, of which
 ``meshes.py`` makes meshes; ``nodes.py`` places them, and ``looks.py`` reads materials. Whatever is
-wrong with a file becomes a ``SceneError``, before much time or memory is spent.
+wrong with a file becomes a ``SceneError``, and what is too large a ``BudgetError``, before much
+time or memory is spent.
 """
 
 from __future__ import annotations
@@ -14,68 +15,89 @@ from pathlib import Path
 
 import numpy as np
 
+from .....compiler.budget import Tally, check
 from ...cameras import Camera, Matrix, Vector
 from ...lamps import Lamp
 from ...looks import Look
 from ...meshes import Mesh
-from ..records import SceneError, SceneFile, SceneObject
+from ..notes import Notes
+from ..records import SceneError, SceneFile, SceneObject, short
 from . import schema
 from .accessors import Accessors
 from .container import SUPPORTED, open_file
 from .folder import Folder
 from .looks import Looks
-from .meshes import MAX_VERTICES, is_drawn, mesh_of
+from .meshes import Size, is_drawn, mesh_of, size_of
 from .nodes import Placed, placed_nodes
 
-MAX_OBJECTS = 2**16
-"""The most objects of a scene."""
-
+_BYTES_OF_JOINT = 4 * 4 * 8
 _RIGHT_ANGLE = np.pi / 2
 
 
 def read_gltf(path: Path) -> SceneFile:
-    """What the scene of a ``.gltf`` or ``.glb`` file shows. Raises ``SceneError``."""
-    file, binary = open_file(path)
-    folder = Folder(path)
-    accessors = Accessors(file, folder, binary)
-    return _Reader(file, accessors, Looks(file, folder, accessors)).scene()
+    """What the scene of a ``.gltf`` or ``.glb`` file shows. Raises ``SceneError``, and
+    ``BudgetError`` if it takes more than is allowed."""
+    memory = Tally("memory", f"reading {path} takes")
+    file, binary = open_file(path, memory)
+    folder = Folder(path, memory)
+    accessors = Accessors(file, folder, binary, path, memory)
+    notes = Notes()
+    looks = Looks(file, folder, accessors, notes, memory)
+    return _Reader(path, file, accessors, looks, notes, memory).scene()
 
 
 class _Reader:
     """What is read of one file."""
 
-    def __init__(self, file: schema.File, accessors: Accessors, looks: Looks) -> None:
+    def __init__(
+        self,
+        path: Path,
+        file: schema.File,
+        accessors: Accessors,
+        looks: Looks,
+        notes: Notes,
+        memory: Tally,
+    ) -> None:
+        self._path = path
         self._file = file
         self._accessors = accessors
         self._looks = looks
-        self._nodes = placed_nodes(file)
+        self._notes = notes
+        self._memory = memory
+        check("nodes", len(file.nodes), f"{path} has")
+        self._nodes = placed_nodes(file, path, memory)
         self._places = {each.number: each.to_world for each in self._nodes}
         self._skins: dict[int, Matrix] = {}
-        self._meshes: dict[tuple[int, int, tuple[float, ...]], Mesh] = {}
-        self._vertices = 0
-        self._notes = self._left_out()
+        self._meshes: dict[tuple[int, int, int], Mesh] = {}
+        self._sizes: dict[tuple[int, int], Size] = {}
+        self._weights: dict[tuple[float, ...], int] = {(): 0}
+        """A number for each tuple of weights that a node has, which may be long."""
+        self._vertices = Tally("vertices", f"{path} draws")
 
     def scene(self) -> SceneFile:
         self._check_count()
+        self._note_left_out()
         objects = [found for placed in self._nodes for found in self._objects(placed)]
         cameras = [self._camera(placed) for placed in self._nodes if placed.node.camera is not None]
         lamps = [self._lamp(placed) for placed in self._nodes if placed.node.extensions.light]
-        notes = dict.fromkeys([*self._notes, *self._looks.notes])
-        return SceneFile(tuple(objects), tuple(cameras), tuple(lamps), tuple(notes))
+        return SceneFile(tuple(objects), tuple(cameras), tuple(lamps), self._notes.told())
 
     def _check_count(self) -> None:
-        """Refuse more objects than anybody means, before any of them is made."""
+        """Refuse more than anybody means, before anything is made."""
         meshes = self._file.meshes
         drawn = (each.node.mesh for each in self._nodes if each.node.mesh is not None)
         count = sum(len(meshes[number].primitives) for number in drawn if number < len(meshes))
-        if count > MAX_OBJECTS:
-            raise SceneError(f"the scene has more than {MAX_OBJECTS} objects")
+        beside = sum(1 for each in self._nodes if each.node.camera is not None)
+        beside += sum(1 for each in self._nodes if each.node.extensions.light)
+        check("objects", count + beside, f"{self._path} has")
 
-    def _left_out(self) -> list[str]:
-        """What the file has, and the scene has not."""
-        unknown = sorted(set(self._file.extensions_used) - SUPPORTED)
-        notes = [f"the extension {name} is left out" for name in unknown]
-        return [*notes, *(["animations are left out"] if self._file.animations else [])]
+    def _note_left_out(self) -> None:
+        """Tell what the file has, and the scene has not."""
+        for name in self._file.extensions_used:
+            if name not in SUPPORTED:
+                self._notes.add(f"the extension {short(name)}", " is left out")
+        if self._file.animations:
+            self._notes.add("animations", " are left out")
 
     def _objects(self, placed: Placed) -> Iterator[SceneObject]:
         """An object for each primitive of a node's mesh."""
@@ -86,31 +108,40 @@ class _Reader:
             raise SceneError(f"node {placed.number}: there is no mesh {number}")
         mesh = self._file.meshes[number]
         bones = None if node.skin is None else self._bones(node.skin, placed)
+        of_node = self._weights.setdefault(node.weights, len(self._weights))
         for index, primitive in enumerate(mesh.primitives):
             what = f"mesh {number}, primitive {index}"
             if not is_drawn(primitive):
-                self._notes.append(f"{what}: it consists of lines, and is left out")
+                self._notes.add(what, ": it consists of lines, and is left out")
                 continue
-            weights = _weights(node, mesh, primitive)
+            self._vertices.add(self._size(primitive, (number, index), what).drawn)
             look = self._looks.look(primitive.material, what)
             yield SceneObject(
                 placed.name,
-                self._mesh(primitive, (number, index, weights), what),
+                self._mesh(primitive, (number, index, of_node), node.weights or mesh.weights, what),
                 placed.to_world if bones is None else np.eye(4),
                 _morphed(look) if primitive.targets else look,
                 placed.tags,
                 bones,
             )
 
+    def _size(self, primitive: schema.Primitive, key: tuple[int, int], what: str) -> Size:
+        if key not in self._sizes:
+            self._sizes[key] = size_of(primitive, self._accessors, what)
+        return self._sizes[key]
+
     def _mesh(
-        self, primitive: schema.Primitive, key: tuple[int, int, tuple[float, ...]], what: str
+        self,
+        primitive: schema.Primitive,
+        key: tuple[int, int, int],
+        weights: tuple[float, ...],
+        what: str,
     ) -> Mesh:
+        """The mesh of a primitive that has gone so far to each of its morph targets."""
         if key not in self._meshes:
-            made = mesh_of(primitive, self._accessors, key[2], what)
-            self._vertices += len(made)
-            if self._vertices > MAX_VERTICES:
-                raise SceneError(f"{what}: all meshes have more than {MAX_VERTICES} vertices")
-            self._meshes[key] = made
+            self._size(primitive, key[:2], what).count_memory(self._memory)
+            weights = weights or (0.0,) * len(primitive.targets)
+            self._meshes[key] = mesh_of(primitive, self._accessors, weights, what)
         return self._meshes[key]
 
     def _bones(self, number: int, placed: Placed) -> Matrix:
@@ -125,6 +156,9 @@ class _Reader:
         for joint in skin.joints:
             if joint not in self._places:
                 raise SceneError(f"{what}: joint {joint} is no node of the scene")
+        self._memory.add(
+            len(skin.joints) * _BYTES_OF_JOINT, passing=2 * len(skin.joints) * _BYTES_OF_JOINT
+        )
         joints = np.stack([self._places[joint] for joint in skin.joints])
         if skin.inverse_bind_matrices is None:
             return joints
@@ -177,13 +211,6 @@ class _Reader:
 def _morphed(look: Look) -> Look:
     """The look of a mesh whose channels ``morph_…`` already lead to the shape that it has."""
     return replace(look, parameters={**look.parameters, "morph": 1.0})
-
-
-def _weights(
-    node: schema.Node, mesh: schema.Mesh, primitive: schema.Primitive
-) -> tuple[float, ...]:
-    """How far a mesh has gone to each morph target: as its node says, or as it says itself."""
-    return node.weights or mesh.weights or (0.0,) * len(primitive.targets)
 
 
 def _check_depths(near: float, far: float, number: int) -> None:

@@ -16,6 +16,8 @@ Size = Annotated[int, Meta(ge=1, lt=2**31)]
 Share = Annotated[float, Meta(ge=0, le=1)]
 Positive = Annotated[float, Meta(gt=0)]
 NotNegative = Annotated[float, Meta(ge=0)]
+Distance = Annotated[float, Meta(ge=1e-30, le=1e30)]
+"""Of which a projection can be made: neither it nor what is divided by it is 0 or infinite."""
 Numbers3 = tuple[float, float, float]
 Numbers4 = tuple[float, float, float, float]
 Name = Annotated[str, Meta(max_length=10_000)]
@@ -155,16 +157,16 @@ class Skin(Record, frozen=True):
 
 
 class Perspective(Record, frozen=True):
-    yfov: Annotated[float, Meta(gt=0, lt=3.1415)]
-    znear: Positive
-    zfar: Positive | None = None
+    yfov: Annotated[float, Meta(ge=1e-6, lt=3.1415)]
+    znear: Distance
+    zfar: Distance | None = None
 
 
 class Orthographic(Record, frozen=True):
-    xmag: Positive
-    ymag: Positive
-    zfar: Positive
-    znear: NotNegative
+    xmag: Distance
+    ymag: Distance
+    zfar: Distance
+    znear: Annotated[float, Meta(ge=0, le=1e30)]
 
 
 class Camera(Record, frozen=True):

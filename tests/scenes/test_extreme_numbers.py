@@ -1,0 +1,108 @@
+"""Numbers at the ends of what floats can be: drawn or refused, without a warning of NumPy."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.compiler.budget import BudgetError
+from burnish.targets.runner.frames.by_reference import ReferenceFrames
+from burnish.targets.runner.frames.host import FrameHost, FrameSubject
+from burnish.targets.runner.frames.staging import staged
+from burnish.targets.runner.instances.values import ParameterError
+from burnish.targets.runner.scenes.gltf.reading import read_gltf
+from burnish.targets.runner.scenes.records import SceneError
+
+from ..fuzz.scenes import rich
+from .kit import Json
+
+FRAME = """\
+import std.gltf.{MetallicRoughness, PunctualPoint, PunctualSpot}
+import std.lights.{Directional}
+
+material Scanned : MetallicRoughness {}
+rig Studio { sun : Directional  lamps : PunctualPoint[<= 4]  torch : PunctualSpot }
+frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }
+"""
+
+VALUES = (1e38, -1e38, 3.4e38, 1e154, 1e300, -1.7e308, 5e-324, 1e-45, -0.0, 1e20)
+
+PLACES: Sequence[tuple[Any, ...]] = (
+    ("nodes", 2, "translation"), ("nodes", 2, "translation", 0), ("nodes", 2, "scale"),
+    ("nodes", 2, "scale", 1), ("nodes", 2, "rotation"), ("nodes", 2, "rotation", 3),
+    ("nodes", 1, "weights", 0), ("nodes", 3, "matrix", 12), ("nodes", 3, "matrix", 15),
+    ("nodes", 3, "matrix", 5), ("nodes", 4, "translation", 2), ("nodes", 4, "scale"),
+    ("cameras", 0, "perspective", "yfov"), ("cameras", 0, "perspective", "znear"),
+    ("cameras", 0, "perspective", "zfar"), ("cameras", 1, "orthographic", "xmag"),
+    ("cameras", 1, "orthographic", "ymag"), ("cameras", 1, "orthographic", "znear"),
+    ("cameras", 1, "orthographic", "zfar"), ("materials", 0, "normalTexture", "scale"),
+    ("materials", 0, "alphaCutoff"), ("materials", 0, "emissiveFactor", 0),
+    ("extensions", "KHR_lights_punctual", "lights", 0, "intensity"),
+    ("extensions", "KHR_lights_punctual", "lights", 0, "range"),
+    ("extensions", "KHR_lights_punctual", "lights", 0, "spot", "innerConeAngle"),
+)  # fmt: skip
+"""Where a number stands, or several that all become the same."""
+
+
+@pytest.fixture(scope="module")
+def frame(tmp_path_factory: pytest.TempPathFactory) -> FrameSubject:
+    path = tmp_path_factory.mktemp("frame") / "f.burnish"
+    path.write_text(FRAME)
+    (found,) = burnish.compile(path, ("wgsl",)).frames
+    return found
+
+
+def seen() -> Json:
+    """The file, with its models before its first camera."""
+    whole = rich().whole
+    whole["nodes"][2]["translation"] = [-0.5, -0.25, 0.0]
+    whole["nodes"][3]["matrix"][14] = 1.0
+    return whole
+
+
+def scenes(place: Sequence[Any]) -> Iterator[Json]:
+    """The file with each value at this place, seen by the camera which that may belong to."""
+    for value in VALUES:
+        whole = seen()
+        whole["nodes"][2]["scale"] = whole["nodes"][4]["scale"] = [1.0, 1.0, 1.0]
+        whole["nodes"][4]["translation"] = [0.0, 0.0, 0.0]
+        if place[:2] == ("cameras", 1):
+            del whole["nodes"][3]["camera"]
+        at: Any = whole
+        for step in place[:-1]:
+            at = at[step]
+        several = isinstance(at[place[-1]], list)
+        at[place[-1]] = [value] * len(at[place[-1]]) if several else value
+        yield whole
+
+
+@pytest.mark.parametrize("place", PLACES, ids=lambda place: ".".join(map(str, place)))
+@pytest.mark.filterwarnings("error")
+def test_extreme_numbers(place: Sequence[Any], frame: FrameSubject, tmp_path: Path) -> None:
+    path = tmp_path / "m.gltf"
+    for whole in scenes(place):
+        path.write_text(json.dumps(whole))
+        try:
+            drawing = ReferenceFrames(
+                FrameHost(frame, staged(read_gltf(path), ["Scanned"], []), (8, 8))
+            )
+            drawing.draw()
+        except (BudgetError, SceneError, ParameterError) as error:
+            assert len(str(error)) < 300
+            continue
+        assert drawing.output("picture").levels[0].shape[2:4] == (8, 8)
+
+
+def test_the_scene_is_seen(frame: FrameSubject, tmp_path: Path) -> None:
+    """So that what is drawn above has pixels."""
+    path = tmp_path / "m.gltf"
+    path.write_text(json.dumps(seen()))
+    drawing = ReferenceFrames(FrameHost(frame, staged(read_gltf(path), ["Scanned"], []), (8, 8)))
+    drawing.draw()
+    assert np.ptp(drawing.output("picture").levels[0][0]) > 0
