@@ -1,20 +1,22 @@
-"""Replaces a set of files in a folder: readers find all of the old files or all of the new ones.
+"""Replaces a set of files in a folder: all of them, or none if anything goes wrong.
 
-``output.py`` and ``results.py`` write everything with it that a command leaves in a folder. A file
-system changes one name at a time, so a set of files needs a journal. It is a folder inside the
-target folder, which exists only while somebody writes:
+``output.py`` and ``results.py`` write everything with it that a command leaves in a folder. Such a
+folder may have come from anywhere, and may hold links and files of any name. So nothing that lies
+in it is read, believed, followed or deleted, and there is no record of what earlier processes did:
 
-    .burnish-output-1000/     the number is the user's
-        lock                  locked by the process that writes
-        new/                  the new files
-        whole                 made once each file in new/ is complete
-        old/                  the files that the new ones replace, to take everything back
+1. Each new file is written under a random name, such as ``.burnish-5f1c…``, which nobody else can
+   have made.
+2. Once all of them are complete, each old file gets a second name of that kind, and the new file is
+   renamed over it. That takes microseconds. Processes that do this in the same folder take turns.
+3. If anything goes wrong on the way, the old files get their names back.
+4. The random names are deleted, each by itself.
 
-New files are renamed into place once ``whole`` exists, which takes microseconds. An error on the
-way takes back what has been renamed. A process that is killed takes nothing back. But the system
-releases its lock, so the next process that writes into the folder finds out that nobody owns the
-journal. If ``whole`` exists, it renames what is left in ``new``; otherwise it drops all of it.
-Neither depends on numbers of processes, which come again and mean nothing to other hosts.
+The folder is opened once, and everything happens relative to its descriptor, so nobody can lead
+Burnish elsewhere by changing the folder's path meanwhile. A process that is killed takes nothing
+back, and leaves its random names. No later process can tell whose they are, so they stay.
+
+Python has neither descriptors of folders nor locks for them on Windows: there, paths are used, and
+processes do not take turns.
 """
 
 from __future__ import annotations
@@ -22,209 +24,209 @@ from __future__ import annotations
 import errno
 import os
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager, suppress
 from os.path import join
 from stat import S_ISDIR
 
 ON_WINDOWS = os.name == "nt"
 PATIENCE = 10.0
-"""For how many seconds to wait for another process, which needs far less to write its files."""
-
-_NO_LOCKS = frozenset({errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP})
-"""What file systems say that cannot lock. There, processes should not write at the same time."""
+"""For how many seconds to wait for another process, which needs far less to rename its files."""
 
 
 def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
     """Write each content under its name into a folder, or raise ``OSError`` and change nothing.
 
     The folder is made if need be. A link that has one of the names is replaced, not followed.
+    The error's ``filename`` is what could not be written: the folder, or a file in it.
     """
     for name in contents:
-        if os.path.isdir(join(folder, name)):
-            raise IsADirectoryError(errno.EISDIR, "it is a folder", join(folder, name))
-    os.makedirs(folder, exist_ok=True)
-    with _journal(folder) as journal:
-        journal.store(contents)
-        journal.put_in_place(contents)
-
-
-class _Journal:
-    """The journal of a folder, which this process has locked."""
-
-    def __init__(self, folder: str, path: str) -> None:
-        self._folder = folder
-        self._new, self._old, self._whole = (join(path, name) for name in ("new", "old", "whole"))
-
-    def store(self, contents: Mapping[str, bytes]) -> None:
-        """Write the new files, and remember those that are there."""
-        _make_private_folder(self._new)
-        _make_private_folder(self._old)
+        with _told(join(folder, name)):
+            _insist_on_name(name)
+    with ExitStack() as used:
+        with _told(folder):
+            os.makedirs(folder, exist_ok=True)
+            place = _Folder(folder)
+        used.callback(place.close)
+        files = []
         for name, content in contents.items():
-            _write(join(self._new, name), content)
-            _duplicate(join(self._folder, name), join(self._old, name))
-        _write(self._whole, b"")
+            with _told(join(folder, name)):
+                file = _File(place, name)
+                used.callback(file.clear)
+                file.write(content)
+            files.append(file)
+        with _told(folder):
+            place.lock()
+        _put_in_place(folder, files)
 
-    def put_in_place(self, names: Mapping[str, bytes]) -> None:
-        """Rename the new files to their final names; if that fails, take it back."""
-        moved: list[str] = []
-        try:
-            for name in names:
-                moved.append(name)
-                os.replace(join(self._new, name), join(self._folder, name))
-        except BaseException:
-            os.unlink(self._whole)
-            for name in moved:
-                with suppress(OSError):
-                    self._take_back(name)
-            raise
 
-    def _take_back(self, name: str) -> None:
-        """Have a name stand again for what it stood for before."""
-        if os.path.lexists(join(self._new, name)):
-            return  # It was not renamed.
+def _insist_on_name(name: str) -> None:
+    """Raise ``OSError`` unless this can be the name of a file in the folder itself.
+
+    Some names come from what was compiled or shown, and none of those may lead elsewhere.
+    """
+    separators = "/\0\\:" if ON_WINDOWS else "/\0"
+    if name in ("", ".", "..") or any(separator in name for separator in separators):
+        raise OSError(errno.EINVAL, "it is not the name of a file")
+    try:
+        os.fsencode(name)
+    except UnicodeEncodeError:
+        reason = "names of files cannot have all of its characters here"
+        raise OSError(errno.EILSEQ, reason) from None
+
+
+class _Folder:
+    """An open folder. Names are those of files directly in it, and no link is followed."""
+
+    def __init__(self, path: str) -> None:
+        self._path = path
+        self._descriptor = None if ON_WINDOWS else os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+
+    def close(self) -> None:
+        """Close the folder, which unlocks it as well."""
+        if self._descriptor is not None:
+            os.close(self._descriptor)
+
+    def create(self, name: str) -> int:
+        """The descriptor of a new file, to write to it; nothing else may have the name."""
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+        return os.open(self._at(name), flags, 0o666, dir_fd=self._descriptor)
+
+    def status(self, name: str) -> os.stat_result | None:
+        """What is known of a file, or of a link itself; ``None`` if there is none."""
         try:
-            os.replace(join(self._old, name), join(self._folder, name))
+            return os.stat(self._at(name), dir_fd=self._descriptor, follow_symlinks=False)
         except FileNotFoundError:
-            os.unlink(join(self._folder, name))
+            return None
 
-    def settle(self) -> None:
-        """Complete what a killed process has left, or drop it."""
-        if os.path.lexists(self._whole):
-            for name in _names(self._new):
-                with suppress(OSError):
-                    os.replace(join(self._new, name), join(self._folder, name))
-        self.clear()
+    def rename(self, name: str, new: str) -> None:
+        """Give a file another name, in place of whichever file has it."""
+        folder = self._descriptor
+        os.replace(self._at(name), self._at(new), src_dir_fd=folder, dst_dir_fd=folder)
+
+    def link(self, name: str, second: str) -> None:
+        """Give a file, or a link itself, a second name."""
+        folder, names = self._descriptor, (self._at(name), self._at(second))
+        os.link(*names, src_dir_fd=folder, dst_dir_fd=folder, follow_symlinks=False)
+
+    def delete(self, name: str) -> None:
+        """Delete a file, or a link itself; never a folder."""
+        os.unlink(self._at(name), dir_fd=self._descriptor)
+
+    def lock(self) -> None:
+        """Keep other processes from renaming files here; wait for one that is doing so."""
+        give_up = time.monotonic() + PATIENCE
+        while self._descriptor is not None and not _lock(self._descriptor):
+            if time.monotonic() > give_up:
+                waited = f"another process has kept the folder locked for {PATIENCE:g} seconds"
+                raise TimeoutError(errno.ETIMEDOUT, waited)
+            time.sleep(0.005)
+
+    def _at(self, name: str) -> str:
+        """How the system is told a name, besides the folder's descriptor where there is one."""
+        return join(self._path, name) if self._descriptor is None else name
+
+
+class _File:
+    """A file on its way into a folder.
+
+    Until its name stands for the new content, this has a random name; from then on the old file
+    has another one.
+    """
+
+    def __init__(self, folder: _Folder, name: str) -> None:
+        """Begin the new file, unless a folder has its name."""
+        self.name = name
+        self._folder = folder
+        self._new, self._old = (f".burnish-{os.urandom(16).hex()}" for _ in range(2))
+        status = folder.status(name)
+        if status is not None and S_ISDIR(status.st_mode):
+            raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        self._descriptor = folder.create(self._new)
+
+    def write(self, content: bytes) -> None:
+        """Write the new content under its random name."""
+        with open(self._descriptor, "wb") as file:
+            file.write(content)
+
+    def put_in_place(self) -> None:
+        """Have the name stand for the new content."""
+        with suppress(FileNotFoundError):
+            self._set_aside()
+        self._folder.rename(self._new, self.name)
+
+    def take_back(self) -> None:
+        """Have the name stand again for what it stood for, however far ``put_in_place`` came."""
+        if self._folder.status(self._old) is not None:
+            self._folder.rename(self._old, self.name)
+        elif self._folder.status(self._new) is None:
+            self._folder.delete(self.name)
 
     def clear(self) -> None:
-        """Remove the journal but for its lock."""
-        with suppress(FileNotFoundError):
-            os.unlink(self._whole)
-        for part in (self._new, self._old):
-            for name in _names(part):
-                os.unlink(join(part, name))
-            with suppress(FileNotFoundError):
-                os.rmdir(part)
+        """Delete what still has a random name."""
+        for name in (self._new, self._old):
+            with suppress(OSError):
+                self._folder.delete(name)
+
+    def standing(self) -> tuple[int, int] | None:
+        """Which file the name stands for, by its device and number; ``None`` if it is unknown."""
+        status = self._folder.status(self.name)
+        return (status.st_dev, status.st_ino) if status is not None and status.st_ino else None
+
+    def _set_aside(self) -> None:
+        """Give the old file its random name: as a second one, so that readers find it all along.
+
+        Where files cannot have two names, it is renamed, and missing for a moment.
+        """
+        try:
+            self._folder.link(self.name, self._old)
+        except FileNotFoundError:
+            raise
+        except (OSError, NotImplementedError):
+            self._folder.rename(self.name, self._old)
+
+
+def _put_in_place(folder: str, files: Sequence[_File]) -> None:
+    """Have all names stand for the new contents; if that fails, take it back."""
+    begun: list[_File] = []
+    placed: dict[tuple[int, int], str] = {}
+    try:
+        for file in files:
+            with _told(join(folder, file.name)):
+                if (old := file.standing()) in placed:
+                    raise FileExistsError(errno.EEXIST, f"here `{placed[old]}` is the same name")
+                begun.append(file)
+                file.put_in_place()
+                if new := file.standing():
+                    placed[new] = file.name
+    except BaseException:
+        for file in reversed(begun):
+            with suppress(OSError):
+                file.take_back()
+        raise
 
 
 @contextmanager
-def _journal(folder: str) -> Iterator[_Journal]:
-    """The journal of a folder, empty; others that want to write there wait as long."""
-    path = join(folder, f".burnish-output-{os.getuid() if hasattr(os, 'getuid') else 0}")
-    lock = _locked(path)
-    journal = _Journal(folder, path)
+def _told(path: str) -> Iterator[None]:
+    """Have errors name what people know by this path, not what the system was asked for."""
     try:
-        journal.settle()
-        try:
-            yield journal
-        finally:
-            journal.clear()
-            if not ON_WINDOWS:
-                os.unlink(join(path, "lock"))
-    finally:
-        os.close(lock)
-        with suppress(OSError):  # Whoever has waited may have made the next lock in it.
-            if ON_WINDOWS:  # There nobody can delete a file that is open, not even its owner.
-                os.unlink(join(path, "lock"))
-            os.rmdir(path)
-
-
-def _locked(path: str) -> int:
-    """The file descriptor of the lock of the journal at ``path``, once nobody else has it."""
-    give_up = time.monotonic() + PATIENCE
-    while True:
-        _make_own_folder(path)
-        with suppress(FileNotFoundError):  # The journal was removed just now.
-            lock = os.open(join(path, "lock"), os.O_RDWR | os.O_CREAT, 0o666)
-            if _lock(lock) and _is_at(lock, join(path, "lock")):
-                return lock
-            os.close(lock)
-        if time.monotonic() > give_up:
-            waited = f"another process has been writing there for {PATIENCE:.0f} seconds"
-            raise TimeoutError(errno.ETIMEDOUT, f"{waited}; if there is none, delete `{path}`")
-        time.sleep(0.005)
-
-
-def _make_own_folder(path: str) -> None:
-    """Make a folder; if it exists, it has to be this user's.
-
-    Somebody else could fill it with files to be put in place of ours.
-    """
-    try:
-        _make_private_folder(path)
-    except FileExistsError:
-        with suppress(FileNotFoundError):
-            found = os.lstat(path)
-            owned = not hasattr(os, "getuid") or found.st_uid == os.getuid()
-            if not S_ISDIR(found.st_mode) or not owned:
-                reason = f"`{path}` is in the way, and is not a folder of this user"
-                raise PermissionError(errno.EACCES, reason) from None
-
-
-def _make_private_folder(path: str) -> None:
-    """Make a folder that this user alone can enter, whatever the umask says.
-
-    Where others could write there, they could add files; where the user cannot enter, no later
-    process could clear it away.
-    """
-    os.mkdir(path, 0o700)
-    os.chmod(path, 0o700)
-
-
-def _lock(file: int) -> bool:
-    """Lock an open file for this process, unless another one has locked it."""
-    try:
-        if ON_WINDOWS:
-            _lock_on_windows(file)
-        else:
-            from fcntl import LOCK_EX, LOCK_NB, flock
-
-            flock(file, LOCK_EX | LOCK_NB)
-    except (BlockingIOError, PermissionError):
-        return False
+        yield
     except OSError as error:
-        if error.errno not in _NO_LOCKS:
-            raise
-    return True
+        raise OSError(error.errno, error.strerror, path) from error
 
 
-def _lock_on_windows(file: int) -> None:
-    """Lock an open file, or raise ``PermissionError``; the lock ends with the process as well."""
-    from importlib import import_module
+def _lock(folder: int) -> bool:
+    """Lock an open folder for this process, unless another one has locked it.
 
-    system = import_module("msvcrt")
-    locking: Callable[[int, int, int], None] = system.locking
-    without_waiting: int = system.LK_NBLCK
-    locking(file, without_waiting, 1)
+    Some file systems cannot lock folders, for example those of a network. There, processes should
+    not write at the same time.
+    """
+    from fcntl import LOCK_EX, LOCK_NB, flock
 
-
-def _is_at(file: int, path: str) -> bool:
-    """Whether an open file is still the one at ``path``, and not one that was deleted."""
     try:
-        return os.path.samestat(os.fstat(file), os.stat(path))
-    except FileNotFoundError:
+        flock(folder, LOCK_EX | LOCK_NB)
+    except BlockingIOError:
         return False
-
-
-def _write(path: str, content: bytes) -> None:
-    with open(path, "wb") as file:
-        file.write(content)
-
-
-def _duplicate(path: str, copy: str) -> None:
-    """Give a file a second name; where the file system has no such names, copy it."""
-    try:
-        os.link(path, copy, follow_symlinks=False)
-    except FileNotFoundError:
-        return
-    except (OSError, NotImplementedError):
-        if os.path.isfile(path):
-            with open(path, "rb") as file:
-                _write(copy, file.read())
-
-
-def _names(folder: str) -> list[str]:
-    try:
-        return os.listdir(folder)
-    except FileNotFoundError:
-        return []
+    except OSError:
+        return True
+    return True
