@@ -26,7 +26,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
-from typing import TextIO
 
 from .places import is_trusted
 from .sources import Debian, Extra, OwnInstaller
@@ -129,28 +128,31 @@ def _lock() -> Iterator[None]:
             f"{folder} is not a folder into which only you can put programs: correct that, or name "
             "another one in BURNISH_TOOLS"
         )
-    with (cache_folder() / ".lock").open("w") as file:
-        _wait_for_others(file)
-        for leftover in cache_folder().glob(f"{PARTIAL}*"):
+    opened = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        _wait_for_others(opened)
+        for leftover in folder.glob(f"{PARTIAL}*"):
             shutil.rmtree(leftover)
         yield
+    finally:
+        os.close(opened)
 
 
-def _wait_for_others(file: TextIO) -> None:
-    """Lock a file, once no other run has it any more."""
+def _wait_for_others(folder: int) -> None:
+    """Lock an open folder, once no other run has locked it any more."""
     import fcntl  # which Windows lacks
 
     give_up = time.monotonic() + PATIENCE
     told = False
     while True:
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            fcntl.flock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB)
             return
         except BlockingIOError:
             if time.monotonic() > give_up:
                 reason = f"another run has been installing for {_minutes(PATIENCE)}"
                 raise InstallError(
-                    f"{reason}, and holds {file.name}: end it, then try again"
+                    f"{reason}, and has locked {cache_folder()}: end it, then try again"
                 ) from None
         if not told:
             print("waiting for another run, which is installing ...", flush=True)

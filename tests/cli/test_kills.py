@@ -1,25 +1,25 @@
-"""Whenever a process is killed while it writes, the next one puts its files right."""
+"""A process that is killed while it writes leaves whole files; other failures take all back."""
 
 from __future__ import annotations
 
+import fcntl
 import os
+import re
 import signal
 import sys
-import threading
 import time
 from functools import partial
 from pathlib import Path
-from stat import S_IMODE
 
 import pytest
 
 from burnish.commands import replacing
 from burnish.commands.replacing import replace_all
 
-from ..suite.processes import Background, at_once, run, started, until
+from ..suite.processes import at_once, run, started, until
 from .kit import PLAIN, shell, tree
 
-CALLS = ("mkdir", "chmod", "open", "link", "replace", "unlink", "rmdir", "listdir")
+CALLS = ("mkdir", "open", "stat", "link", "replace", "unlink", "close")
 """The system calls at which a process may be killed."""
 
 KILLED = f"""
@@ -59,11 +59,14 @@ for fatal, folder in enumerate(sys.argv[2:], start=1):
 
 OLD = {"a": b"old", "b": b"old"}
 NEW = {"a": b"new", "b": b"new", "c": b"new"}
+RANDOM = re.compile(r"\.burnish-[0-9a-f]{32}")
+"""The names that only a killed process leaves."""
 
 
 def contents(folder: Path) -> dict[str, bytes]:
-    """What the files of a folder hold; a journal is left out."""
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    """What the files of a folder hold; what has a random name is left out."""
+    files = (path for path in folder.iterdir() if not RANDOM.fullmatch(path.name))
+    return {path.name: path.read_bytes() for path in files}
 
 
 def put_old(folder: Path) -> None:
@@ -73,8 +76,8 @@ def put_old(folder: Path) -> None:
 
 @pytest.mark.parametrize("moment", ["before", "after"])
 def test_killed_at_each_call(moment: str, tmp_path: Path) -> None:
-    """The next process writes another file, and leaves the whole old set or the whole new one."""
-    folders = [tmp_path / str(number) for number in range(40)]
+    """No file is ever half of one or missing; doing it again completes the set."""
+    folders = [tmp_path / str(number) for number in range(50)]
     for folder in folders:
         folder.mkdir()
         put_old(folder)
@@ -83,19 +86,20 @@ def test_killed_at_each_call(moment: str, tmp_path: Path) -> None:
     calls = codes.count(-signal.SIGKILL)
     assert codes == [-signal.SIGKILL] * calls + [0] * (len(folders) - calls)
     assert 20 < calls < len(folders), "not every call was tried, or hardly any was counted"
-    found = []
+    stages = []
     for folder in folders:
-        for name, content in contents(folder).items():
+        found = contents(folder)
+        for name, content in found.items():
             assert content in (OLD.get(name), NEW[name]), folder
-        replace_all(str(folder), {"other": b"x"})
-        rest = contents(folder)
-        assert rest.pop("other") == b"x"
-        assert rest in (OLD, NEW), folder
-        assert tree(folder) == {"other", *rest}, folder
-        found.append(rest)
-    assert found == sorted(found, key=lambda rest: rest == NEW), "what was new became old again"
-    assert found[0] == OLD
-    assert found[-1] == NEW
+        assert found.keys() >= OLD.keys(), folder
+        stages.append(sum(content == b"new" for content in found.values()))
+        left = tree(folder) - found.keys()
+        assert all(map(RANDOM.fullmatch, left)), folder
+        replace_all(str(folder), NEW)
+        assert contents(folder) == NEW
+        assert tree(folder) == NEW.keys() | left, "what others may have made is left alone"
+    assert stages == sorted(stages), "what was new became old again"
+    assert set(stages) == {0, 1, 2, 3}
 
 
 def test_killed_at_any_time(tmp_path: Path) -> None:
@@ -104,22 +108,20 @@ def test_killed_at_any_time(tmp_path: Path) -> None:
         (tmp_path / f"{name}.burnish").write_text(f"/// {name * 20_000}\n{PLAIN}")
         assert shell("compile", f"{name}.burnish", "-o", name, folder=tmp_path).returncode == 0
     out = tmp_path / "out"
+    out.mkdir()
     command = [sys.executable, "-m", "burnish", "compile", "-o", "out"]
     for turn in range(12):
-        name = ("old", "new")[turn % 2]
+        name, before = ("old", "new")[turn % 2], tree(out)
         with started([*command, f"{name}.burnish"], cwd=tmp_path) as program:
             until(
-                lambda: list(out.glob(".burnish-*/new")) or not program.runs(),
+                lambda before=before: tree(out) != before or not program.runs(),
                 "the first file", pause=0,
             )  # fmt: skip
             time.sleep(turn * 1e-4)
-        for path in filter(Path.is_file, out.iterdir()):
-            whole = [(tmp_path / each / path.name).read_bytes() for each in ("old", "new")]
-            assert path.read_bytes() in whole
+        for path, content in contents(out).items():
+            assert content in [(tmp_path / each / path).read_bytes() for each in ("old", "new")]
     assert shell("compile", "new.burnish", "-o", "out", folder=tmp_path).returncode == 0
-    assert tree(out) == tree(tmp_path / "new")
-    for path in out.iterdir():
-        assert path.read_bytes() == (tmp_path / "new" / path.name).read_bytes()
+    assert contents(out) == contents(tmp_path / "new")
 
 
 def test_writers_take_turns(tmp_path: Path) -> None:
@@ -141,42 +143,58 @@ def refusing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     put_old(tmp_path)
     rename = os.replace
 
-    def replace(source: str, target: str) -> None:
-        if Path(target).name == "c" and "old" not in source:
+    def replace(source: str, target: str, **options: int) -> None:
+        if target == "c":
             raise OSError(16, "Device or resource busy")
-        rename(source, target)
+        rename(source, target, **options)
 
     monkeypatch.setattr(os, "replace", replace)
     return tmp_path
+
+
+def _cannot_link(*_: object, **__: object) -> None:
+    raise PermissionError(1, "Operation not permitted")
 
 
 @pytest.mark.parametrize("links", [True, False])
 def test_what_was_renamed_is_taken_back(
     links: bool, refusing: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def link(*_: object, **__: object) -> None:
-        raise PermissionError(1, "Operation not permitted")
-
+    (refusing / "pointer").symlink_to("nowhere")
     if not links:
-        monkeypatch.setattr(os, "link", link)
-    with pytest.raises(OSError, match="busy"):
-        replace_all(str(refusing), {"a": b"new", "new": b"new", "b": b"new", "c": b"new"})
-    assert contents(refusing) == OLD
-    assert tree(refusing) == {"a", "b"}
+        monkeypatch.setattr(os, "link", _cannot_link)
+    before = {path.name: path.lstat().st_ino for path in refusing.iterdir()}
+    names = ("a", "new", "pointer", "b", "c")
+    with pytest.raises(OSError, match=r"busy: '.*/c'$"):
+        replace_all(str(refusing), dict.fromkeys(names, b"new"))
+    assert {path.name: path.lstat().st_ino for path in refusing.iterdir()} == before
+    assert {name: (refusing / name).read_bytes() for name in OLD} == OLD
+    assert (refusing / "pointer").readlink() == Path("nowhere")
 
 
-def test_an_interruption_takes_back_as_well(
+def test_a_file_system_without_second_names(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(os, "link", _cannot_link)
     put_old(tmp_path)
-    rename = os.replace
+    replace_all(str(tmp_path), NEW)
+    assert contents(tmp_path) == NEW
+    assert tree(tmp_path) == NEW.keys()
 
-    def replace(source: str, target: str) -> None:
-        rename(source, target)
-        if Path(target).name == "b" and Path(source).parent.name == "new":
-            raise KeyboardInterrupt
 
-    monkeypatch.setattr(os, "replace", replace)
+@pytest.mark.parametrize("call", ["link", "replace"])
+def test_an_interruption_takes_back_as_well(
+    call: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put_old(tmp_path)
+    real, interruptions = getattr(os, call), [KeyboardInterrupt()]
+
+    def interrupted(source: str, target: str, **options: int) -> None:
+        real(source, target, **options)
+        if "b" in (source, target) and interruptions:
+            raise interruptions.pop()
+
+    monkeypatch.setattr(os, call, interrupted)
     with pytest.raises(KeyboardInterrupt):
         replace_all(str(tmp_path), NEW)
     assert contents(tmp_path) == OLD
@@ -186,29 +204,24 @@ def test_an_interruption_takes_back_as_well(
 def test_somebody_who_never_ends(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(replacing, "PATIENCE", 0.1)
     put_old(tmp_path)
-    begun, done = threading.Event(), threading.Event()
-    write = replacing._write
-
-    def waiting(path: str, content: bytes) -> None:
-        if threading.current_thread() is not threading.main_thread():
-            begun.set()
-            done.wait(60)
-        write(path, content)
-
-    monkeypatch.setattr(replacing, "_write", waiting)
-    other = Background(partial(replace_all, str(tmp_path), NEW))
-    begun.wait(60)
-    with pytest.raises(TimeoutError, match=r"if there is none, delete `.*\.burnish-output-\d+`"):
+    other = os.open(tmp_path, os.O_RDONLY)
+    fcntl.flock(other, fcntl.LOCK_EX)
+    said = f"another process has kept the folder locked for 0.1 seconds: '{tmp_path}'"
+    with pytest.raises(TimeoutError, match=re.escape(said)):
         replace_all(str(tmp_path), {"a": b"x"})
+    assert tree(tmp_path) == {"a", "b"}
     assert contents(tmp_path) == OLD
-    done.set()
-    other.returned()
+    os.close(other)
+    replace_all(str(tmp_path), NEW)
     assert contents(tmp_path) == NEW
 
 
-def test_a_file_system_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("number", [9, 37, 95])
+def test_a_file_system_without_locks(
+    number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def flock(*_: object) -> None:
-        raise OSError(37, "No locks available")
+        raise OSError(number, os.strerror(number))
 
     monkeypatch.setattr("fcntl.flock", flock)
     replace_all(str(tmp_path), NEW)
@@ -216,45 +229,11 @@ def test_a_file_system_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert tree(tmp_path) == {"a", "b", "c"}
 
 
-@pytest.mark.parametrize("kind", ["file", "link", "other"])
-def test_a_journal_that_is_not_ours(
-    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Who may write into a shared folder must not choose what others put there."""
-    folder, journal = tmp_path / "out", tmp_path / "out" / f".burnish-output-{os.getuid()}"
-    planted = tmp_path / "planted"
-    (planted / "new").mkdir(parents=True)
-    (planted / "whole").touch()
-    (planted / "new" / "a").write_bytes(b"planted")
-    folder.mkdir()
-    if kind == "file":
-        journal.touch()
-    elif kind == "link":
-        journal.symlink_to(planted)
-    else:
-        planted.rename(journal)
-        journal = journal.rename(folder / ".burnish-output-12345")
-        monkeypatch.setattr(os, "getuid", lambda: 12345)
-    with pytest.raises(PermissionError, match="is in the way, and is not a folder of this user"):
-        replace_all(str(folder), {"b": b"new"})
-    assert contents(folder).keys() <= {journal.name}
-
-
-@pytest.mark.parametrize("mask", [0o000, 0o077, 0o777])
-def test_others_can_add_nothing_whatever_the_umask(
-    mask: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    modes: list[int] = []
-
-    def rename(source: str, target: str) -> None:
-        modes.extend(S_IMODE(each.lstat().st_mode) for each in Path(source).parents[:2])
-        Path(source).rename(target)
-
-    monkeypatch.setattr(os, "replace", rename)
-    before = os.umask(mask)
-    try:
-        replace_all(str(tmp_path), {"a": b"new"})
-    finally:
-        os.umask(before)
-    assert modes == [0o700, 0o700]
-    assert [each.name for each in tmp_path.iterdir()] == ["a"]
+def test_a_file_system_that_ignores_case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """There, a second file must not silently take the place of the first."""
+    put_old(tmp_path)
+    monkeypatch.setattr(replacing._Folder, "_at", lambda _, name: name.lower())
+    with pytest.raises(FileExistsError, match=r"here `a` is the same name: '.*/A'$"):
+        replace_all(str(tmp_path), {"a": b"new", "c": b"new", "A": b"other"})
+    assert contents(tmp_path) == OLD
+    assert tree(tmp_path) == {"a", "b"}

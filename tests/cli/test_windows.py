@@ -1,16 +1,15 @@
-"""Writing files where Windows has other rules, of which this imitates two.
+"""Writing files where Windows has other rules, which this imitates.
 
-There nobody can delete or replace a file that is open, and files are locked by other means.
+There nobody can delete or replace a file that is open, and Python knows neither descriptors of
+folders nor ``flock``.
 """
 
 from __future__ import annotations
 
 import errno
-import fcntl
 import os
-import sys
+from collections.abc import Callable
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
@@ -25,28 +24,25 @@ def _open_files() -> set[Path]:
     return {entry.resolve() for entry in Path("/proc/self/fd").iterdir()}
 
 
-def _lock(file: int, _mode: int, _bytes: int) -> None:
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise PermissionError(errno.EACCES, "locked") from None
-
-
 @pytest.fixture(autouse=True)
-def windows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Locks as Windows does, and refuses to delete what is open."""
-    assert tmp_path.is_dir()  # It was made while there still were users.
-    delete = os.unlink
+def windows(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Refuses what Windows refuses."""
 
-    def unlink(path: str) -> None:
-        if Path(path).resolve() in _open_files():
-            raise PermissionError(errno.EACCES, "another process uses the file", path)
-        delete(path)
+    def imitated(call: Callable[..., object]) -> Callable[..., object]:
+        def called(*paths: str, **options: object) -> object:
+            given = [name for name, value in options.items() if name.endswith("dir_fd") and value]
+            assert not given, "Windows has no descriptors of folders"
+            if not _open_files().isdisjoint(Path(path).resolve() for path in paths):
+                raise PermissionError(errno.EACCES, "another process uses the file")
+            return call(*paths, **options)
+
+        return called
 
     monkeypatch.setattr(replacing, "ON_WINDOWS", True)
-    monkeypatch.setattr(os, "unlink", unlink)
-    monkeypatch.delattr(os, "getuid")
-    monkeypatch.setitem(sys.modules, "msvcrt", SimpleNamespace(LK_NBLCK=2, locking=_lock))
+    monkeypatch.delattr("fcntl.flock")
+    monkeypatch.delattr(os, "O_DIRECTORY")
+    for name in ("unlink", "replace", "link"):
+        monkeypatch.setattr(os, name, imitated(getattr(os, name)))
 
 
 def test_files_are_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
@@ -56,13 +52,19 @@ def test_files_are_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
         assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes() == content
 
 
-def test_who_writes_is_waited_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(replacing, "PATIENCE", 0.05)
-    (tmp_path / ".burnish-output-0").mkdir(mode=0o700)
-    with (tmp_path / ".burnish-output-0" / "lock").open("w") as other:
-        _lock(other.fileno(), 2, 1)
-        with pytest.raises(TimeoutError, match="another process has been writing there"):
-            replace_all(str(tmp_path), {"a": b"new"})
-    assert not (tmp_path / "a").exists()
-    replace_all(str(tmp_path), {"a": b"new"})
-    assert tree(tmp_path) == {"a"}
+def test_a_file_that_somebody_has_open(tmp_path: Path) -> None:
+    replace_all(str(tmp_path), {"a": b"old", "b": b"old"})
+    with (
+        (tmp_path / "b").open("rb"),
+        pytest.raises(PermissionError, match=r"another process uses the file: '.*b'$"),
+    ):
+        replace_all(str(tmp_path), {"a": b"new", "b": b"new", "c": b"new"})
+    assert tree(tmp_path) == {"a", "b"}
+    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes() == b"old"
+
+
+@pytest.mark.parametrize("name", ["..\\a", "C:a", "a:stream", "deep/a"])
+def test_names_that_lead_elsewhere_there(name: str, tmp_path: Path) -> None:
+    with pytest.raises(OSError, match="it is not the name of a file"):
+        replace_all(str(tmp_path), {"b": b"new", name: b"new"})
+    assert tree(tmp_path) == set()
