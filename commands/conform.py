@@ -14,6 +14,7 @@ from .compared import Request, Subjects, subjects_of
 from .console import remark
 from .failures import told
 from .options import (
+    budget_option,
     check_device,
     device_option,
     hoist_option,
@@ -46,6 +47,7 @@ COLORS = {
     help="Routes to draw with, as `burnish doctor` lists them: `lavapipe`, `chromium:webgpu`, ….",
 )  # fmt: skip
 @device_option
+@budget_option
 @click.option(
     "--report", metavar="FOLDER", type=click.Path(path_type=Path),
     help="Where to put index.html, a page with pictures, report.json, and junit.xml.",

@@ -32,6 +32,7 @@ def fail(text: str) -> NoReturn:
 
 def drawing_errors() -> tuple[type[Exception], ...]:
     """The exceptions whose texts tell people why something cannot be drawn."""
+    from ..compiler.budget import BudgetError
     from ..targets.runner.codes import CodeError
     from ..targets.runner.feeding import FeedError
     from ..targets.runner.frames.checking import PlanError
@@ -43,8 +44,8 @@ def drawing_errors() -> tuple[type[Exception], ...]:
     from ..targets.runner.textures.kinds import PictureError
 
     return (
-        CodeError, FeedError, MeshError, MissingValuesError, ParameterError, PictureError,
-        PlanError, SceneError, UndrawableError,
+        BudgetError, CodeError, FeedError, MeshError, MissingValuesError, ParameterError,
+        PictureError, PlanError, SceneError, UndrawableError,
     )  # fmt: skip
 
 

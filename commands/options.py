@@ -86,6 +86,31 @@ values_option = click.option(
 )  # fmt: skip
 
 
+def _raise_limits(context: click.Context, _option: click.Parameter, given: Sequence[str]) -> None:
+    """The callback of ``--budget``: limits are raised until the command ends."""
+    from ..compiler.budget import LIMITS, amount_of, raised
+
+    limits = {}
+    for name, text in pairs(context, _option, given):
+        if name not in LIMITS:
+            from ..compiler.diagnostics.nearest import suggestion
+
+            hint = suggestion(name, LIMITS) or f"there are {', '.join(LIMITS)}"
+            raise click.BadParameter(f"there is no limit '{name}': {hint}")
+        try:
+            limits[name] = amount_of(text)
+        except ValueError as error:
+            raise click.BadParameter(str(error)) from error
+    context.with_resource(raised(limits))
+
+
+budget_option = click.option(
+    "--budget", metavar="LIMIT=AMOUNT", multiple=True, expose_value=False, callback=_raise_limits,
+    help="Allow received data to take more than usual, such as memory=4G; may be given many "
+    "times. A command that meets a limit names it.",
+)  # fmt: skip
+
+
 def check_device(device: str, routes: Iterable[Route]) -> None:
     """Raise ``UsageError`` if a device was named, and no route can choose one."""
     from ..targets.runner.routes import DEVICE_ROUTES

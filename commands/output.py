@@ -5,13 +5,12 @@ from __future__ import annotations
 import errno
 import os
 import stat
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
-from .replacing import ON_WINDOWS, PATIENCE, replace_all
+from .replacing import replace_all
 from .results import encoded
 
 
@@ -22,10 +21,11 @@ def obstacle(folder: Path, file: str = "") -> str | None:
     succeeds.
     """
     try:
-        if file and (folder / file).is_dir():
-            return "it is a folder"
-        if file and _is_stream(folder / file):
-            return None
+        if file:
+            if not (folder / file).is_symlink() and (folder / file).is_dir():
+                return "it is a folder"
+            if _is_device(folder / file):
+                return None
         nearest = next(path for path in (folder, *folder.absolute().parents) if path.exists())
     except OSError as error:
         return error.strerror
@@ -43,62 +43,54 @@ def write_all(folder: Path, texts: Mapping[str, str]) -> None:
     try:
         replace_all(str(folder), encoded(texts))
     except OSError as error:
-        raise unwritable(Path(error.filename), error.strerror) from error
+        raise unwritable(Path(error.filename), error.strerror or str(error)) from error
 
 
 def write_file(path: Path, content: bytes) -> None:
     """Write the file that a user has named, completely or not at all; raises ``OSError``.
 
-    A link is replaced, not followed: whoever has made the folder could have it lead to any file. A
-    device or a pipe, such as ``/dev/null``, is written to; it is not replaced by a file.
+    A link is replaced: it may have come with the folder, and lead anywhere. A device or a pipe is
+    written to, such as ``/dev/null``, ``/dev/stdout`` or what ``mkfifo`` has made.
     """
-    if path.is_dir():
-        raise IsADirectoryError(errno.EISDIR, "it is a folder", str(path))
-    if _is_stream(path):
-        _write_to_stream(path, content)
-    else:
-        replace_all(str(path.parent), {path.name: content})
+    if _is_device(path):
+        _write_to_device(path, content)
+        return
+    folder, name = os.path.split(path)
+    replace_all(folder or os.curdir, {name: content})
 
 
-def _is_stream(path: Path) -> bool:
-    """Whether what is there is to be written to, and not to be replaced.
+def _write_to_device(path: Path, content: bytes) -> None:
+    """Write to a device, or to a pipe that somebody reads; waiting for a reader might be for
+    ever.
 
-    That are devices and pipes, and whatever the system itself has in its folder of devices, such
-    as ``/dev/stdout``, which is a link to an open file.
+    If it leads to a file after all, as ``/dev/stdout`` may, what that holds already stays.
+    """
+    without_waiting = getattr(os, "O_NONBLOCK", 0)
+    try:
+        file = os.open(path, os.O_WRONLY | os.O_APPEND | without_waiting)
+    except OSError as error:
+        if error.errno == errno.ENXIO:
+            raise OSError(error.errno, "nobody reads this pipe", str(path)) from None
+        raise
+    with os.fdopen(file, "wb") as stream:
+        if without_waiting:
+            os.set_blocking(file, True)
+        stream.write(content)
+
+
+def _is_device(path: Path) -> bool:
+    """Whether there is a device or a pipe, or a link of the system's own to any open file.
+
+    ``/dev/stdout`` is such a link: it is written through, and never replaced.
     """
     try:
         mode = path.lstat().st_mode
-    except OSError:
+    except (FileNotFoundError, NotADirectoryError):
         return False
-    folder = os.path.realpath(path.parent)
-    is_of_system = folder in ("/dev", "/dev/fd") or folder.startswith("/proc/")
-    return is_of_system or stat.S_ISCHR(mode) or stat.S_ISFIFO(mode)
-
-
-def _write_to_stream(path: Path, content: bytes) -> None:
-    """Write to a device or a pipe; raises ``TimeoutError`` if nobody begins to read a pipe."""
-    give_up = time.monotonic() + PATIENCE
-    while True:
-        try:
-            with open(path, "wb", opener=_without_waiting) as file:
-                file.write(content)
-            return
-        except OSError as error:
-            if error.errno != errno.ENXIO:
-                raise
-        if time.monotonic() > give_up:
-            unread = f"nobody has begun to read it within {PATIENCE:g} seconds"
-            raise TimeoutError(errno.ETIMEDOUT, unread, str(path))
-        time.sleep(0.005)
-
-
-def _without_waiting(path: str, flags: int) -> int:
-    """Open a pipe or a device to write to it; ``OSError`` says ``ENXIO`` if nobody reads it."""
-    if ON_WINDOWS:
-        return os.open(path, flags)
-    file = os.open(path, flags | os.O_NONBLOCK | os.O_NOCTTY)
-    os.set_blocking(file, True)
-    return file
+    if stat.S_ISLNK(mode):
+        folder = os.path.realpath(path.parent)
+        return folder in ("/dev", "/dev/fd") or folder.startswith("/proc/")
+    return stat.S_ISCHR(mode) or stat.S_ISFIFO(mode)
 
 
 def unwritable(path: Path, reason: str) -> CompileError:

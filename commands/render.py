@@ -15,6 +15,7 @@ from .console import remark
 from .failures import fail, told
 from .options import (
     BACKGROUND,
+    budget_option,
     check_device,
     device_option,
     file_argument,
@@ -76,6 +77,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="What to draw with: `reference`, routes as `burnish doctor` lists them, or `all`.",
 )  # fmt: skip
 @device_option
+@budget_option
 @mesh_option
 @scene_option
 @instances_option

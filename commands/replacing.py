@@ -29,9 +29,13 @@ from contextlib import ExitStack, contextmanager, suppress
 from os.path import join
 from stat import S_ISDIR
 
-ON_WINDOWS = os.name == "nt"
 PATIENCE = 10.0
 """For how many seconds to wait for another process, which needs far less to rename its files."""
+TEMPORARY = ".burnish-"
+"""How random names begin."""
+
+_ANCHORED = os.open in os.supports_dir_fd
+"""Whether names can be relative to an open folder, as everywhere but on Windows."""
 
 
 def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
@@ -65,9 +69,9 @@ def _insist_on_name(name: str) -> None:
 
     Some names come from what was compiled or shown, and none of those may lead elsewhere.
     """
-    separators = "/\0\\:" if ON_WINDOWS else "/\0"
+    separators = "/\0" if _ANCHORED else "/\0\\:"
     if name in ("", ".", "..") or any(separator in name for separator in separators):
-        raise OSError(errno.EINVAL, "it is not the name of a file")
+        raise OSError(errno.EINVAL, "it is no name of a file")
     try:
         os.fsencode(name)
     except UnicodeEncodeError:
@@ -80,7 +84,7 @@ class _Folder:
 
     def __init__(self, path: str) -> None:
         self._path = path
-        self._descriptor = None if ON_WINDOWS else os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+        self._descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY) if _ANCHORED else None
 
     def close(self) -> None:
         """Close the folder, which unlocks it as well."""
@@ -118,7 +122,7 @@ class _Folder:
         give_up = time.monotonic() + PATIENCE
         while self._descriptor is not None and not _lock(self._descriptor):
             if time.monotonic() > give_up:
-                waited = f"another process has kept the folder locked for {PATIENCE:g} seconds"
+                waited = f"another process has held this folder for {PATIENCE:g} seconds"
                 raise TimeoutError(errno.ETIMEDOUT, waited)
             time.sleep(0.005)
 
@@ -138,7 +142,7 @@ class _File:
         """Begin the new file, unless a folder has its name."""
         self.name = name
         self._folder = folder
-        self._new, self._old = (f".burnish-{os.urandom(16).hex()}" for _ in range(2))
+        self._new, self._old = (f"{TEMPORARY}{os.urandom(16).hex()}" for _ in range(2))
         status = folder.status(name)
         if status is not None and S_ISDIR(status.st_mode):
             raise IsADirectoryError(errno.EISDIR, "it is a folder")

@@ -12,6 +12,7 @@ import click
 
 from ..failures import fail, needed, told
 from ..options import (
+    budget_option,
     hoist_option,
     instances_option,
     mesh_option,
@@ -30,6 +31,7 @@ from .request import Request
 @scene_option
 @instances_option
 @values_option
+@budget_option
 @click.option(
     "--material", metavar="NAME", help="The material, kernel or frame to begin with.",
 )  # fmt: skip

@@ -1,7 +1,8 @@
-"""Computes what a kernel writes: every result for all elements at once, with bounds.
+"""Computes what a kernel writes: every result for many elements at once, with bounds.
 
-It evaluates the same graphs by the same definitions as the pictures. A device's value of each lane
-has to lie between two numbers.
+So many work groups are computed at once that NumPy is fast, and that a long kernel needs no more
+memory than others for what it computes in between. It evaluates the same graphs by the same
+definitions as the pictures. A device's value of each lane has to lie between two numbers.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from ..budget import check
 from ..ir.kernel import invocations
 from ..ir.leaves import Resource
 from ..ir.node import Node
@@ -20,7 +22,9 @@ from ..ir.operations import joins_group
 from ..ir.scattering import Scattered, scattered
 from ..ir.shader import Result, Shader, Store
 from ..ir.stages import COMPUTED, STORE
+from ..ir.types import width
 from .bounds import Bounded, Errors, all_remembered, exact
+from .bounds.bounded import joined as joined_lanes
 from .evaluate import Evaluator, LeafValues
 from .held_values import HeldValues, as_rounded
 from .in_groups import Groups, InGroups, PlainInGroups
@@ -33,6 +37,12 @@ from .scattering import joined
 from .texture_reads import Reader
 
 Array = NDArray[Any]
+
+_AT_ONCE = 1 << 15
+"""How many invocations are computed at once, or a work group if that has more."""
+_OF_A_LANE = 100
+"""Bytes that one lane of one element takes until a host has it: what it is and between which
+numbers, as an array of its own and as a part of the buffer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,37 +80,78 @@ def computed(
     if shader.chain != COMPUTED:
         raise ValueError(f"{shader.name} is no kernel.")
     assert shader.work_group is not None
-    size = invocations(shader.work_group)
-    groups = PlainInGroups(count, size) if errors is None else InGroups(errors, count, size)
     stores, scatters = shader.results_of(STORE), scattered(shader.results)
     joins = [part for row in scatters for part in (row.value, row.place, row.condition)]
     roots = [*(result.value for result in stores), *joins]
-    known = Found.of(roots, textures.values(), rules)
-    watch = _Watch(known, (count,), rules, groups, rounds=errors is not None)
-    leaves = _leaves(values, textures, count, rules, has_bounds=errors is not None)
-    # Of plain arrays it is NumPy, which mypy does not see.
-    evaluator = Evaluator(leaves, cast("Namespace", groups), watch, stored=all_remembered)
+    lanes = sum(width(root.type) for root in roots)
+    check("memory", count * lanes * _OF_A_LANE, f"what {shader.name} computes needs")
+    parts = _Parts(shader, roots, values, textures, rules, errors)
     with np.errstate(all="ignore"):
-        found = evaluator.values(roots)
-        lanes = {node.id: _of_all(each, count) for node, each in zip(roots, found, strict=True)}
-        watch.end(tuple(lane for each in lanes.values() for lane in each))
-        undecided = watch.undecided
+        found, undecided = parts.joined(count)
+        lanes_of = {root.id: each for root, each in zip(roots, found, strict=True)}
         return [
-            *(lane for each in stores for lane in _stored(each, lanes[each.value.id], undecided)),
-            *(_joined(row, lanes, lengths[row.store.buffer.name], undecided) for row in scatters),
+            *(
+                lane
+                for each in stores
+                for lane in _stored(each, lanes_of[each.value.id], undecided)
+            ),
+            *(_joined(r, lanes_of, lengths[r.store.buffer.name], undecided) for r in scatters),
         ]
+
+
+class _Parts:
+    """The invocations of a kernel, part by part."""
+
+    def __init__(
+        self,
+        shader: Shader,
+        roots: Sequence[Node],
+        values: Mapping[str, Any],
+        textures: Mapping[str, Texels],
+        rules: RasterRules,
+        errors: Errors | None,
+    ) -> None:
+        assert shader.work_group is not None
+        self._size = invocations(shader.work_group)
+        self._roots, self._values, self._textures = roots, values, textures
+        self._rules, self._errors = rules, errors
+        self._known = Found.of(roots, textures.values(), rules)
+
+    def joined(self, count: int) -> tuple[list[list[Bounded]], Array]:
+        """The lanes of each root for all invocations, and for which of them nothing is defined."""
+        step = max(_AT_ONCE // self._size, 1) * self._size
+        begins = range(0, max(count, 1), step)
+        parts = [self._part(begin, min(step, count - begin)) for begin in begins]
+        undecided = np.concatenate([undecided for _, undecided in parts])
+        of_roots = zip(*(lanes for lanes, _ in parts), strict=True)
+        return [list(map(joined_lanes, zip(*lanes, strict=True))) for lanes in of_roots], undecided
+
+    def _part(self, begin: int, count: int) -> tuple[list[list[Bounded]], Array]:
+        """The same for some invocations, which are whole work groups but for the last one."""
+        has_bounds = self._errors is not None
+        groups = (
+            PlainInGroups(count, self._size) if self._errors is None
+            else InGroups(self._errors, count, self._size)
+        )  # fmt: skip
+        watch = _Watch(self._known, (count,), self._rules, groups, rounds=has_bounds)
+        index = np.arange(begin, begin + count, dtype=np.int64)
+        leaves = _leaves(self._values, self._textures, index, self._rules, has_bounds=has_bounds)
+        # Of plain arrays it is NumPy, which mypy does not see.
+        evaluator = Evaluator(leaves, cast("Namespace", groups), watch, stored=all_remembered)
+        lanes = [_of_all(each, count) for each in evaluator.values(self._roots)]
+        watch.end(tuple(lane for each in lanes for lane in each))
+        return lanes, watch.undecided
 
 
 def _leaves(
     values: Mapping[str, Any],
     textures: Mapping[str, Texels],
-    count: int,
+    numbers: Array,
     rules: RasterRules,
     *,
     has_bounds: bool,
 ) -> LeafValues:
-    """The leaves of a kernel's graph for all invocations."""
-    numbers = np.arange(count, dtype=np.int64)
+    """The leaves of a kernel's graph for the invocations of these numbers."""
     index = exact(numbers) if has_bounds else numbers
     held = HeldValues(values, as_rounded if has_bounds else None)
     readers: dict[Resource, Reader] = {}
@@ -139,7 +190,7 @@ def _joined(
 
 
 class _Watch(Watch):
-    """Observes all invocations at once, and what their work groups join."""
+    """Observes some invocations at once, and what their work groups join."""
 
     def __init__(
         self, found: Found, shape: tuple[int, ...], rules: RasterRules, groups: Groups,

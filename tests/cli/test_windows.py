@@ -38,7 +38,7 @@ def windows(monkeypatch: pytest.MonkeyPatch) -> None:
 
         return called
 
-    monkeypatch.setattr(replacing, "ON_WINDOWS", True)
+    monkeypatch.setattr(replacing, "_ANCHORED", False)
     monkeypatch.delattr("fcntl.flock")
     monkeypatch.delattr(os, "O_DIRECTORY")
     for name in ("unlink", "replace", "link"):
@@ -50,6 +50,15 @@ def test_files_are_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
         replace_all(str(tmp_path), {"a": content, "b": content})
         assert tree(tmp_path) == {"a", "b"}
         assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes() == content
+
+
+def test_an_error_changes_nothing(tmp_path: Path) -> None:
+    (tmp_path / "a").write_text("old")
+    (tmp_path / "c").mkdir()
+    with pytest.raises(IsADirectoryError, match="it is a folder"):
+        replace_all(str(tmp_path), {"a": b"new", "b": b"new", "c": b"new"})
+    assert tree(tmp_path) == {"a", "c"}
+    assert (tmp_path / "a").read_text() == "old"
 
 
 def test_a_file_that_somebody_has_open(tmp_path: Path) -> None:
@@ -65,6 +74,6 @@ def test_a_file_that_somebody_has_open(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["..\\a", "C:a", "a:stream", "deep/a"])
 def test_names_that_lead_elsewhere_there(name: str, tmp_path: Path) -> None:
-    with pytest.raises(OSError, match="it is not the name of a file"):
+    with pytest.raises(OSError, match="it is no name of a file"):
         replace_all(str(tmp_path), {"b": b"new", name: b"new"})
     assert tree(tmp_path) == set()

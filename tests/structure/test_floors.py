@@ -21,6 +21,7 @@ FLOORS: dict[str, str] = {
     "garbage": "",
     "stdlib": "frozen",
     # From text to a staged program.
+    "compiler.budget": "",
     "compiler.cache": "",
     "compiler.precomputed": "cache",
     "compiler.inputs": "",
@@ -33,7 +34,7 @@ FLOORS: dict[str, str] = {
     "compiler.formula": "stdlib ir",
     "compiler.promises": "frozen stdlib ir formula",
     "compiler.source_map": "diagnostics ir",
-    "compiler.reference": "frozen stdlib diagnostics ir formula",
+    "compiler.reference": "frozen stdlib budget diagnostics ir formula",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
     "compiler.library_trees": "cache precomputed diagnostics syntax names",
@@ -78,11 +79,13 @@ FLOORS: dict[str, str] = {
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
     "targets.runner": (
-        "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection closing "
-        "toolchain"
+        "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection budget "
+        "closing toolchain"
     ),
-    "targets.web_host": "ir runner toolchain",
-    "targets.conformance": "frozen stdlib diagnostics ir reference runner web_host toolchain",
+    "targets.web_host": "ir budget runner toolchain",
+    "targets.conformance": (
+        "frozen stdlib diagnostics ir reference budget runner web_host toolchain"
+    ),
     "targets.web_view": "runner",
     # The door.
     "compiled": (
@@ -94,9 +97,9 @@ FLOORS: dict[str, str] = {
         "description emit legalise availability selection runner compiled"
     ),
     "commands": (
-        "frozen cache inputs diagnostics syntax ir passes frontend formula closing description "
-        "emit registry availability selection runner web_host web_view conformance toolchain "
-        "compiled api"
+        "frozen cache inputs diagnostics syntax ir passes frontend formula budget closing "
+        "description emit registry availability selection runner web_host web_view conformance "
+        "toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",

@@ -332,6 +332,9 @@ def _added(x: Bounded, y: Bounded) -> Bounded:
         more = in_any_order(sum_)
         low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
         made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
+    for term in terms:
+        if isinstance(term, Sum):
+            term.settle()
     made._sum = sum_
     return made
 

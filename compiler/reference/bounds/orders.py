@@ -28,7 +28,8 @@ class Sum:
 
     roundings: int
     """How many operations may round a partial sum, in any order."""
-    operands: tuple[Term, Term]
+    operands: tuple[Term, ...]
+    """Both terms, until the sum is settled."""
     is_exact: bool
     """Whether every partial sum of its terms is a float32."""
     error: Array = 0.0
@@ -53,6 +54,12 @@ class Sum:
             if self._whole.any():
                 self._whole = self._whole & right.whole
         return self._whole
+
+    def settle(self) -> None:
+        """Compute what is asked of the sum, and forget its terms: a loop that adds to it in every
+        turn would otherwise keep those of all turns."""
+        self._magnitude, self._whole = self.magnitude, self.whole
+        self.operands = ()
 
 
 @dataclass(slots=True, eq=False)

@@ -1,0 +1,131 @@
+"""How much of this machine received data may take, and how a user raises these limits.
+
+Scenes, pictures, plans and the values of a frame may come from anybody. What reads or draws them
+counts what that will take before it allocates anything, and calls ``check``. The commands that draw
+have the option ``--budget``, which raises a limit for as long as the command runs; a program that
+uses Burnish as a library writes ``with raised({"memory": 4 * 10**9}):``.
+
+Limits hold for the whole process, as those of the operating system do. So nothing hands them on,
+but for a command that starts processes which read files of the user: it gives them ``current``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+
+class BudgetError(ValueError):
+    """Something would take more than its limit; the text says what, and how to raise the limit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """One row: something that is counted."""
+
+    name: str
+    """What ``--budget`` calls it."""
+    most: int
+    """How much is allowed unless somebody raises it."""
+    unit: str
+    """What is counted, as a message says it behind a number."""
+    of: str
+    """What has that many, for the help and the manual."""
+
+    @property
+    def in_bytes(self) -> bool:
+        """Whether bytes are counted, of which there are kB, MB and GB."""
+        return self.unit == "bytes"
+
+
+LIMITS: Mapping[str, Limit] = {
+    row.name: row
+    for row in (
+        Limit("memory", 10**9, "bytes", "what is drawn or computed at the same time"),
+        Limit("document", 64 * 10**6, "bytes", "a plan, or the JSON of a scene"),
+        Limit("file", 256 * 10**6, "bytes", "a picture, a buffer, or another file that is read"),
+        Limit("pixels", 2**25, "pixels", "a picture"),
+        Limit("vertices", 4 * 10**6, "vertices", "all meshes of a scene"),
+        Limit("nodes", 10**5, "nodes", "a scene"),
+        Limit("objects", 2**16, "objects", "a scene"),
+    )
+}
+"""All limits, by name."""
+
+_SCALES: Mapping[str, int] = {"": 1, "k": 10**3, "M": 10**6, "G": 10**9}
+"""What a letter behind a number multiplies it by."""
+_AMOUNT = re.compile(r"([0-9]{1,15})([kMG]?)")
+
+_raised: dict[str, int] = {}
+"""The limits that were raised, by name."""
+
+
+def allowed(name: str) -> int:
+    """How much there may be of what the row called ``name`` counts."""
+    return _raised.get(name, LIMITS[name].most)
+
+
+def current() -> dict[str, int]:
+    """All limits that were raised, for a process that this one starts."""
+    return dict(_raised)
+
+
+def check(name: str, amount: int, what: str) -> None:
+    """Raise ``BudgetError`` if an amount is more than is allowed.
+
+    ``what`` begins the sentence and ends with its verb: "`chair.glb` has", "the frame needs".
+    """
+    most = allowed(name)
+    if amount <= most:
+        return
+    row = LIMITS[name]
+    raise BudgetError(
+        f"{what} {amount_with_unit(amount, row)}, and the limit is {amount_with_unit(most, row)}: "
+        f"`--budget {name}={rounded_up(amount)}` raises it"
+    )
+
+
+@contextmanager
+def raised(limits: Mapping[str, int]) -> Iterator[None]:
+    """Have other limits inside the ``with`` block, for all threads of this process."""
+    before = current()
+    for name, amount in limits.items():
+        _raised[LIMITS[name].name] = amount
+    try:
+        yield
+    finally:
+        _raised.clear()
+        _raised.update(before)
+
+
+def amount_of(text: str) -> int:
+    """The number that ``--budget`` is given, such as ``4G``; raises ``ValueError``."""
+    found = _AMOUNT.fullmatch(text)
+    if not found:
+        raise ValueError(f"'{text}' is no amount, which would be like 500k, 20M or 4G")
+    return int(found[1]) * _SCALES[found[2]]
+
+
+def rounded_up(amount: int) -> str:
+    """An amount as ``amount_of`` takes it, with few digits and never less."""
+    letter, scale = _largest_scale(amount // 10)
+    return f"{-(-amount // scale)}{letter}"
+
+
+def amount_with_unit(amount: int, row: Limit) -> str:
+    """An amount with its unit, as people read it: "12.9 GB", "5,000,000 nodes"."""
+    if not row.in_bytes:
+        return f"{amount:,} {row.unit}"
+    letter, scale = _largest_scale(amount)
+    return f"{amount / scale:.3g} {letter}B" if letter else f"{amount} bytes"
+
+
+def _largest_scale(amount: int) -> tuple[str, int]:
+    """The letter of the largest scale that is no more than an amount, and what it stands for."""
+    found = "", 1
+    for letter, scale in _SCALES.items():
+        if scale <= amount:
+            found = letter, scale
+    return found
