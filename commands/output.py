@@ -13,9 +13,6 @@ from ..compiler.diagnostics.diagnostic import CompileError, Report
 from .replacing import replace_all
 from .results import encoded
 
-_SYSTEM = Path("/dev")
-"""Where the system has devices, and links to them such as ``/dev/stdout``."""
-
 
 def obstacle(folder: Path, file: str = "") -> str | None:
     """Why a folder, which need not exist yet, or a file in it cannot be written; else ``None``.
@@ -45,10 +42,8 @@ def write_all(folder: Path, texts: Mapping[str, str]) -> None:
     """Write each text under its name, or raise ``CompileError`` and change nothing."""
     try:
         replace_all(str(folder), encoded(texts))
-    except IsADirectoryError as error:
-        raise unwritable(Path(error.filename), error.strerror or str(error)) from error
     except OSError as error:
-        raise unwritable(folder, error.strerror or str(error)) from error
+        raise unwritable(Path(error.filename), error.strerror or str(error)) from error
 
 
 def write_file(path: Path, content: bytes) -> None:
@@ -66,24 +61,35 @@ def write_file(path: Path, content: bytes) -> None:
 
 def _write_to_device(path: Path, content: bytes) -> None:
     """Write to a device, or to a pipe that somebody reads; waiting for a reader might be for
-    ever."""
+    ever.
+
+    If it leads to a file after all, as ``/dev/stdout`` may, what that holds already stays.
+    """
+    without_waiting = getattr(os, "O_NONBLOCK", 0)
     try:
-        file = os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
+        file = os.open(path, os.O_WRONLY | os.O_APPEND | without_waiting)
     except OSError as error:
         if error.errno == errno.ENXIO:
             raise OSError(error.errno, "nobody reads this pipe", str(path)) from None
         raise
     with os.fdopen(file, "wb") as stream:
-        os.set_blocking(file, True)
+        if without_waiting:
+            os.set_blocking(file, True)
         stream.write(content)
 
 
 def _is_device(path: Path) -> bool:
-    """Whether there is a device or a pipe; a link to one counts if it is the system's."""
+    """Whether there is a device or a pipe, or a link of the system's own to any open file.
+
+    ``/dev/stdout`` is such a link: it is written through, and never replaced.
+    """
     try:
-        mode = (path.stat() if _SYSTEM in path.absolute().parents else path.lstat()).st_mode
+        mode = path.lstat().st_mode
     except (FileNotFoundError, NotADirectoryError):
         return False
+    if stat.S_ISLNK(mode):
+        folder = os.path.realpath(path.parent)
+        return folder in ("/dev", "/dev/fd") or folder.startswith("/proc/")
     return stat.S_ISCHR(mode) or stat.S_ISFIFO(mode)
 
 

@@ -1,16 +1,22 @@
-"""Writes a set of files into a folder: all of them, or none if something goes wrong.
+"""Replaces a set of files in a folder: all of them, or none if anything goes wrong.
 
-``output.py``, ``results.py`` and the commands that make pages write everything with it that they
-leave in a folder. A file system changes one name at a time. So each new file is first written
-completely, under a temporary name in the same folder; then all are renamed, which takes
-microseconds. An error on the way takes back what has been renamed. Only a process that is killed
-just then leaves some new files beside old ones, and each of them is whole; one that is killed
-earlier leaves the old files, and temporary ones, which nobody reads.
+``output.py`` and ``results.py`` write everything with it that a command leaves in a folder. Such a
+folder may have come from anywhere, and may hold links and files of any name. So nothing that lies
+in it is read, believed, followed or deleted, and there is no record of what earlier processes did:
 
-The folder may be somebody else's: a repository that was cloned, for example. So nothing that lies
-there is believed. No name in it is opened but temporary ones, which must be new, and no link is
-followed; nothing is removed but what this very call has made. The folder is opened once, and
-everything is done relative to it, even if its path leads elsewhere a moment later.
+1. Each new file is written under a random name, such as ``.burnish-5f1c…``, which nobody else can
+   have made.
+2. Once all of them are complete, each old file gets a second name of that kind, and the new file is
+   renamed over it. That takes microseconds. Processes that do this in the same folder take turns.
+3. If anything goes wrong on the way, the old files get their names back.
+4. The random names are deleted, each by itself.
+
+The folder is opened once, and everything happens relative to its descriptor, so nobody can lead
+Burnish elsewhere by changing the folder's path meanwhile. A process that is killed takes nothing
+back, and leaves its random names. No later process can tell whose they are, so they stay.
+
+Python has neither descriptors of folders nor locks for them on Windows: there, paths are used, and
+processes do not take turns.
 """
 
 from __future__ import annotations
@@ -18,168 +24,213 @@ from __future__ import annotations
 import errno
 import os
 import time
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager, suppress
 from os.path import join
 from stat import S_ISDIR
 
 PATIENCE = 10.0
-"""For how many seconds to wait for another process, which needs far less to write its files."""
+"""For how many seconds to wait for another process, which needs far less to rename its files."""
 TEMPORARY = ".burnish-"
-"""How the temporary names begin."""
+"""How random names begin."""
 
 _ANCHORED = os.open in os.supports_dir_fd
 """Whether names can be relative to an open folder, as everywhere but on Windows."""
-_NEW = (
-    os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
-)
-_NO_LOCKS = frozenset({errno.EBADF, errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP})
-"""What file systems say that cannot lock a folder. There, processes should take turns."""
 
 
 def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
     """Write each content under its name into a folder, or raise ``OSError`` and change nothing.
 
     The folder is made if need be. A link that has one of the names is replaced, not followed.
+    The error's ``filename`` is what could not be written: the folder, or a file in it.
     """
     for name in contents:
-        _check_name(folder, name)
-    os.makedirs(folder, exist_ok=True)
-    with _opened(folder) as anchor:
-        _Replacement(folder, anchor).run(contents)
+        with _told(join(folder, name)):
+            _insist_on_name(name)
+    with ExitStack() as used:
+        with _told(folder):
+            os.makedirs(folder, exist_ok=True)
+            place = _Folder(folder)
+        used.callback(place.close)
+        files = []
+        for name, content in contents.items():
+            with _told(join(folder, name)):
+                file = _File(place, name)
+                used.callback(file.clear)
+                file.write(content)
+            files.append(file)
+        with _told(folder):
+            place.lock()
+        _put_in_place(folder, files)
 
 
-def _check_name(folder: str, name: str) -> None:
-    """Raise ``OSError`` for a name that does not mean a file in the folder itself."""
-    if name in ("", os.curdir, os.pardir) or "\0" in name or os.path.basename(name) != name:
-        raise OSError(errno.EINVAL, "it is no name of a file", join(folder, name))
+def _insist_on_name(name: str) -> None:
+    """Raise ``OSError`` unless this can be the name of a file in the folder itself.
+
+    Some names come from what was compiled or shown, and none of those may lead elsewhere.
+    """
+    separators = "/\0" if _ANCHORED else "/\0\\:"
+    if name in ("", ".", "..") or any(separator in name for separator in separators):
+        raise OSError(errno.EINVAL, "it is no name of a file")
+    try:
+        os.fsencode(name)
+    except UnicodeEncodeError:
+        reason = "names of files cannot have all of its characters here"
+        raise OSError(errno.EILSEQ, reason) from None
 
 
-class _Replacement:
-    """One call of ``replace_all``, with all that it has made."""
+class _Folder:
+    """An open folder. Names are those of files directly in it, and no link is followed."""
 
-    def __init__(self, folder: str, anchor: int | None) -> None:
+    def __init__(self, path: str) -> None:
+        self._path = path
+        self._descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY) if _ANCHORED else None
+
+    def close(self) -> None:
+        """Close the folder, which unlocks it as well."""
+        if self._descriptor is not None:
+            os.close(self._descriptor)
+
+    def create(self, name: str) -> int:
+        """The descriptor of a new file, to write to it; nothing else may have the name."""
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+        return os.open(self._at(name), flags, 0o666, dir_fd=self._descriptor)
+
+    def status(self, name: str) -> os.stat_result | None:
+        """What is known of a file, or of a link itself; ``None`` if there is none."""
+        try:
+            return os.stat(self._at(name), dir_fd=self._descriptor, follow_symlinks=False)
+        except FileNotFoundError:
+            return None
+
+    def rename(self, name: str, new: str) -> None:
+        """Give a file another name, in place of whichever file has it."""
+        folder = self._descriptor
+        os.replace(self._at(name), self._at(new), src_dir_fd=folder, dst_dir_fd=folder)
+
+    def link(self, name: str, second: str) -> None:
+        """Give a file, or a link itself, a second name."""
+        folder, names = self._descriptor, (self._at(name), self._at(second))
+        os.link(*names, src_dir_fd=folder, dst_dir_fd=folder, follow_symlinks=False)
+
+    def delete(self, name: str) -> None:
+        """Delete a file, or a link itself; never a folder."""
+        os.unlink(self._at(name), dir_fd=self._descriptor)
+
+    def lock(self) -> None:
+        """Keep other processes from renaming files here; wait for one that is doing so."""
+        give_up = time.monotonic() + PATIENCE
+        while self._descriptor is not None and not _lock(self._descriptor):
+            if time.monotonic() > give_up:
+                waited = f"another process has held this folder for {PATIENCE:g} seconds"
+                raise TimeoutError(errno.ETIMEDOUT, waited)
+            time.sleep(0.005)
+
+    def _at(self, name: str) -> str:
+        """How the system is told a name, besides the folder's descriptor where there is one."""
+        return join(self._path, name) if self._descriptor is None else name
+
+
+class _File:
+    """A file on its way into a folder.
+
+    Until its name stands for the new content, this has a random name; from then on the old file
+    has another one.
+    """
+
+    def __init__(self, folder: _Folder, name: str) -> None:
+        """Begin the new file, unless a folder has its name."""
+        self.name = name
         self._folder = folder
-        self._anchor = anchor
-        self._new: dict[str, str] = {}
-        """The temporary names of the new files."""
-        self._old: dict[str, str | None] = {}
-        """The temporary names of what they replace; ``None`` where there was nothing."""
+        self._new, self._old = (f"{TEMPORARY}{os.urandom(16).hex()}" for _ in range(2))
+        status = folder.status(name)
+        if status is not None and S_ISDIR(status.st_mode):
+            raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        self._descriptor = folder.create(self._new)
 
-    def run(self, contents: Mapping[str, bytes]) -> None:
-        try:
-            for name, content in contents.items():
-                self._refuse_folder(name)
-                self._write(name, content)
-            for name in contents:
-                self._put_in_place(name)
-        except BaseException:
-            self._take_back()
-            raise
-        self._remove(*filter(None, self._old.values()))
+    def write(self, content: bytes) -> None:
+        """Write the new content under its random name."""
+        with open(self._descriptor, "wb") as file:
+            file.write(content)
 
-    def _refuse_folder(self, name: str) -> None:
+    def put_in_place(self) -> None:
+        """Have the name stand for the new content."""
         with suppress(FileNotFoundError):
-            found = os.stat(self._at(name), dir_fd=self._anchor, follow_symlinks=False)
-            if S_ISDIR(found.st_mode):
-                raise IsADirectoryError(errno.EISDIR, "it is a folder", join(self._folder, name))
+            self._set_aside()
+        self._folder.rename(self._new, self.name)
 
-    def _write(self, name: str, content: bytes) -> None:
-        temporary = _temporary()
-        file = os.open(self._at(temporary), _NEW, 0o666, dir_fd=self._anchor)
-        self._new[name] = temporary
-        with open(file, "wb") as stream:
-            stream.write(content)
+    def take_back(self) -> None:
+        """Have the name stand again for what it stood for, however far ``put_in_place`` came."""
+        if self._folder.status(self._old) is not None:
+            self._folder.rename(self._old, self.name)
+        elif self._folder.status(self._new) is None:
+            self._folder.delete(self.name)
 
-    def _put_in_place(self, name: str) -> None:
-        """Rename a new file to its final name, and remember what was there."""
-        kept = _temporary()
-        with suppress(FileNotFoundError):
-            self._link(name, kept)
-            self._old[name] = kept
-        self._old.setdefault(name, None)
-        self._rename(self._new[name], name)
+    def clear(self) -> None:
+        """Delete what still has a random name."""
+        for name in (self._new, self._old):
+            with suppress(OSError):
+                self._folder.delete(name)
 
-    def _link(self, name: str, kept: str) -> None:
-        """Give a file a second name; where that is not possible, another one."""
-        source, target = self._at(name), self._at(kept)
-        places = {"src_dir_fd": self._anchor, "dst_dir_fd": self._anchor}
+    def standing(self) -> tuple[int, int] | None:
+        """Which file the name stands for, by its device and number; ``None`` if it is unknown."""
+        status = self._folder.status(self.name)
+        return (status.st_dev, status.st_ino) if status is not None and status.st_ino else None
+
+    def _set_aside(self) -> None:
+        """Give the old file its random name: as a second one, so that readers find it all along.
+
+        Where files cannot have two names, it is renamed, and missing for a moment.
+        """
         try:
-            os.link(source, target, follow_symlinks=False, **places)
+            self._folder.link(self.name, self._old)
         except FileNotFoundError:
             raise
         except (OSError, NotImplementedError):
-            os.rename(source, target, **places)
+            self._folder.rename(self.name, self._old)
 
-    def _rename(self, source: str, target: str) -> None:
-        places = {"src_dir_fd": self._anchor, "dst_dir_fd": self._anchor}
-        os.replace(self._at(source), self._at(target), **places)
 
-    def _take_back(self) -> None:
-        """Have each name stand again for what it stood for before."""
-        for name, kept in self._old.items():
+def _put_in_place(folder: str, files: Sequence[_File]) -> None:
+    """Have all names stand for the new contents; if that fails, take it back."""
+    begun: list[_File] = []
+    placed: dict[tuple[int, int], str] = {}
+    try:
+        for file in files:
+            with _told(join(folder, file.name)):
+                if (old := file.standing()) in placed:
+                    raise FileExistsError(errno.EEXIST, f"here `{placed[old]}` is the same name")
+                begun.append(file)
+                file.put_in_place()
+                if new := file.standing():
+                    placed[new] = file.name
+    except BaseException:
+        for file in reversed(begun):
             with suppress(OSError):
-                if kept is not None:
-                    self._rename(kept, name)
-                elif self._was_renamed(name):
-                    os.unlink(self._at(name), dir_fd=self._anchor)
-        self._remove(*self._new.values())
-
-    def _was_renamed(self, name: str) -> bool:
-        """Whether the new file has its final name, also if that was the last thing to happen."""
-        try:
-            os.stat(self._at(self._new[name]), dir_fd=self._anchor, follow_symlinks=False)
-        except FileNotFoundError:
-            return True
-        return False
-
-    def _remove(self, *temporary: str) -> None:
-        for name in temporary:
-            with suppress(OSError):
-                os.unlink(self._at(name), dir_fd=self._anchor)
-
-    def _at(self, name: str) -> str:
-        """A name as system calls take it: relative to the open folder, if there can be one."""
-        return name if self._anchor is not None else join(self._folder, name)
-
-
-def _temporary() -> str:
-    """A name that nobody can have foreseen."""
-    return f"{TEMPORARY}{os.urandom(8).hex()}"
+                file.take_back()
+        raise
 
 
 @contextmanager
-def _opened(folder: str) -> Iterator[int | None]:
-    """The folder as an open file, which no other process writes into at the same time.
-
-    Windows knows neither; there, the latest of two processes may find files of the other.
-    """
-    if not _ANCHORED:
-        yield None
-        return
-    anchor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+def _told(path: str) -> Iterator[None]:
+    """Have errors name what people know by this path, not what the system was asked for."""
     try:
-        _lock(anchor, folder)
-        yield anchor
-    finally:
-        os.close(anchor)
+        yield
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, path) from error
 
 
-def _lock(anchor: int, folder: str) -> None:
-    """Lock an open folder, once nobody else has; the lock ends when the folder is closed."""
+def _lock(folder: int) -> bool:
+    """Lock an open folder for this process, unless another one has locked it.
+
+    Some file systems cannot lock folders, for example those of a network. There, processes should
+    not write at the same time.
+    """
     from fcntl import LOCK_EX, LOCK_NB, flock
 
-    give_up = time.monotonic() + PATIENCE
-    while True:
-        try:
-            flock(anchor, LOCK_EX | LOCK_NB)
-            return
-        except BlockingIOError:
-            if time.monotonic() > give_up:
-                waited = f"another process has held this folder for {PATIENCE:.0f} seconds"
-                raise TimeoutError(errno.ETIMEDOUT, waited, folder) from None
-        except OSError as error:
-            if error.errno in _NO_LOCKS:
-                return
-            raise
-        time.sleep(0.005)
+    try:
+        flock(folder, LOCK_EX | LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:
+        return True
+    return True

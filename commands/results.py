@@ -141,10 +141,10 @@ def encoded(texts: Mapping[str, str]) -> dict[str, bytes]:
 def _is_asked_for(output: Output, question: Question) -> bool:
     """Whether an answer writes nowhere but where the command line says.
 
-    The folder is a word of it, or ends one, as in ``-obuild`` and ``--output=build``.
+    The folder is a word of it, or ends one, as in ``-obuild`` and ``--output=build``. Names that
+    lead out of the folder are refused where files are written.
     """
-    named = any(word.endswith(output.folder) for word in question.arguments)
-    return named and all(os.path.basename(name) == name for name in output.texts)  # noqa: PTH119
+    return any(word.endswith(output.folder) for word in question.arguments)
 
 
 def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
@@ -169,8 +169,9 @@ def _holds(path: str, content: str | None) -> bool:
         return content is None
     if content is None or not is_file:
         return content is None and not is_file
+    expected = content.encode()
     with open(path, "rb") as file:  # noqa: PTH123
-        return file.read() == content.encode()
+        return file.read(len(expected) + 1) == expected
 
 
 def installation() -> str:

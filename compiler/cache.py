@@ -52,11 +52,12 @@ def folder() -> str:
 def private_folder() -> str:
     """The folder in which data are kept; ``BURNISH_CACHE`` says where. It need not be there.
 
-    A relative path would lead to what lies in the current folder, and counts as little as others do
-    that lead to caches.
+    A relative path says nothing: it would name a folder of whatever the current folder is, which
+    may have come from anywhere.
     """
-    moved = os.environ.get("BURNISH_CACHE", "")
-    return os.path.join(moved if os.path.isabs(moved) else folder(), "private")  # noqa: PTH117, PTH118
+    chosen = os.environ.get("BURNISH_CACHE", "")
+    caches = chosen if os.path.isabs(chosen) else folder()  # noqa: PTH117
+    return os.path.normpath(os.path.join(caches, "private"))  # noqa: PTH118
 
 
 def digest(data: bytes) -> str:
@@ -91,12 +92,22 @@ def store(name: str, key: str, payload: bytes) -> None:
 def read_private(path: str) -> bytes | None:
     """The content of a file below ``private_folder``; ``None`` if it is not there or not ours."""
     try:
-        _insist(os.lstat(private_folder()), stat.S_IFDIR)
+        _insist_on_folders(os.path.dirname(path))  # noqa: PTH120
         with open(os.open(path, _OLD), "rb") as file:  # noqa: PTH123
             _insist(os.fstat(file.fileno()), stat.S_IFREG)
             return file.read()
     except (OSError, ValueError):
         return None
+
+
+def private_files(place: str) -> list[tuple[str, os.stat_result]]:
+    """The paths of what a folder below ``private_folder`` holds, and what is known of each.
+
+    Raises ``OSError`` if the folder is not there or not ours, such as a link to another one.
+    """
+    _insist_on_folders(place)
+    with os.scandir(place) as entries:
+        return [(entry.path, entry.stat(follow_symlinks=False)) for entry in entries]
 
 
 def write_private(path: str, content: bytes) -> None:
@@ -132,6 +143,13 @@ def _make_private(place: str) -> None:
     _insist(os.lstat(place), stat.S_IFDIR)
 
 
+def _insist_on_folders(place: str) -> None:
+    """Raise ``OSError`` unless ``place`` and all down to it from ``private_folder`` are ours."""
+    _insist(os.lstat(place), stat.S_IFDIR)
+    if place != private_folder():
+        _insist_on_folders(os.path.dirname(place))  # noqa: PTH120
+
+
 def _insist(status: os.stat_result, kind: int) -> None:
     """Raise ``PermissionError`` unless a file or folder of this kind belongs to this user alone.
 
@@ -155,8 +173,7 @@ def _prune(latest: str) -> None:
     written files of killed processes are deleted in the same way. A value that is still in use is
     computed again, and so is new then.
     """
-    with os.scandir(os.path.dirname(latest)) as entries:  # noqa: PTH120
-        found = [(entry.path, entry.stat(follow_symlinks=False)) for entry in entries]
+    found = private_files(os.path.dirname(latest))  # noqa: PTH120
     found.sort(key=lambda each: (each[0] == latest, each[1].st_mtime_ns), reverse=True)
     taken = 0
     for number, (path, status) in enumerate(found):

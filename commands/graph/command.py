@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -107,11 +108,19 @@ def graph(**chosen: Any) -> None:
     from ...compiler.diagnostics.diagnostic import CompileError
 
     request = Request(**chosen)
+    _insist_on_another_file(request)
     try:
         _deliver(request, _subjects(request))
     except CompileError as error:
         show(error.diagnostics)
         click.get_current_context().exit(FAILED)
+
+
+def _insist_on_another_file(request: Request) -> None:
+    """Raise ``BadParameter`` if the output would take the place of the file to show."""
+    with suppress(OSError):
+        if request.output != STDOUT and request.file.samefile(request.output):
+            raise click.BadParameter("it is FILE itself", param_hint="--output")
 
 
 def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float] | None:

@@ -15,7 +15,7 @@ from hashlib import blake2b
 from itertools import chain
 from pathlib import Path
 
-from ...compiler.cache import private_folder, read_private, write_private
+from ...compiler.cache import private_files, private_folder, read_private, write_private
 
 LIMIT = 1 << 30
 """The approximate number of bytes that a store may hold."""
@@ -112,10 +112,11 @@ class Store:
     def _files(self) -> Iterator[tuple[int, int, Path]]:
         """When each file was last used, its size and its path; includes files of killed
         processes."""
-        for path in self.folder.glob("*/*"):
-            with suppress(OSError):
-                status = path.stat()
-                yield status.st_mtime_ns, status.st_size, path
+        with suppress(OSError):
+            for folder, _ in private_files(str(self.folder)):
+                with suppress(OSError):
+                    for path, status in private_files(folder):
+                        yield status.st_mtime_ns, status.st_size, Path(path)
 
 
 def _checksum(data: bytes) -> bytes:

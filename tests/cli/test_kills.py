@@ -19,7 +19,7 @@ from burnish.commands.replacing import TEMPORARY, replace_all
 from ..suite.processes import at_once, run, started, until
 from .kit import PLAIN, shell, tree
 
-CALLS = ("open", "link", "replace", "unlink", "stat")
+CALLS = ("mkdir", "open", "link", "replace", "unlink", "stat", "close")
 """The system calls at which a process may be killed."""
 
 KILLED = f"""
@@ -76,7 +76,7 @@ def put_old(folder: Path) -> None:
 def test_killed_at_each_call(moment: str, tmp_path: Path) -> None:
     """Until the first file is renamed there is the old set, and after the last one the new set; in
     between, each file is whole. The next process writes as if nothing had happened."""
-    folders = [tmp_path / str(number) for number in range(40)]
+    folders = [tmp_path / str(number) for number in range(50)]
     for folder in folders:
         folder.mkdir()
         put_old(folder)
@@ -135,47 +135,66 @@ def test_writers_take_turns(tmp_path: Path) -> None:
 
 @pytest.fixture
 def refusing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder in which `c` cannot be renamed over, as if it were mounted."""
+    """A folder in which no new file can have the name `c`, as if something were mounted there."""
     put_old(tmp_path)
-    rename = os.replace
+    rename, failures = os.replace, [OSError(16, "Device or resource busy")]
 
     def replace(source: str, target: str, **places: int | None) -> None:
-        if target == "c":
-            raise OSError(16, "Device or resource busy")
+        if target == "c" and failures:
+            raise failures.pop()
         rename(source, target, **places)
 
     monkeypatch.setattr(os, "replace", replace)
     return tmp_path
 
 
+def _cannot_link(*_: object, **__: object) -> None:
+    raise PermissionError(1, "Operation not permitted")
+
+
 @pytest.mark.parametrize("links", [True, False])
 def test_what_was_renamed_is_taken_back(
     links: bool, refusing: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def link(*_: object, **__: object) -> None:
-        raise PermissionError(1, "Operation not permitted")
-
+    (refusing / "pointer").symlink_to("nowhere")
+    (refusing / "c").write_text("old")
     if not links:
-        monkeypatch.setattr(os, "link", link)
-    with pytest.raises(OSError, match="busy"):
-        replace_all(str(refusing), {"a": b"new", "new": b"new", "b": b"new", "c": b"new"})
-    assert contents(refusing) == OLD
-    assert tree(refusing) == {"a", "b"}
+        monkeypatch.setattr(os, "link", _cannot_link)
+    before = {path.name: path.lstat().st_ino for path in refusing.iterdir()}
+    names = ("a", "new", "pointer", "b", "c")
+    with pytest.raises(OSError, match=r"busy: '.*/c'$"):
+        replace_all(str(refusing), dict.fromkeys(names, b"new"))
+    assert {path.name: path.lstat().st_ino for path in refusing.iterdir()} == before
+    assert {name: (refusing / name).read_bytes() for name in OLD} == OLD
+    assert (refusing / "pointer").readlink() == Path("nowhere")
 
 
-@pytest.mark.parametrize("last", NEW)
-def test_an_interruption_takes_back_as_well(
-    last: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_file_system_without_second_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(os, "link", _cannot_link)
     put_old(tmp_path)
-    rename = os.replace
+    replace_all(str(tmp_path), NEW)
+    assert contents(tmp_path) == NEW
+    assert tree(tmp_path) == NEW.keys()
 
-    def replace(source: str, target: str, **places: int | None) -> None:
-        rename(source, target, **places)
-        if target == last and (tmp_path / last).read_bytes() == b"new":
-            raise KeyboardInterrupt
 
-    monkeypatch.setattr(os, "replace", replace)
+@pytest.mark.parametrize(("call", "links"), [("link", True), ("replace", True), ("replace", False)])
+def test_an_interruption_takes_back_as_well(
+    call: str, links: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It comes when the first call that involves `b` is done, before anything else happens."""
+    put_old(tmp_path)
+    if not links:
+        monkeypatch.setattr(os, "link", _cannot_link)
+    real, interruptions = getattr(os, call), [KeyboardInterrupt()]
+
+    def interrupted(source: str, target: str, **options: int) -> None:
+        real(source, target, **options)
+        if "b" in (source, target) and interruptions:
+            raise interruptions.pop()
+
+    monkeypatch.setattr(os, call, interrupted)
     with pytest.raises(KeyboardInterrupt):
         replace_all(str(tmp_path), NEW)
     assert contents(tmp_path) == OLD
@@ -187,7 +206,7 @@ def test_somebody_who_never_ends(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     put_old(tmp_path)
     other = os.open(tmp_path, os.O_RDONLY)
     fcntl.flock(other, fcntl.LOCK_EX)
-    with pytest.raises(TimeoutError, match="another process has held this folder for 0 seconds"):
+    with pytest.raises(TimeoutError, match=r"has held this folder for 0\.1 seconds"):
         replace_all(str(tmp_path), {"a": b"x"})
     assert contents(tmp_path) == OLD
     os.close(other)
@@ -203,6 +222,16 @@ def test_a_file_system_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyP
     replace_all(str(tmp_path), NEW)
     assert contents(tmp_path) == NEW
     assert tree(tmp_path) == {"a", "b", "c"}
+
+
+def test_a_file_system_that_ignores_case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """There, a second file must not silently take the place of the first."""
+    put_old(tmp_path)
+    monkeypatch.setattr(replacing._Folder, "_at", lambda _, name: name.lower())
+    with pytest.raises(FileExistsError, match=r"here `a` is the same name: '.*/A'$"):
+        replace_all(str(tmp_path), {"a": b"new", "c": b"new", "A": b"other"})
+    assert contents(tmp_path) == OLD
+    assert tree(tmp_path) == {"a", "b"}
 
 
 PLANTED = ("lock", "whole", "new", "new/a", "old", "old/id", "journal")

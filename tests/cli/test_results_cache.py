@@ -51,10 +51,16 @@ def _is_relative(_: Path) -> Mapping[str, str]:
     return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "caches", "HOME": "home"}
 
 
+def _is_chosen_and_relative(_: Path) -> Mapping[str, str]:
+    """Who has made the current folder does not make the cache."""
+    return {"BURNISH_CACHE": "caches", "XDG_CACHE_HOME": "caches", "HOME": "home"}
+
+
 @pytest.mark.parametrize(
     "odd",
     [
-        _is_file, _is_device, _is_too_long, _is_circular, _is_nowhere, _is_empty, _is_relative
+        _is_file, _is_device, _is_too_long, _is_circular, _is_nowhere, _is_empty, _is_relative,
+        _is_chosen_and_relative,
     ],
 )  # fmt: skip
 def test_an_odd_cache_folder(
@@ -136,12 +142,12 @@ def test_a_clock_that_goes_backwards(place: Place, monkeypatch: pytest.MonkeyPat
 
 
 def test_what_a_killed_process_left(place: Place) -> None:
-    """A later one may have its number: in a container, all of them do."""
     place.write(main="material Main { }")
-    left = place.folder / "out" / f".burnish-{os.getpid()}"
-    left.mkdir(parents=True)
-    (left / "Other.frag.wgsl").write_text("half")
+    left = place.folder / "out" / f".burnish-{'5f' * 16}"
+    left.parent.mkdir()
+    left.write_text("half")
     assert [place.run()[:2] for _ in range(2)] == [("COMPILED", 0), ("KNOWN", 0)]
+    assert left.read_text() == "half"
 
 
 def test_large_answers_take_no_room(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -167,6 +173,17 @@ def test_an_answer_writes_nowhere_else(place: Place, changes: dict[str, object])
     cache.store("result", kept.name, json.dumps(entry).encode())
     assert place.run().how == "COMPILED"
     assert not list(place.folder.parent.rglob("elsewhere"))
+
+
+def test_a_source_that_has_become_huge(place: Place) -> None:
+    """It is not read to its end only to see that it is another one."""
+    place.write(main="material Main { }")
+    place.run()
+    main = place.folder / "main.burnish"
+    os.truncate(main, 1 << 40)
+    how, code, _, errors = place.run()
+    assert (how, code) == ("COMPILED", 1)
+    assert errors.startswith("error[B0005]: `main.burnish` is larger than ")
 
 
 def test_what_was_kept_for_others_is_ignored(place: Place) -> None:

@@ -93,6 +93,28 @@ def test_a_store_that_cannot_be_written_stops_nobody(cache: Path) -> None:
     assert store.read(digest("a")) is None
 
 
+@pytest.mark.parametrize("part", ["private", "private/s", "private/s/ab"])
+def test_nothing_is_deleted_through_a_link(part: str, cache: Path, tmp_path: Path) -> None:
+    """As if the cache folder had come from somebody else, with links in it."""
+    victim, rest = tmp_path / "victim", "private/s/ab".removeprefix(part).strip("/")
+    (victim / rest).mkdir(parents=True)
+    for path in (victim, *victim.rglob("*")):
+        path.chmod(0o700)
+    precious = victim / rest / "precious"
+    precious.write_bytes(bytes(1000))
+    link = cache / part
+    if link.parent != cache:
+        link.parent.mkdir(parents=True)
+        for path in (cache / "private", *(cache / "private").rglob("*")):
+            path.chmod(0o700)
+    link.symlink_to(victim)
+    store = Store("s", limit=10)
+    store.write("abcd", b"data")
+    store.prune()
+    assert precious.read_bytes() == bytes(1000)
+    assert store.read("abprecious") is None
+
+
 def test_a_write_that_fails_leaves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     def full(_source: str, _target: str) -> None:
         raise OSError("no space left")

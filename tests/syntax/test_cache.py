@@ -83,6 +83,15 @@ def test_links_are_not_followed(folder: Path, tmp_path: Path) -> None:
     assert (tmp_path / "elsewhere" / "x" / OTHER).is_symlink()
 
 
+def test_a_link_to_a_folder_is_not_followed(folder: Path, tmp_path: Path) -> None:
+    store("x", KEY, b"value")
+    (folder / "x").rename(tmp_path / "elsewhere")
+    (folder / "x").symlink_to(tmp_path / "elsewhere")
+    assert load("x", KEY) is None
+    store("x", OTHER, b"value")
+    assert [path.name for path in (tmp_path / "elsewhere").iterdir()] == [KEY]
+
+
 def test_pipes_are_not_waited_for(folder: Path) -> None:
     store("x", KEY, b"value")
     os.mkfifo(folder / "x" / OTHER, 0o600)
