@@ -45,6 +45,10 @@ LIMITS: Mapping[str, Limit] = {
     for row in (
         Limit("memory", 10**9, "bytes", "what is drawn or computed at the same time"),
         Limit("document", 64 * 10**6, "bytes", "a plan, or the JSON of a scene"),
+        Limit(
+            "values", 2 * 10**6, "values", "the JSON of a plan, of a buffer's elements, and such"
+        ),
+        Limit("steps", 4 * 10**6, "steps", "what a host computes and sets for one frame"),
         Limit("file", 256 * 10**6, "bytes", "a picture, a buffer, or another file that is read"),
         Limit("pixels", 2**25, "pixels", "a picture"),
         Limit("vertices", 4 * 10**6, "vertices", "all meshes of a scene"),
@@ -85,6 +89,21 @@ def check(name: str, amount: int, what: str) -> None:
         f"{what} {_counted(amount, row)}, and the limit is {_counted(most, row)}: "
         f"`--budget {name}={rounded_up(amount)}` raises it"
     )
+
+
+class Meter:
+    """Counts what is done bit by bit, and is refused when it has become too much."""
+
+    def __init__(self, name: str, what: str) -> None:
+        """``name`` is that of a row, and ``what`` as ``check`` takes it."""
+        self._name = name
+        self._what = what
+        self._taken = 0
+
+    def take(self, amount: int) -> None:
+        """Count some more. Raises ``BudgetError``."""
+        self._taken += amount
+        check(self._name, self._taken, self._what)
 
 
 @contextmanager
