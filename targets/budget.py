@@ -100,6 +100,10 @@ class Meter:
         self._what = what
         self._taken = 0
 
+    def begin(self) -> None:
+        """Forget what was counted."""
+        self._taken = 0
+
     def take(self, amount: int) -> None:
         """Count some more. Raises ``BudgetError``."""
         self._taken += amount

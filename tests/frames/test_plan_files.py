@@ -180,8 +180,8 @@ def test_pipes_and_devices_are_not_opened(folder: Path) -> None:
 def test_files_are_not_read_without_limits(folder: Path) -> None:
     with raised({"document": 1000}):
         assert said(folder) == (
-            "`Deferred.plan.json` has 10.8 kB, and the limit is 1000 bytes: `--budget "
-            "document=10.9k` raises it"
+            "`Deferred.plan.json` has 10.8 kB, and the limit is 1 kB: `--budget "
+            "document=11k` raises it"
         )
     with raised({"document": 60_000}):
         assert re.fullmatch(

@@ -6,6 +6,7 @@ from collections.abc import Container, Iterable, Sequence
 from typing import Any, NoReturn
 
 from ...binding import FORMATS
+from .reflections import Values
 from .rows import Row, attachments, drawn_to, fail, inputs, places_of_waiting, step_name, uses
 from .steps import check_steps
 
@@ -45,6 +46,7 @@ class _Names:
     def check(self) -> None:
         plan = self._plan
         self._check_unique()
+        self._check_host_values()
         for row in plan["shaders"]:
             if row["rig"] not in (None, plan["rig"]):
                 self._fail(
@@ -88,6 +90,12 @@ class _Names:
             if number >= 0 and plan["textures"][number]["samples"] > 1:
                 self._fail(row["name"], f"nobody can read the samples of texture {number}")
 
+    def _check_host_values(self) -> None:
+        """What the host sets of the frame, which has no blocks."""
+        values = Values(self._plan["frame"], self._plan)
+        values.check()
+        values.check_buffers(self._plan["host_buffers"])
+
     def _no_two(self, table: str, names: Iterable[Any]) -> None:
         seen: set[Any] = set()
         for name in names:
@@ -100,7 +108,7 @@ class _Names:
 
     def _check_value(self, where: str, value: Row) -> None:
         """The steps of a number: known operations on what stands before them."""
-        check_steps(self._plan, where, value["steps"])
+        check_steps(f"{self._plan['frame']}, {where}", value["steps"])
         for step in value["steps"]:
             if step["op"] == "parameter":
                 name = step["parameter"]

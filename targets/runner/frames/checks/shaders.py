@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from .reflections import check_reflection
 from .rows import Row, attachments, fail, step_name, uses
 
 DEPTHS = "depth"
@@ -24,6 +25,7 @@ def check_shaders(plan: Row, reflections: Sequence[Row]) -> None:
         wanted = {"material": row["name"], "pass": row["pass"], "rig": row["rig"]}
         if found != wanted:
             fail(plan, row["name"], f"{row['reflection']} is the reflection of another shader")
+        check_reflection(row["name"], reflection)
     shaders = _Shaders(plan, reflections)
     for step in plan["steps"]:
         for use in uses(step):
