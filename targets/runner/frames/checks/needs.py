@@ -118,7 +118,9 @@ class _Needs:
         kept = pairs.keys()
         for number, row in enumerate(self._plan["textures"]):
             where = f"texture {number}"
-            names = [self._previous[number]] if number in self._previous else self._held[number]
+            names = (
+                [self._previous[number]] if number in self._previous else self._held.get(number, [])
+            )
             if row["results"] != names:
                 fail(self._plan, where, f"it holds {_listed(names)}")
             if row["kept"] != (number in kept):
@@ -139,10 +141,7 @@ class _Needs:
             for row in attachments(step):
                 if has_samples(self._plan, row):
                     found[row["texture"]].setdefault(row["result"], number)
-        ordered = {
-            texture: sorted(first, key=first.__getitem__) for texture, first in found.items()
-        }
-        return defaultdict(list, ordered)
+        return {texture: sorted(first, key=first.__getitem__) for texture, first in found.items()}
 
     @cached_property
     def _used_as(self) -> Mapping[int, set[str]]:
@@ -194,8 +193,8 @@ class _Needs:
 
     def _resolves(self, number: int, drawn: Row) -> bool:
         """Whether somebody reads what a step has drawn before another one draws there, too."""
-        read = _next(self._reads[drawn["result"]], number)
-        again = _next(self._draws[_place(drawn)], number)
+        read = _next(self._reads.get(drawn["result"], ()), number)
+        again = _next(self._draws.get(_place(drawn), ()), number)
         return again is None or (read is not None and read <= again)
 
     @cached_property
@@ -205,7 +204,7 @@ class _Needs:
         for number, step in enumerate(self._steps):
             for result, _ in read_now(step, is_first=True):
                 found[result].append(number)
-        return found
+        return dict(found)
 
     @cached_property
     def _draws(self) -> Mapping[_Place, list[int]]:
@@ -216,7 +215,7 @@ class _Needs:
             for row in attachments(step):
                 if row["load"] == "load":
                     found[_place(row)].append(number)
-        return found
+        return dict(found)
 
     def _check_later_frames(self) -> None:
         """They wait for what is written in each of them, and for nothing else."""
