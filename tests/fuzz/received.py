@@ -105,14 +105,13 @@ def outcome(path: Path) -> str:
 
 
 def trouble(path: Path) -> str | None:
-    """The traceback of what a plan raises beside errors, or what is wrong with these; ``None`` if
-    nothing."""
+    """The traceback of what a plan raises beside errors, or an error that nobody can read; ``None``
+    if there is neither."""
     try:
         said = outcome(path)
     except Exception:
         return traceback.format_exc()
-    is_clear = said.isprintable() or "\n" in said
-    return None if is_clear and len(said) < LONGEST else f"said: {said[:LONGEST]!r}"
+    return None if len(said) < LONGEST else f"it says {len(said)} letters: {said[:1000]}"
 
 
 LONGEST = 40_000

@@ -19,10 +19,12 @@ from ....compiler.diagnostics.source import Span
 from ....compiler.ir.program import StageName
 from ....compiler.ir.shader import Shader
 from ....compiler.reflection.validation import shown
+from ....garbage import seldom_collected
 from ...budget import check
 from ..documents import Quota, read_json
 from ..files import read_file
 from .checking import PlanError, check_plan
+from .checks.backends import check_backend
 from .host import VERSION, PlannedFrame, Row
 
 ENDING = ".plan.json"
@@ -75,6 +77,7 @@ def is_plan(path: Path) -> bool:
     return path.name.endswith(ENDING)
 
 
+@seldom_collected
 def read_frame(path: Path, profiles: Sequence[str]) -> StoredFrame:
     """The frame of a plan, with its texts for some profiles. Raises ``PlanError``, ``FileError``
     and ``BudgetError``."""
@@ -149,6 +152,7 @@ class _Reader:
                 f"{row['name']} has no text for {profile}: `{row['reflection']}` lists {known}. "
                 f"Compile the source with --target {profile}"
             )
+        check_backend(row["name"], reflection, profile)
         target, _, own = profile.partition(":")
         entries: dict[str, dict[StageName, str]] = {}
         for file in backend["files"]:

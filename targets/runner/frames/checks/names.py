@@ -95,6 +95,7 @@ class _Names:
         values = Values(self._plan["frame"], self._plan)
         values.check()
         values.check_buffers(self._plan["host_buffers"])
+        values.check_textures(self._plan["host_textures"])
 
     def _no_two(self, table: str, names: Iterable[Any]) -> None:
         seen: set[Any] = set()

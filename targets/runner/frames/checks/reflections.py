@@ -11,6 +11,7 @@ from typing import NoReturn
 
 from ....budget import check
 from ...instances.shapes import MOST_LANES
+from ...textures.texture import DEFAULTS
 from .rows import PlanError, Row
 from .steps import check_steps
 
@@ -73,6 +74,13 @@ class Values:
             if row["parameters"] != [name] or layout.get("count") != capacity:
                 self.fail(name, f"no parameter has {capacity} of them")
 
+    def check_textures(self, rows: Iterable[Row]) -> None:
+        """Raise ``PlanError`` for a texture that is nothing until a host binds one."""
+        for row in rows:
+            known = DEFAULTS.get(row["sample"], (row["default"],))
+            if row["default"] not in known:
+                self.fail(row["name"], f"nothing {row['sample']} is called `{row['default']}`")
+
     def check_row(self, name: str, row: Row) -> None:
         """Raise ``PlanError`` unless a value lies within its own bytes."""
         if self._bytes_of(name, row) > row["size"]:
@@ -122,6 +130,7 @@ class _Reflection:
             self._no_two(table, [row["name"] for row in reflection[table]])
         self._values.check()
         self._values.check_buffers(reflection["buffers"])
+        self._values.check_textures(reflection["textures"])
         for row in reflection["results"]:
             self._values.check_element(row)
         self._check_blocks()

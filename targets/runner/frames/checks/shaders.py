@@ -10,6 +10,8 @@ from .rows import Row, attachments, fail, step_name, uses
 
 DEPTHS = "depth"
 """What the formats of depths begin with, and what textures are called that hold them."""
+_VALUE = ("representation", "layout", "members")
+"""What has to be alike where a shader takes over a value of the frame."""
 _KINDS = ("parameters", "textures", "buffers")
 _BUFFER = ("representation", "stride", "members", "structs")
 """What has to be alike where one shader reads the elements that another one writes."""
@@ -26,6 +28,7 @@ def check_shaders(plan: Row, reflections: Sequence[Row]) -> None:
         if found != wanted:
             fail(plan, row["name"], f"{row['reflection']} is the reflection of another shader")
         check_reflection(row["name"], reflection)
+        _check_lights(plan, reflection)
     shaders = _Shaders(plan, reflections)
     for step in plan["steps"]:
         for use in uses(step):
@@ -34,6 +37,26 @@ def check_shaders(plan: Row, reflections: Sequence[Row]) -> None:
             shaders.check_draw(step)
         elif step["kind"] == "run":
             shaders.check_run(step)
+
+
+def _check_lights(plan: Row, reflection: Row) -> None:
+    """The lights of a shader are those of the frame; an array is taken over as it is."""
+    lights = _by_name(plan["lights"])
+    values, own_values = _by_name(plan["parameters"]), _by_name(reflection["parameters"])
+    for row in reflection["lights"]:
+        name = row["name"].removeprefix(f"{reflection['rig']}.")
+        own = lights.get(name, lights.get(f"{plan['rig']}.{name}"))
+        if own is None:
+            fail(plan, reflection["material"], f"the frame has no light `{name}`")
+        if row["capacity"] is None:
+            continue
+        taken = [(row["name"], own["name"])]
+        if row["count"] is not None:
+            taken.append((row["count"], own["count"]))
+        for ours, theirs in taken:
+            of_frame = values.get(theirs, {})
+            if any(own_values[ours][key] != of_frame.get(key) for key in _VALUE):
+                fail(plan, reflection["material"], f"the frame's light `{name}` is another one")
 
 
 class _Shaders:

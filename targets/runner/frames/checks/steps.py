@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .....compiler.ir.host import KNOWN_TO_HOST
+from .....compiler.reference.functions import OF_NUMBERS
 from .rows import PlanError, Row
 
+_FUNCTIONS = OF_NUMBERS | {"texture_size"}
 MOST_TERMS = 1 << 16
 """Of a sum that a host computes."""
 
@@ -20,6 +22,8 @@ def check_steps(where: str, steps: Sequence[Row]) -> None:
     for number, step in enumerate(steps):
         if step["op"] not in KNOWN_TO_HOST:
             raise PlanError(f"{where}: there is no operation `{step['op']}`")
+        if step["op"] in ("call", "native") and step["function"] not in _FUNCTIONS:
+            raise PlanError(f"{where}: there is no function `{step['function']}`")
         if step.get("bound", 0) > MOST_TERMS:
             raise PlanError(f"{where}: step {number} has {step['bound']} terms")
         if not all(0 <= each < number for each in step["args"]):
