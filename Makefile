@@ -7,10 +7,13 @@ SEED ?= $(shell date +%s)
 VENV := .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+LOCKED := --require-hashes --only-binary :all:
+LOCK := uv pip compile --quiet --universal --generate-hashes --no-annotate --python-version 3.11 \
+	--custom-compile-command 'make locks' --upgrade
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo gallery test quick lint bench fuzz tools clean
+.PHONY: help demo gallery test quick lint bench fuzz tools locks clean
 
 help: ## List everything that make can do
 	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -53,6 +56,11 @@ fuzz: tools ## Try random programs: make fuzz SECONDS=600 SEED=1
 tools: $(VENV)/dev ## Install the downstream compilers, the drivers and the browser
 	$(BIN)/python -m burnish.targets.toolchain.install
 
+locks: ## Choose newer versions of all Python packages; needs uv, and is for who looks after Burnish
+	$(LOCK) --extra dev --output-file .ci/dev.txt pyproject.toml
+	echo 'setuptools>=77' | $(LOCK) --extra render --output-file .ci/render.txt pyproject.toml -
+	echo 'pip' | $(LOCK) --output-file .ci/pip.txt -
+
 clean: ## Remove everything that make has created in the checkout
 	rm -rf $(VENV) build dist generated *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -prune -exec rm -rf {} +
@@ -60,12 +68,14 @@ clean: ## Remove everything that make has created in the checkout
 $(BIN)/python:
 	.ci/venv $(PYTHON) $(VENV)
 
-$(VENV)/installed: pyproject.toml setup.py | $(BIN)/python
-	$(PIP) install --editable '.[render]'
+# What is downloaded has the digests of a lock, and nothing of it is built here.
+$(VENV)/installed: .ci/render.txt pyproject.toml setup.py | $(BIN)/python
+	$(PIP) install $(LOCKED) --requirement .ci/render.txt
+	$(PIP) install --no-deps --no-build-isolation --editable .
 	@touch $@
 
-$(VENV)/dev: $(VENV)/installed
-	$(PIP) install --editable '.[dev]'
+$(VENV)/dev: .ci/dev.txt $(VENV)/installed
+	$(PIP) install $(LOCKED) --requirement .ci/dev.txt
 	@touch $@
 
 # The checkout as a package called burnish, whatever its folder is called, for mypy.

@@ -13,6 +13,9 @@ from ..compiler.diagnostics.diagnostic import CompileError, Report
 from .replacing import replace_all
 from .results import encoded
 
+_SYSTEM = Path("/dev")
+"""Where the system has devices, and links to them such as ``/dev/stdout``."""
+
 
 def obstacle(folder: Path, file: str = "") -> str | None:
     """Why a folder, which need not exist yet, or a file in it cannot be written; else ``None``.
@@ -22,12 +25,10 @@ def obstacle(folder: Path, file: str = "") -> str | None:
     """
     try:
         if file:
-            if (folder / file).is_dir():
+            if not (folder / file).is_symlink() and (folder / file).is_dir():
                 return "it is a folder"
             if _is_device(folder / file):
                 return None
-            if (folder / file).is_symlink():
-                folder = Path(os.path.realpath(folder / file)).parent
         nearest = next(path for path in (folder, *folder.absolute().parents) if path.exists())
     except OSError as error:
         return error.strerror
@@ -53,23 +54,37 @@ def write_all(folder: Path, texts: Mapping[str, str]) -> None:
 def write_file(path: Path, content: bytes) -> None:
     """Write the file that a user has named, completely or not at all; raises ``OSError``.
 
-    A link is followed. A device or a pipe, such as ``/dev/null``, is written to; it is not replaced
-    by a file.
+    A link is replaced: it may have come with the folder, and lead anywhere. A device or a pipe is
+    written to, such as ``/dev/null``, ``/dev/stdout`` or what ``mkfifo`` has made.
     """
     if _is_device(path):
-        path.write_bytes(content)
+        _write_to_device(path, content)
         return
-    folder, name = os.path.split(os.path.realpath(path))
-    replace_all(folder, {name: content})
+    folder, name = os.path.split(path)
+    replace_all(folder or os.curdir, {name: content})
+
+
+def _write_to_device(path: Path, content: bytes) -> None:
+    """Write to a device, or to a pipe that somebody reads; waiting for a reader might be for
+    ever."""
+    try:
+        file = os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
+    except OSError as error:
+        if error.errno == errno.ENXIO:
+            raise OSError(error.errno, "nobody reads this pipe", str(path)) from None
+        raise
+    with os.fdopen(file, "wb") as stream:
+        os.set_blocking(file, True)
+        stream.write(content)
 
 
 def _is_device(path: Path) -> bool:
-    """Whether something is there that is neither a file nor a folder."""
+    """Whether there is a device or a pipe; a link to one counts if it is the system's."""
     try:
-        mode = path.stat().st_mode
+        mode = (path.stat() if _SYSTEM in path.absolute().parents else path.lstat()).st_mode
     except (FileNotFoundError, NotADirectoryError):
         return False
-    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
+    return stat.S_ISCHR(mode) or stat.S_ISFIFO(mode)
 
 
 def unwritable(path: Path, reason: str) -> CompileError:

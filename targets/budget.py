@@ -86,7 +86,7 @@ def check(name: str, amount: int, what: str) -> None:
         return
     row = LIMITS[name]
     raise BudgetError(
-        f"{what} {_counted(amount, row)}, and the limit is {_counted(most, row)}: "
+        f"{what} {amount_with_unit(amount, row)}, and the limit is {amount_with_unit(most, row)}: "
         f"`--budget {name}={rounded_up(amount)}` raises it"
     )
 
@@ -137,7 +137,7 @@ def rounded_up(amount: int) -> str:
     return f"{-(-amount // scale)}{letter}"
 
 
-def _counted(amount: int, row: Limit) -> str:
+def amount_with_unit(amount: int, row: Limit) -> str:
     """An amount with its unit, as people read it: "12.9 GB", "5,000,000 nodes"."""
     if not row.in_bytes:
         return f"{amount:,} {row.unit}"

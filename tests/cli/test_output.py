@@ -7,11 +7,10 @@ import os
 import sys
 from functools import partial
 from pathlib import Path
-from typing import IO, Any
 
 import pytest
 
-from burnish.commands import output, replacing
+from burnish.commands import output
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
 from ..suite.processes import Background, at_once, run
@@ -125,13 +124,17 @@ def test_a_full_disk_leaves_the_old_output_alone(
 ) -> None:
     (tmp_path / "a").write_text(OLD)
 
-    def full(path: str, mode: str) -> IO[Any]:
-        if Path(path).name == "b":
-            Path(path).write_text("n")
-            raise OSError(28, "No space left on device")
-        return Path(path).open(mode)
+    opened = os.open
+    count = 0
 
-    monkeypatch.setattr(replacing, "open", full, raising=False)
+    def full(path: str, flags: int, *mode: int, dir_fd: int | None = None) -> int:
+        nonlocal count
+        count += bool(flags & os.O_CREAT)
+        if count == 2:
+            raise OSError(28, "No space left on device")
+        return opened(path, flags, *mode, dir_fd=dir_fd)
+
+    monkeypatch.setattr(os, "open", full)
     with pytest.raises(CompileError, match="No space left on device"):
         output.write_all(tmp_path, {"a": "new", "b": "new", "c": "new"})
     assert tree(tmp_path) == {"a"}
@@ -197,14 +200,26 @@ def test_a_link_among_the_outputs_is_replaced(material: Path, tmp_path: Path) ->
     assert not (tmp_path / "out" / "Plain.json").is_symlink()
 
 
-def test_a_link_that_the_user_names_is_followed(material: Path, tmp_path: Path) -> None:
-    (tmp_path / "far").mkdir()
+@pytest.mark.parametrize("target", ["real.dot", "none", ".", "/dev/null"])
+def test_a_link_with_the_name_of_an_output_is_replaced(
+    target: str, material: Path, tmp_path: Path
+) -> None:
+    """It may have come with a folder that somebody has cloned, and lead anywhere."""
+    (tmp_path / "real.dot").write_text(OLD)
     link = tmp_path / "link.dot"
-    link.symlink_to(tmp_path / "far" / "real.dot")
-    for _ in range(2):  # At first the link leads nowhere.
-        assert invoke("graph", material, "-o", link).exit_code == 0
-        assert link.is_symlink()
-        assert (tmp_path / "far" / "real.dot").read_text().startswith("digraph")
+    link.symlink_to(target)
+    assert invoke("graph", material, "-o", link).exit_code == 0
+    assert not link.is_symlink()
+    assert link.read_text().startswith("digraph")
+    assert (tmp_path / "real.dot").read_text() == OLD
+    assert not (tmp_path / "none").exists()
+
+
+def test_a_pipe_that_nobody_reads_is_not_waited_for(material: Path, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.dot")
+    done = shell("graph", material, "-o", "pipe.dot", folder=tmp_path)
+    assert done.returncode == 1
+    assert "error[B0009]: cannot write to `pipe.dot`: nobody reads this pipe\n" in done.stderr
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
 
-Run it after changing the grammar, a builtin, a diagnostic, a profile, a capability, a route or a
-driver's row. A test fails if a page is not up to date.
+Run it after changing the grammar, a builtin, a diagnostic, a profile, a capability, a limit, a
+route or a driver's row. A test fails if a page is not up to date.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.syntax.ast import KINDS
+from burnish.targets.budget import LIMITS, amount_with_unit
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.runner.routes import EVERY_ROUTE
 
@@ -158,12 +159,20 @@ def graph_page() -> str:
     return spliced(page, "rules", table(("rule", "what it says"), rows))
 
 
+def security_page() -> str:
+    """The page on security with its table of limits brought up to date."""
+    page = (DOCS / "security.md").read_text(encoding="utf-8")
+    rows = ((f"`{row.name}`", amount_with_unit(row.most, row), row.of) for row in LIMITS.values())
+    return spliced(page, "limits", table(("limit", "at most", "of what"), rows))
+
+
 PAGES: Mapping[str, Callable[[], str]] = {
     "language.md": language_page,
     "graph.md": graph_page,
     "builtins.md": builtins_page,
     "diagnostics.md": diagnostics_page,
     "conformance.md": conformance_page,
+    "security.md": security_page,
     "targets.md": targets_page,
 }
 

@@ -108,6 +108,34 @@ def test_without_cargo_it_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     assert "it needs cargo" in capsys.readouterr().err
 
 
+CARGO = """#!/bin/sh
+echo "$1" >> {folder}/calls
+[ "$1" = vendor ] || exit 0
+printf '[[package]]\\nname = "naga-cli"\\nversion = "30.0.1"\\nchecksum = "{digest}"\\n' \\
+    > "$(/usr/bin/dirname "$3")/Cargo.lock"
+"""
+"""Downloads a crate with some digest."""
+
+
+@pytest.mark.parametrize(("digest", "calls"), [
+    (install.NAGA_HASH, ["vendor", "install"]), ("0" * 64, ["vendor"]),
+])  # fmt: skip
+def test_a_crate_with_another_digest_is_not_built(
+    no_tools: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    digest: str,
+    calls: list[str],
+) -> None:
+    (no_tools / "cargo").write_text(CARGO.format(folder=no_tools, digest=digest))
+    (no_tools / "cargo").chmod(0o755)
+    monkeypatch.setenv("PATH", str(no_tools))
+    assert install.main(["naga"]) == 1
+    assert (no_tools / "calls").read_text().splitlines() == calls
+    assert ("naga-cli 30.0.1 is not what it was" in capsys.readouterr().err) == (len(calls) == 1)
+    assert _folders(no_tools) == set()
+
+
 APT = """#!/bin/sh
 echo "$*" >> {folder}/calls
 case "$*" in
