@@ -45,9 +45,7 @@ LIMITS: Mapping[str, Limit] = {
     for row in (
         Limit("memory", 10**9, "bytes", "what is drawn or computed at the same time"),
         Limit("document", 64 * 10**6, "bytes", "a plan, or the JSON of a scene"),
-        Limit(
-            "values", 2 * 10**6, "values", "the JSON of a plan, of a buffer's elements, and such"
-        ),
+        Limit("values", 2 * 10**6, "values", "a plan, with its reflections"),
         Limit("steps", 4 * 10**6, "steps", "what a host computes and sets for one frame"),
         Limit("file", 256 * 10**6, "bytes", "a picture, a buffer, or another file that is read"),
         Limit("pixels", 2**25, "pixels", "a picture"),

@@ -117,12 +117,12 @@ class Schemas:
     def _place(self, value: Any, path: Path, name: str) -> Any:
         """The container at a path, which is made where a document has none."""
         schema, name = self.whole(self._documents[name], name)
-        for key in path:
+        for key, following in zip(path, (*path[1:], ANY), strict=True):
             row, of = self._below(schema, name, value, key)
-            inner = _step(value, key)
+            inner = _step(value, key, following)
             if not isinstance(inner, dict | list) or not inner:
                 _put(value, key, self._container(row, of))
-                inner = _step(value, key)
+                inner = _step(value, key, following)
             value, (schema, name) = inner, self.whole(row, of)
         return value
 
@@ -160,10 +160,13 @@ class Schemas:
         raise AssertionError("no container")
 
 
-def _step(value: Any, key: str | int) -> Any:
-    if key == ANY:
-        return next(iter(value if isinstance(value, list) else value.values()), None)
-    return value.get(key)
+def _step(value: Any, key: str | int, following: str | int) -> Any:
+    """What stands under a key; of any elements, the first one with what is wanted next."""
+    if key != ANY:
+        return value.get(key)
+    elements = list(value) if isinstance(value, list) else list(value.values())
+    fitting = (each for each in elements if isinstance(each, dict) and following in each)
+    return next(fitting, next(iter(elements), None))
 
 
 def _put(value: Any, key: str | int, inner: Any) -> None:

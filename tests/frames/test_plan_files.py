@@ -202,7 +202,15 @@ def test_values_are_counted_before_they_are_made(folder: Path) -> None:
 VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "no function": (
         {"op": "call", "type": "float", "args": [0], "function": "explode"},
+        "Deferred, value 2: there is no function `explode`",
+    ),
+    "of no part": (
+        {"op": "index", "type": "float", "args": [0, 0]},
         "Deferred, value 2: its steps cannot be computed",
+    ),
+    "of what is behind": (
+        {"op": "splat", "type": "float", "args": [7]},
+        "Deferred, value 2: step 1 is computed of [7], which do not stand before it",
     ),
     "a vector": (
         {"op": "vector", "type": "float", "args": [0, 0]},

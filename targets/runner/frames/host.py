@@ -14,7 +14,7 @@ import numpy as np
 
 from ....compiler.diagnostics.nearest import suggestion
 from ....compiler.ir.primitives import CORNERS
-from ...budget import Meter
+from ...budget import BudgetError, Meter
 from ..instances.instance import FORMAT, Instance, MissingValuesError
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
@@ -149,7 +149,7 @@ class FrameHost:
         self.instances = [Instance(shader.reflection, self._steps) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
         self._costs = [_cost(shader.reflection) for shader in self.shaders]
-        self._lights_by_name = {row["name"]: row for row in plan["lights"]}
+        self._lights_by_name: dict[str, Row] = {row["name"]: row for row in plan["lights"]}
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
 
@@ -214,7 +214,7 @@ class FrameHost:
         row, where = self.plan["values"][value], f"{self.plan['frame']}, value {value}"
         try:
             found = self.values.evaluated(row["steps"])
-        except MissingValuesError:
+        except (BudgetError, MissingValuesError):
             raise
         except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError,
                 StopIteration) as error:  # fmt: skip
@@ -291,7 +291,7 @@ class FrameHost:
     def _light(self, entry: str) -> Row:
         """The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it
         is that of something else as well."""
-        found = self._lights_by_name.get(entry)
+        found: Row | None = self._lights_by_name.get(entry)
         return found or self._lights_by_name[f"{self.plan['rig']}.{entry}"]
 
     def _drawn(
@@ -400,7 +400,7 @@ _GIVEN = ("parameters", "derived", "lights", "buffers", "textures", "vertex_inpu
 
 def _cost(reflection: Row) -> int:
     """How many things are set for a draw of a shader: rows, and the lanes of its parameters."""
-    lanes = sum(row["size"] for row in reflection["parameters"]) // LANE
+    lanes: int = sum(row["size"] for row in reflection["parameters"]) // LANE
     return lanes + sum(len(reflection[key]) for key in _GIVEN)
 
 
