@@ -14,7 +14,6 @@ from .terminal import FAILED
 PACKAGES = {
     "numpy": ("drawing needs NumPy", "render"),
     "PIL": ("drawing needs Pillow", "render"),
-    "jsonschema": ("reading plans needs jsonschema", "run"),
     "msgspec": ("scenes need msgspec", "scenes"),
     "OpenImageIO": (".exr and .hdr files need OpenImageIO", "scenes"),
     "starlette": ("the viewer's server needs Starlette", "view"),

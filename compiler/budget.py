@@ -50,7 +50,11 @@ LIMITS: Mapping[str, Limit] = {
             "what is computed without a sign of how far it is; for many pixels, each counts",
         ),
         Limit("document", 64 * 10**6, "bytes", "a plan, or the JSON of a scene"),
-        Limit("values", 3 * 10**6, "values", "the JSON of a scene, or the tags of its nodes"),
+        Limit(
+            "values", 3 * 10**6, "values",
+            "a plan with its reflections, the JSON of a scene, or the tags of its nodes",
+        ),
+        Limit("steps", 4 * 10**6, "steps", "what a host computes and sets for one frame"),
         Limit("file", 256 * 10**6, "bytes", "a picture, a buffer, or another file that is read"),
         Limit("pixels", 2**25, "pixels", "a picture"),
         Limit("nodes", 10**5, "nodes", "a scene"),
@@ -129,6 +133,10 @@ class Tally:
         """``name`` and ``what`` are those of ``check``."""
         self._name = name
         self._what = what
+        self._total = 0
+
+    def begin(self) -> None:
+        """Forget what was counted."""
         self._total = 0
 
     def add(self, amount: int, *, passing: int = 0) -> None:

@@ -164,6 +164,11 @@ WHOLE: Mapping[str, Callable[..., Lanes]] = {
 _OF_GROUPS = {row.name: row.of_group for row in work_group.ROWS}
 """Functions that join the values of many invocations."""
 
+OF_NUMBERS = frozenset((
+    "dot", *WHOLE, *_CONVERSIONS, *_OF_ANOTHER_KIND, *_SIGNED, *_INTEGERS, *_FLOATS,
+))  # fmt: skip
+"""The names of all functions of which numbers are known beforehand, such as those of a host."""
+
 
 def evaluate(
     name: str,

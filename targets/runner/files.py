@@ -21,10 +21,11 @@ class FileError(ValueError):
     """A file cannot be read; the text tells people why."""
 
 
-def read_file(path: Path, name: str, limit: str = "file") -> bytes:
+def read_file(path: Path, name: str, limit: str = "file", *, links: bool = True) -> bytes:
     """All bytes of a file; ``name`` is what errors call it, and ``limit`` the row of the budget
-    that says how many there may be. Raises ``FileError`` and ``BudgetError``."""
-    with opened(path, name, limit) as file:
+    that says how many there may be. Without ``links`` none is followed: what a received file names
+    may be a link to anything. Raises ``FileError`` and ``BudgetError``."""
+    with opened(path, name, limit, links=links) as file:
         size = os.fstat(file.fileno()).st_size
         data = file.read(size + 1)
     if len(data) > size:
@@ -33,7 +34,7 @@ def read_file(path: Path, name: str, limit: str = "file") -> bytes:
 
 
 @contextmanager
-def opened(path: Path, name: str, limit: str = "file") -> Iterator[BinaryIO]:
+def opened(path: Path, name: str, limit: str = "file", *, links: bool = True) -> Iterator[BinaryIO]:
     """A file that is open for reading, and has no more bytes than the budget allows.
 
     Raises ``FileError``, also if reading fails inside the ``with`` block, and ``BudgetError``.
@@ -42,8 +43,8 @@ def opened(path: Path, name: str, limit: str = "file") -> Iterator[BinaryIO]:
         raise FileError(f"cannot read {name}: a name has no character NUL")
     try:
         # Opening a device can have effects, so it is not even tried.
-        _check_regular(path.stat(), name)
-        with open(path, "rb", opener=_without_waiting) as file:
+        _check_regular(path.stat(follow_symlinks=links), name)
+        with open(path, "rb", opener=_without_waiting if links else _without_links) as file:
             # Something else may have been put in its place since.
             status = os.fstat(file.fileno())
             _check_regular(status, name)
@@ -54,6 +55,8 @@ def opened(path: Path, name: str, limit: str = "file") -> Iterator[BinaryIO]:
 
 
 def _check_regular(status: os.stat_result, name: str) -> None:
+    if stat.S_ISLNK(status.st_mode):
+        raise FileError(f"cannot read {name}: it is a link, and links are not followed there")
     if not stat.S_ISREG(status.st_mode):
         raise FileError(f"cannot read {name}: it is not a file")
 
@@ -61,3 +64,8 @@ def _check_regular(status: os.stat_result, name: str) -> None:
 def _without_waiting(path: str, flags: int) -> int:
     """Open a file; should it have become a pipe, this does not wait until somebody writes."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def _without_links(path: str, flags: int) -> int:
+    """The same, unless it has become a link."""
+    return _without_waiting(path, flags | getattr(os, "O_NOFOLLOW", 0))

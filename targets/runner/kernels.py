@@ -12,6 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ...compiler.budget import check
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.stages import RASTERISED
@@ -69,12 +70,15 @@ def job_of(
 
 
 def dispatch_of(instance: Instance) -> Dispatch:
-    """The bytes that a driver computes with, in the order of the reflection."""
+    """The bytes that a driver computes with, in the order of the reflection. Raises
+    ``BudgetError`` for too many that a kernel would write."""
     reflection: Mapping[str, Any] = instance.reflection
     blocks, textures, buffers = instance.blocks(), instance.textures(), instance.buffers()
     count = instance.extent()
     read = [buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]]
     counts = instance.result_counts()
+    size = sum(max(counts[row["name"]], 1) * row["stride"] for row in reflection["results"])
+    check("memory", size, f"the results of {reflection['material']} take")
     written = [_before(row, counts[row["name"]]) for row in reflection["results"]]
     return Dispatch(
         extent=(count, 1, 1),

@@ -95,26 +95,28 @@ class Scene:
 
 def _all_roles(instance: Instance) -> list[dict[str, str]]:
     """What a scene sets of each light of the rig."""
-    reflection = instance.reflection
-    return [dict(light_roles(reflection, row)) for row in reflection["lights"]]
+    parameters = _by_name(instance.reflection)
+    return [dict(light_roles(parameters, row)) for row in instance.reflection["lights"]]
 
 
 def light_roles(
-    reflection: Mapping[str, Any], light: Mapping[str, Any]
+    parameters: Mapping[str, Mapping[str, Any]], light: Mapping[str, Any]
 ) -> Iterator[tuple[str, str]]:
     """The parameters of a light that a scene sets, without the light's own name, each with what
-    the scene calls its value."""
-    for row in reflection["parameters"]:
-        if light["capacity"] is not None and row["name"] == light["name"]:
-            members = [(member["name"], member) for member in row["members"]]
-        elif light["capacity"] is None and row["name"] in light["parameters"]:
-            members = [(row["name"].removeprefix(f"{light['name']}."), row)]
-        else:
-            continue
-        for name, member in members:
-            role = _light_role(member)
-            if role is not None:
-                yield name, role
+    the scene calls its value. ``parameters`` are those of the reflection, by name."""
+    rows = [parameters[name] for name in light["parameters"]]
+    if light["capacity"] is not None:
+        members = [(member["name"], member) for row in rows for member in row["members"]]
+    else:
+        members = [(row["name"].removeprefix(f"{light['name']}."), row) for row in rows]
+    for name, member in members:
+        role = _light_role(member)
+        if role is not None:
+            yield name, role
+
+
+def _by_name(reflection: Mapping[str, Any]) -> Mapping[str, Mapping[str, Any]]:
+    return {row["name"]: row for row in reflection["parameters"]}
 
 
 def _light_role(row: Mapping[str, Any]) -> str | None:
@@ -131,10 +133,11 @@ def _light_role(row: Mapping[str, Any]) -> str | None:
 
 def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
     """The names of the parameters that every scene sets, including those of single lights."""
-    found = {row["name"] for row in reflection["parameters"] if row["role"] in _OF_VIEWS}
+    parameters = _by_name(reflection)
+    found = {name for name, row in parameters.items() if row["role"] in _OF_VIEWS}
     for light in reflection["lights"]:
         if light["capacity"] is None:
-            roles = light_roles(reflection, light)
+            roles = light_roles(parameters, light)
             found.update(f"{light['name']}.{name}" for name, role in roles if role in MADE_UP)
     return found
 

@@ -7,8 +7,10 @@ the library's declarations mean in a scene, and what draw calls get of meshes.
 
 from __future__ import annotations
 
+import json
 from base64 import b64encode
-from collections.abc import Iterable, Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +21,7 @@ from numpy.typing import NDArray
 from ...compiler.budget import check
 from ...compiler.ir.stages import INSTANCES, VERTICES
 from ..runner.frames.host import FrameHost, Row
-from ..runner.frames.scenery import Model
+from ..runner.frames.scenery import WHOLE, Model
 from ..runner.instances.instance import Instance
 from ..runner.instances.shapes import stored_as
 from ..runner.looks import PLAIN
@@ -67,6 +69,9 @@ class _Package:
         self._picture_of: dict[Texture, int] = {}
         self._geometries: list[dict[str, Any]] = []
         self._geometry_of: dict[tuple[int, int], int] = {}
+        self._made: dict[str, int] = {}
+        """The numbers of geometries, by what they consist of."""
+        self._draws = _draws_of_models(host)
         self._instances: list[Instance] = []
         self._bytes = 0
         """Of all pictures, buffers and meshes so far."""
@@ -183,17 +188,13 @@ class _Package:
     def _reflection(self, shader: int) -> Row:
         return self._host.instances[shader].reflection
 
-    def _shaders_of(self, model: Model) -> Iterator[int]:
+    def _shaders_of(self, model: Model) -> set[int]:
         """The numbers of the shaders that draw a model."""
-        for step in self._host.plan["steps"]:
-            for drawn in step.get("draws", ()):
-                if drawn["models"] is None or model not in self._host.scenery.tagged(
-                    drawn["models"]
-                ):
-                    continue
-                yield from (
-                    use["shader"] for use in drawn["uses"] if use["material"] == model.material
-                )
+        return {
+            shader
+            for tag in (WHOLE, *model.tags)
+            for shader in self._draws.get((tag, model.material), ())
+        }
 
     def _geometry(self, mesh: Mesh, shader: int) -> int:
         """The number of what a shader gets of a mesh. Shaders with the same inputs share it."""
@@ -201,9 +202,11 @@ class _Package:
         if key not in self._geometry_of:
             made = _geometry(self._instances[shader].copied(), mesh)
             self._count(sum(len(text) for text in made.values() if isinstance(text, str)))
-            if made not in self._geometries:
+            content = json.dumps(made)
+            if content not in self._made:
+                self._made[content] = len(self._geometries)
                 self._geometries.append(made)
-            self._geometry_of[key] = self._geometries.index(made)
+            self._geometry_of[key] = self._made[content]
         return self._geometry_of[key]
 
     # --- pictures --------------------------------------------------------------------------------
@@ -238,6 +241,16 @@ class _Package:
         check(
             "memory", _COPIES * self._bytes, f"a page that draws {self._host.plan['frame']} needs"
         )
+
+
+def _draws_of_models(host: FrameHost) -> Mapping[tuple[str, str], set[int]]:
+    """By a name of models and a material, the shaders that draw these."""
+    found: dict[tuple[str, str], set[int]] = defaultdict(set)
+    for step in host.plan["steps"]:
+        for drawn in step.get("draws", ()):
+            for use in drawn["uses"] if drawn["models"] is not None else ():
+                found[drawn["models"], use["material"]].add(use["shader"])
+    return found
 
 
 def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:

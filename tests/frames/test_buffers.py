@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from burnish.api import CompiledFrame
-from burnish.compiler.reflection.schema import validate_plan
+from burnish.compiler.reflection.schema import PLAN, validate
 from burnish.targets.runner.frames.checking import PlanError, check_plan
 
 from .changes import changes
@@ -57,7 +57,7 @@ def waits(place: dict[str, Any]) -> dict[str, tuple[str, str, bool]]:
 
 
 def test_a_buffer_is_waited_for_where_it_is_used_in_another_way(swarm: CompiledFrame) -> None:
-    validate_plan(swarm.plan)
+    validate(swarm.plan, PLAN)
     steps = {step["name"]: step for step in swarm.plan["steps"]}
     assert {name: waits(step) for name, step in steps.items()} == {
         "begun": {"begun.after": ("undefined", "written", True)},

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from burnish.compiler.reflection.schema import validate_plan
+from burnish.compiler.reflection.schema import PLAN, validate
 from burnish.targets.runner.frames.checking import PlanError, check_plan
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
@@ -65,7 +65,7 @@ def waits(place: dict[str, Any]) -> Iterator[str]:
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_examples_are_planned_as_before(path: Path) -> None:
     plan = compiled(path).plan
-    validate_plan(plan)
+    validate(plan, PLAN)
     check_plan(plan)
     assert_golden("\n".join(lines(plan)) + "\n", GOLDEN / f"{path.stem}.txt")
 
@@ -203,7 +203,7 @@ def test_what_is_the_same_in_every_frame_is_drawn_once(
     steps: str, another: str, expected: set[str]
 ) -> None:
     plan = of_text(TABLES.replace("STEPS", steps).replace("ANOTHER", another)).plan
-    validate_plan(plan)
+    validate(plan, PLAN)
     check_plan(plan)
     assert {step["name"] for step in plan["steps"] if step["only_first"]} == expected
 

@@ -7,7 +7,7 @@ the driver itself cannot be relied on.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from typing import get_args
 
 from .capture_job import CaptureJob
@@ -83,16 +83,20 @@ def check_names(pipeline: Pipeline) -> None:
     inputs = [slot.identifier for slot in pipeline.inputs]
     blocks = [slot.place.identifier for slot in pipeline.blocks]
     textures = [slot.texture.identifier for slot in pipeline.textures]
-    everything = "".join(code.text for code in pipeline.stages.values())
-    _find("vertex attribute", inputs, pipeline.stages["vertex"].text)
+    everything = _words(*(code.text for code in pipeline.stages.values()))
+    _find("vertex attribute", inputs, _words(pipeline.stages["vertex"].text))
     _find("uniform block", blocks, everything)
     _find("texture", textures, everything)
     _find("uniform", pipeline.host_uniforms, everything)
 
 
-def _find(what: str, identifiers: Sequence[str], text: str) -> None:
+def _words(*texts: str) -> Set[str]:
+    return {word for text in texts for word in re.findall(r"\w+", text)}
+
+
+def _find(what: str, identifiers: Sequence[str], words: Set[str]) -> None:
     for identifier in identifiers:
-        if not re.search(rf"\b{re.escape(identifier)}\b", text):
+        if identifier not in words:
             raise DriverError(f"the shader has no {what} {identifier!r}")
 
 

@@ -6,7 +6,8 @@ other drivers, and what a device holds at first is often, but not always, what o
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 
 from .device import DriverError
 from .frame_job import Attachment, BufferUse, FrameJob, FrameStep, Resolve, TextureUse
@@ -19,21 +20,26 @@ def check_order(job: FrameJob) -> None:
     """Raise ``DriverError`` for the first step that uses something before it is ready."""
     textures = [_Texture(job, number) for number in range(len(job.textures))]
     buffers = [_Buffer(f"buffer {number}") for number in range(len(job.buffers))]
+    memories: dict[int, list[_Texture]] = defaultdict(list)
+    for texture in textures:
+        if texture.memory is not None:
+            memories[texture.memory].append(texture)
     for number, step in enumerate(job.steps):
         try:
-            _check_step(textures, step)
+            _check_step(textures, memories, step)
             _check_buffers(job, buffers, step)
         except DriverError as error:
             raise DriverError(f"step {number}: {error}") from None
 
 
-def _check_step(textures: list[_Texture], step: FrameStep) -> None:
+def _check_step(
+    textures: list[_Texture], memories: Mapping[int, list[_Texture]], step: FrameStep
+) -> None:
     for barrier in step.barriers:
         waiting = textures[barrier.texture]
         if barrier.before == "undefined" and waiting.memory is not None:
-            for texture in textures:
-                if texture.memory == waiting.memory:
-                    texture.lose()
+            for texture in memories[waiting.memory]:
+                texture.lose()
         waiting.wait(barrier.before, barrier.after)
     for number in (texture for draw in step.draws for texture in draw.textures):
         if number >= 0:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ....compiler.budget import Tally, check
 from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
 from ..codes import Codes, compile_one
@@ -111,6 +112,9 @@ class _Job:
         self._textures = _Textures()
         self._buffers: list[FrameBuffer] = []
         self._buffer_of: dict[str, int] = {}
+        self._bytes = Tally("memory", f"the buffers and textures of {host.plan['frame']} take")
+        """What kernels write, whose sizes are known when they are run; ``_shared_memory`` counts
+        all other textures."""
         self._memory: dict[int, int] = {}
         """For textures of the plan that take turns in the same memory, a number of the latter."""
         self._steps: list[FrameStep] = []
@@ -162,6 +166,8 @@ class _Job:
     def _make(self, number: int, *, is_black: bool = False) -> int:
         row = self._plan["textures"][number]
         width, height = self._host.size_of(number)
+        if row["size"]["value"] is None:
+            self._bytes.add(bytes_of(row, (width, height)))
         name: Any = DEPTH_FORMATS.get(row["format"]) or FORMATS[row["format"]]
         self._textures.made.append(
             FrameTexture(
@@ -371,6 +377,7 @@ class _Job:
         """The job's buffers for what a kernel writes; each run has new ones."""
         found = []
         for row, data in zip(step["buffers"], dispatch.buffers[first:], strict=True):
+            self._bytes.add(len(data))
             initial = int.from_bytes(data[:WORD], "little")
             self._buffers.append(FrameBuffer(len(data) // WORD, initial))
             found.append(len(self._buffers) - 1)
@@ -411,7 +418,10 @@ def _shared_memory(host: FrameHost) -> dict[int, int]:
     rows = host.plan["textures"]
     known = [number for number, row in enumerate(rows) if row["size"]["value"] is not None]
     needed = {number: bytes_of(rows[number], host.size_of(number)) for number in known}
-    groups = [group for group in taking_turns(host.plan, needed) if len(group) > 1]
+    groups = taking_turns(host.plan, needed)
+    said = f"the textures of {host.plan['frame']} take"
+    check("memory", sum(max(needed.get(each, 0) for each in group) for group in groups), said)
+    groups = [group for group in groups if len(group) > 1]
     return {texture: number for number, group in enumerate(groups) for texture in group}
 
 

@@ -12,6 +12,7 @@ from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
+from ....compiler.budget import BudgetError, Tally
 from ....compiler.diagnostics.nearest import suggestion
 from ....compiler.ir.primitives import CORNERS
 from ..instances.instance import FORMAT, Instance, MissingValuesError
@@ -21,6 +22,7 @@ from ..scene import value_roles
 from ..scene_state import Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
+from .checks.reflections import LANE
 from .checks.rows import attachments
 from .numbers import is_of
 from .scenery import Model, Scenery
@@ -130,7 +132,11 @@ class FrameHost:
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery
-        self.values = Instance(_as_reflection(plan))
+        what = f"a frame of {plan['frame']} takes"
+        self._steps, self._vertices = Tally("steps", what), Tally("vertices", what)
+        """What one frame takes beside its models: what the host computes and sets, and what is
+        drawn without any."""
+        self.values = Instance(_as_reflection(plan), self._steps)
         self.size = size
         """The width and height of what the frame draws, as far as it says no other size."""
         width, height = size
@@ -140,8 +146,10 @@ class FrameHost:
         self.size = size
         """Of what is shown: width and height."""
         self._tell("size", size)
-        self.instances = [Instance(shader.reflection) for shader in self.shaders]
+        self.instances = [Instance(shader.reflection, self._steps) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
+        self._costs = [_cost(shader.reflection) for shader in self.shaders]
+        self._lights_by_name: dict[str, Row] = {row["name"]: row for row in plan["lights"]}
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
 
@@ -188,6 +196,8 @@ class FrameHost:
 
     def begin(self, drawn: int) -> None:
         """Tell the frame how many were drawn before it. To be called before its first step."""
+        self._steps.begin()
+        self._vertices.begin()
         self._tell("number", drawn % NUMBERS)
 
     def _tell(self, name: str, value: object) -> None:
@@ -204,7 +214,7 @@ class FrameHost:
         row, where = self.plan["values"][value], f"{self.plan['frame']}, value {value}"
         try:
             found = self.values.evaluated(row["steps"])
-        except MissingValuesError:
+        except (BudgetError, MissingValuesError):
             raise
         except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError,
                 StopIteration) as error:  # fmt: skip
@@ -258,6 +268,7 @@ class FrameHost:
 
     def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
         """The run of a kernel."""
+        self._steps.add(self._costs[step["shader"]])
         instance = self.instances[step["shader"]].copied()
         reads = self._give(instance, step, is_first)
         self._kernels[step["name"]] = instance
@@ -272,14 +283,16 @@ class FrameHost:
         row = self._light(entry)
         if row["capacity"] is None:
             return ((entry, None),)
-        count = row["capacity"] if row["count"] is None else self.values.get(row["count"])
+        count = row["capacity"]
+        if row["count"] is not None:
+            count = min(max(self.values.get(row["count"]), 0), count)
         return tuple((entry, number) for number in range(count))
 
     def _light(self, entry: str) -> Row:
         """The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it
         is that of something else as well."""
-        names = entry, f"{self.plan['rig']}.{entry}"
-        return next(row for row in self.plan["lights"] if row["name"] in names)
+        found: Row | None = self._lights_by_name.get(entry)
+        return found or self._lights_by_name[f"{self.plan['rig']}.{entry}"]
 
     def _drawn(
         self,
@@ -289,6 +302,7 @@ class FrameHost:
         is_first: bool,
     ) -> Iterator[FrameDraw]:
         uses = {use["material"]: use for use in drawn["uses"]}
+        self._steps.add(sum(self._costs[use["shader"]] for use in drawn["uses"]))
         if drawn["models"] is None:
             count = self._vertex_count(drawn["vertices"])
             primitive = self.instances[uses[None]["shader"]].reflection["draw"]["primitive"]
@@ -311,6 +325,7 @@ class FrameHost:
         count = int(self.number(value))
         if not 0 <= count <= MOST_VERTICES:
             raise PlanError(f"a step would draw {count} vertices; it can draw 0 to {MOST_VERTICES}")
+        self._vertices.add(count)
         return count
 
     def _one(
@@ -377,6 +392,16 @@ class FrameHost:
             instance.set(name, textures[host])
         else:
             instance.set_bytes(name, self.values.buffers()[host].data)
+
+
+_GIVEN = ("parameters", "derived", "lights", "buffers", "textures", "vertex_inputs", "targets")
+"""What a draw has to be given, by the keys of a reflection."""
+
+
+def _cost(reflection: Row) -> int:
+    """How many things are set for a draw of a shader: rows, and the lanes of its parameters."""
+    lanes: int = sum(row["size"] for row in reflection["parameters"]) // LANE
+    return lanes + sum(len(reflection[key]) for key in _GIVEN)
 
 
 def _as_reflection(plan: Row) -> dict[str, Any]:

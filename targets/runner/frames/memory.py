@@ -7,6 +7,7 @@ textures are is known only when the values of a frame are set, so hosts decide, 
 
 from __future__ import annotations
 
+from bisect import bisect, insort
 from collections.abc import Mapping, Sequence
 
 from ....compiler.ir.image_sizes import halved
@@ -14,6 +15,9 @@ from ..binding import FORMATS
 from ..drivers.readback import TEXEL_LANES
 from .checks.rows import Row, drawn_to, is_rare, written
 from .sizes import Size
+
+MOST_TRIED = 64
+"""In how many groups a place is looked for, so that many textures do not take long."""
 
 DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
 """Of a texel."""
@@ -42,15 +46,19 @@ def taking_turns(plan: Row, needed: Mapping[int, int]) -> list[list[int]]:
     """
     spans, lasting = _spans(plan), _lasting(plan)
     groups: list[list[int]] = []
+    taken: list[list[tuple[int, int]]] = []
+    """Of each group the spans of its textures, in order: none of them meet."""
     for texture in sorted(needed, key=lambda each: -needed[each]):
         if texture in lasting:
             continue
-        for group in groups:
-            if not any(_meet(spans[texture], spans[other]) for other in group):
+        for group, others in zip(groups[-MOST_TRIED:], taken[-MOST_TRIED:], strict=True):
+            if _fits(spans[texture], others):
                 group.append(texture)
+                insort(others, spans[texture])
                 break
         else:
             groups.append([texture])
+            taken.append([spans[texture]])
     placed = {texture for group in groups for texture in group}
     alone = [[number] for number in range(len(plan["textures"])) if number not in placed]
     return [*groups, *alone]
@@ -90,5 +98,8 @@ def _lasting(plan: Row) -> set[int | None]:
     return drawn_once | {number for number, row in enumerate(plan["textures"]) if row["kept"]}
 
 
-def _meet(one: tuple[int, int], other: tuple[int, int]) -> bool:
-    return one[0] <= other[1] and other[0] <= one[1]
+def _fits(span: tuple[int, int], others: Sequence[tuple[int, int]]) -> bool:
+    """Whether a span meets none of those that are in order and meet none of each other."""
+    at = bisect(others, span)
+    begins_later = at == 0 or others[at - 1][1] < span[0]
+    return begins_later and (at == len(others) or span[1] < others[at][0])

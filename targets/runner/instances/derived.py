@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
+from ....compiler.budget import Tally
 from ....compiler.reference.functions import evaluate
 from ....frozen import EMPTY, fresh, record
-from .shapes import Elements, Members, Numbers, Shape, kind_of, shape_of
+from .shapes import MOST_LANES, Elements, Kind, Members, Numbers, Shape, kind_of, lanes_of, shape_of
 
 Row = Mapping[str, Any]
 """One row of ``steps``."""
@@ -46,9 +47,12 @@ class Inputs:
         shapes: Mapping[str, Shape],
         values: Mapping[str, Any],
         textures: Mapping[str, Sized] = EMPTY,
+        meter: Tally | None = None,
     ) -> None:
-        """``textures`` are wanted where steps read their sizes, as an extent's may."""
+        """``textures`` are wanted where steps read their sizes, as an extent's may. ``meter``
+        counts the steps of several computations together."""
         self.textures = textures
+        self.meter = meter or Tally("steps", "the values that a host computes take")
         self._shapes = shapes
         self._values = values
         self._known: dict[str, Named] = {}
@@ -132,7 +136,9 @@ class _Fold:
     def take(self, value: Named) -> None:
         """Receive the body's value in one turn."""
         row = self._row
-        self.result = evaluate(row["operator"], (self.result, value), kind=kind_of(row["type"]))
+        kind = kind_of(row["type"])
+        arguments = _of_kind(kind, [self.result, value])
+        self.result = evaluate(row["operator"], arguments, kind=kind)
 
 
 _BINDERS: Mapping[str, type[_Application | _Fold]] = {"apply": _Application, "fold": _Fold}
@@ -176,12 +182,15 @@ class _Computation:
     def _begun(self, last: int, bound: tuple[Named, ...]) -> _Body:
         """The evaluation of a body, with the steps that ``last`` needs and that are not known."""
         needed: set[int] = set()
-        pending = [last]
+        pending, count = [last], 1
         while pending:
             number = pending.pop()
             if number not in needed and number not in self._constant:
                 needed.add(number)
-                pending.extend(_outside(self._steps[number]))
+                arguments = _outside(self._steps[number])
+                pending.extend(arguments)
+                count += len(arguments) + 1
+        self._inputs.meter.add(count)
         return _Body(last, bound, sorted(needed, reverse=True))
 
     def _values(self, number: int, body: _Body) -> dict[int, Named]:
@@ -214,7 +223,7 @@ class _Computation:
                 return texture.size(level)
             case "call" | "native":
                 kind = kind_of(self._steps[row["args"][0]]["type"])
-                return evaluate(row["function"], arguments, kind=kind)
+                return evaluate(row["function"], _of_kind(kind, arguments), kind=kind)
             case "bound":
                 return bound[row["binder"]]
             case "index":
@@ -248,11 +257,32 @@ def _depths(steps: Sequence[Row]) -> list[int]:
     return depths
 
 
+def _of_kind(kind: Kind, arguments: list[Named]) -> list[Named]:
+    """The arguments of a function of floats, of which the first is no whole number: those of Python
+    have no largest one, and would grow with each product."""
+    if kind != "float" or not any(type(lane) is int for lane in arguments[0]):
+        return arguments
+    return [tuple(map(float, arguments[0])), *arguments[1:]]
+
+
 def _constant(row: Row, _arguments: list[Named]) -> Named:
     value = row["value"]
     if isinstance(value, Sequence):
-        return tuple(tuple(lane) if isinstance(lane, Sequence) else lane for lane in value)
+        return _few([_few(lane) if isinstance(lane, Sequence) else lane for lane in value])
     return (value,)
+
+
+def _few(lanes: Sequence[Named]) -> Named:
+    """The lanes of a vector, or the columns of a matrix. Raises ``ValueError`` for more than these
+    have."""
+    if len(lanes) > MOST_LANES:
+        raise ValueError(f"nothing has {len(lanes)} lanes")
+    return tuple(lanes)
+
+
+def _splat(row: Row, arguments: list[Named]) -> Named:
+    (lane,) = arguments[0]
+    return _few([lane] * lanes_of(row["type"]))
 
 
 def _select(_row: Row, arguments: list[Named]) -> Named:
@@ -262,11 +292,11 @@ def _select(_row: Row, arguments: list[Named]) -> Named:
 
 _PLAIN: Mapping[str, Callable[[Row, list[Named]], Named]] = {
     "constant": _constant,
-    "vector": lambda _row, arguments: tuple(lane for each in arguments for lane in each),
-    "splat": lambda row, arguments: arguments[0] * int(row["type"][-1]),
-    "matrix": lambda _row, arguments: tuple(arguments),
+    "vector": lambda _row, arguments: _few([lane for each in arguments for lane in each]),
+    "splat": _splat,
+    "matrix": lambda _row, arguments: _few(arguments),
     "array": lambda _row, arguments: tuple(arguments),
-    "swizzle": lambda row, arguments: tuple(arguments[0][lane] for lane in row["lanes"]),
+    "swizzle": lambda row, arguments: _few([arguments[0][lane] for lane in row["lanes"]]),
     "member": lambda row, arguments: arguments[0][row["member"]],
     "select": _select,
 }

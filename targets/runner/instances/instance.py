@@ -26,6 +26,7 @@ from .texts import elements_in_file, parse
 from .values import ParameterError, changed, filled, initial, plain, rounded, unset
 
 if TYPE_CHECKING:
+    from ....compiler.budget import Tally
     from ..textures.texture import Texture
 
 _COPIES = 25
@@ -63,14 +64,17 @@ class Instance:
     Parameters and their parts are also attributes: ``instance.torch.axis = (0, -1, 0)``.
     """
 
-    def __init__(self, reflection: Mapping[str, Any]) -> None:
-        """Raises ``ValueError`` for a reflection of another format, or one that is not complete."""
+    def __init__(self, reflection: Mapping[str, Any], meter: Tally | None = None) -> None:
+        """``meter`` counts the steps of all values that are computed, where they are limited
+        together. Raises ``ValueError`` for a reflection of another format, or one that is not
+        complete."""
         expect("reflection", reflection, Mapping, "a mapping")
         if reflection.get("format") != FORMAT:
             raise ValueError(f"this is no reflection of format {FORMAT}")
         if missing := [part for part in _PARTS if part not in reflection]:
             raise ValueError(f"this reflection has no `{missing[0]}`")
         self._reflection = reflection
+        self._meter = meter
         self._names = Names(reflection)
         self._values = {name: initial(shape) for name, shape in self._names.shapes.items()}
         self._textures: dict[str, Texture] = {}
@@ -103,7 +107,7 @@ class Instance:
         """
         _check_name(name)
         if name in self._names.textures:
-            self._textures[name] = _texture(self._texture_row(name), value)
+            self._textures[name] = _texture(self._names.textures[name], value)
         elif name in self._buffers:
             self._set_buffer(packed(self._buffers[name].layout, value))
         else:
@@ -143,7 +147,7 @@ class Instance:
     def evaluated(self, steps: Sequence[Mapping[str, Any]]) -> Any:
         """The value that steps compute of parameters and of the sizes of textures, as ``set`` takes
         it. Raises ``MissingValuesError``."""
-        found = derived.compute(steps, self._read_by(steps, self._sizes()))
+        found = derived.compute(steps, self._read_by(steps, self._sizes(steps)))
         if steps[-1]["type"].endswith("]"):
             return tuple(map(_without_lane, found))
         return _without_lane(found)
@@ -180,7 +184,7 @@ class Instance:
         if name in self._names.textures:
             from ..textures.texture import Texture
 
-            row = self._texture_row(name)
+            row = self._names.textures[name]
             self._textures[name] = Texture.parse(
                 text, dimension=row["dimension"], sample=row["sample"]
             )
@@ -239,7 +243,7 @@ class Instance:
             if row["block"] is not None:
                 name = row["name"]
                 write(blocks[row["block"]], row["offset"], shapes[name], values[name])
-        inputs = derived.Inputs(shapes, values)
+        inputs = derived.Inputs(shapes, values, meter=self._meter)
         for row, shape, value in derived.computed(self._reflection["derived"], inputs):
             write(blocks[row["block"]], row["offset"], shape, rounded(value))
         return {name: bytes(block) for name, block in blocks.items()}
@@ -264,7 +268,7 @@ class Instance:
     def image_size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""
         steps = self._reflection["extent"]
-        width, height = derived.compute(steps, self._read_by(steps, self._sizes()))
+        width, height = derived.compute(steps, self._read_by(steps, self._sizes(steps)))
         return max(int(width), 0), max(int(height), 0)
 
     def patch_levels(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -287,13 +291,7 @@ class Instance:
     def textures(self) -> dict[str, Texture]:
         """Every texture by name; one that was not set is the declared default, of a single
         texel."""
-        from ..textures.texture import default_texture
-
-        return {
-            row["name"]: self._textures.get(row["name"])
-            or default_texture(row["default"], row["dimension"], row["sample"])
-            for row in self._reflection["textures"]
-        }
+        return {name: self._bound(name) for name in self._names.textures}
 
     def __getattr__(self, name: str) -> Any:
         """The value of a parameter, or a ``Part`` if it has parts of its own."""
@@ -327,9 +325,13 @@ class Instance:
             return self.get(name)
         return Part(self, name, place.shape.count if isinstance(place.shape, Elements) else None)
 
-    def _texture_row(self, name: str) -> Mapping[str, Any]:
-        rows: Iterable[Mapping[str, Any]] = self._reflection["textures"]
-        return next(row for row in rows if row["name"] == name)
+    def _bound(self, name: str) -> Texture:
+        """A texture that was set, or its default."""
+        from ..textures.texture import default_texture
+
+        row = self._names.textures[name]
+        set_ = self._textures.get(name)
+        return set_ or default_texture(row["default"], row["dimension"], row["sample"])
 
     def _set_buffer(self, contents: Contents) -> None:
         layout = contents.layout
@@ -360,9 +362,10 @@ class Instance:
             changes |= self._changes(f"{name}.{member}", inner)
         return changes
 
-    def _sizes(self) -> dict[str, derived.Sized]:
-        """Every texture, of which somebody asks for the size."""
-        return {**self.textures(), **self._sized}
+    def _sizes(self, steps: Iterable[Mapping[str, Any]]) -> dict[str, derived.Sized]:
+        """The textures of which steps ask for the size."""
+        names = {step["texture"] for step in steps if step["op"] == "resource"}
+        return {name: self._sized.get(name) or self._bound(name) for name in names}
 
     def _read_by(
         self, steps: Iterable[Mapping[str, Any]], textures: Mapping[str, derived.Sized] = EMPTY
@@ -370,7 +373,7 @@ class Instance:
         """What steps of a host's read, which need no other values. Raises
         ``MissingValuesError``."""
         read = [step["parameter"] for step in steps if step["op"] == "parameter"]
-        return derived.Inputs(self._names.shapes, self._values_of(read), textures)
+        return derived.Inputs(self._names.shapes, self._values_of(read), textures, self._meter)
 
     def _values_of(self, names: Collection[str]) -> dict[str, Any]:
         """The values of some parameters. Raises ``MissingValuesError``."""
@@ -383,7 +386,7 @@ class Instance:
     def _missing(self, names: Collection[str]) -> dict[str, Numbers | Elements]:
         """The parts of these parameters that the blocks need and that have no value."""
         found: dict[str, Numbers | Elements] = {}
-        for name in filter(names.__contains__, self._names.needed):
+        for name in filter(self._names.is_needed, names):
             shape, value = self._names.shapes[name], self._values[name]
             if isinstance(shape, Elements) and shape.counter:
                 value = value[: self._values[shape.counter][0]]

@@ -36,11 +36,15 @@ class Names:
         self.shapes: Mapping[str, Shape] = {
             row["name"]: shape_of(row) for row in reflection["parameters"]
         }
-        self.textures = frozenset(row["name"] for row in reflection["textures"])
+        self.textures: Mapping[str, Mapping[str, Any]] = {
+            row["name"]: row for row in reflection["textures"]
+        }
+        """The rows of textures, by name."""
         self.counters: Mapping[str, str] = {
             row["count"]: row["name"] for row in reflection["buffers"]
         }
         """The storage buffer whose elements a parameter counts."""
+        self._buffers = frozenset(self.counters.values())
         self._lights = {
             row["name"]: tuple(name.removeprefix(f"{row['name']}.") for name in row["parameters"])
             for row in reflection["lights"]
@@ -51,6 +55,7 @@ class Names:
         rows = reflection["parameters"]
         self.needed = tuple(r["name"] for r in rows if r["block"] is not None or r["name"] in read)
         """The parameters that a shader reads, or of which the host computes something."""
+        self._needed = frozenset(self.needed)
         lights = [row["name"] for row in reflection["lights"]]
         of_rig = (*lights, *(row["name"] for row in rows if row["group"] == "rig"))
         self.rig: Mapping[str, str] = {
@@ -59,6 +64,10 @@ class Names:
         }
         """The lights, and all other parameters that are set per rig: what ``rig`` calls them, and
         their names. Among those of a rig, a light needs no rig's name before its own."""
+
+    def is_needed(self, name: str) -> bool:
+        """Whether a parameter is one of the ``needed``."""
+        return name in self._needed
 
     def light(self, name: str) -> tuple[str, ...]:
         """The parameters of a single light, without its own name; empty for any other name."""
@@ -77,11 +86,11 @@ class Names:
 
     def _check_whole(self, name: str) -> None:
         """Raise ``ParameterError`` for a part of a storage buffer."""
-        for buffer in self.counters.values():
-            if name.startswith(f"{buffer}["):
-                raise ParameterError(
-                    name, f"`{buffer}` is a storage buffer, which is set and read as a whole"
-                )
+        buffer, bracket, _ = name.partition("[")
+        if bracket and buffer in self._buffers:
+            raise ParameterError(
+                name, f"`{buffer}` is a storage buffer, which is set and read as a whole"
+            )
 
     def _inside(self, parameter: str, steps: list[str], name: str) -> Place:
         owner, shape, path = parameter, self.shapes[parameter], []

@@ -25,6 +25,10 @@ WHOLE: Mapping[Kind, tuple[int, int]] = {"int": (-(2**31), 2**31 - 1), "uint": (
 """The least and the largest integer of a type."""
 
 
+MOST_LANES = 4
+"""Of a vector; a matrix has as many columns."""
+
+
 @dataclass(frozen=True, slots=True)
 class Numbers:
     """A number, a vector or a matrix."""

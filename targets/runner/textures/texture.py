@@ -12,7 +12,7 @@ do it this way.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -37,6 +37,8 @@ _COLORS: dict[str, Sequence[int]] = {
     "flat_normal": (128, 128, 255, 255),
 }
 _DEPTHS = {"far": 1.0, "near": 0.0}
+DEFAULTS: Mapping[str, Collection[str]] = {"float": _COLORS.keys(), "depth": _DEPTHS.keys()}
+"""What a texture may be until a host binds one, by what it holds; all others are zeros."""
 
 
 @dataclass(frozen=True, slots=True)

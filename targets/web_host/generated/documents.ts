@@ -1565,10 +1565,25 @@ export interface Sampler {
    */
   texture: string;
   /**
-   * State by key, such as `filter` and `wrap`.
+   * Its state: what is filtered and compared, and what lies beyond the edges.
    */
   state: {
-    [k: string]: string;
+    /**
+     * How texels of a level are joined.
+     */
+    filter: "linear" | "nearest";
+    /**
+     * How levels are joined; `none`: only the first one is read.
+     */
+    mip: "linear" | "nearest" | "none";
+    /**
+     * What lies beyond the edges.
+     */
+    wrap: "repeat" | "clamp" | "mirror";
+    /**
+     * How a reference, on the left, has to compare with a depth; absent where none is compared.
+     */
+    compare?: "less" | "less_equal" | "greater" | "greater_equal";
   };
 }
 /**

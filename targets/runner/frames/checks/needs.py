@@ -6,8 +6,9 @@ of this follows from the steps, and hosts rely on it when they make, share and f
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
 from .rows import (
@@ -29,6 +30,10 @@ ENDS = (("texture", "previous"), ("previous", "texture"))
 """Of a row of `kept`: each texture, and the one that it is exchanged with."""
 
 
+_Place = tuple[str, int, int | None, int]
+"""Where a step draws: the result, its texture, and the layer and level of that."""
+
+
 def check_needs(plan: Row) -> None:
     """Raise ``PlanError`` where a row says something else than the steps."""
     needs = _Needs(plan)
@@ -43,7 +48,8 @@ class _Needs:
         self._steps = plan["steps"]
         self._results = {row["name"]: row for row in plan["results"]}
         self._outputs = {row["result"] for row in plan["outputs"]}
-        self._previous = {row["previous"]: row["result"] for row in plan["kept"]}
+        self._previous = {row["previous"]: row["result"] for row in plan["kept"]
+                          if row["previous"] is not None}  # fmt: skip
         """Of textures that the last frame has left, the result."""
 
     @cached_property
@@ -112,7 +118,9 @@ class _Needs:
         kept = pairs.keys()
         for number, row in enumerate(self._plan["textures"]):
             where = f"texture {number}"
-            names = [self._previous[number]] if number in self._previous else self._held(number)
+            names = (
+                [self._previous[number]] if number in self._previous else self._held.get(number, [])
+            )
             if row["results"] != names:
                 fail(self._plan, where, f"it holds {_listed(names)}")
             if row["kept"] != (number in kept):
@@ -121,16 +129,19 @@ class _Needs:
             if set(row["uses"]) != uses or len(row["uses"]) != len(uses):
                 fail(self._plan, where, f"it is used as {_listed(sorted(uses))}")
 
-    def _held(self, texture: int) -> list[str]:
-        """The results that a texture holds, in order: all in which others find them, or all that
+    @cached_property
+    def _held(self) -> Mapping[int, list[str]]:
+        """The results that each texture holds, in order: all in which others find them, or all that
         are drawn there with several samples."""
-        found = {name: row["first"] for name, row in self._results.items()
-                 if row["texture"] == texture}  # fmt: skip
+        found: dict[int, dict[str, int]] = defaultdict(dict)
+        for name, row in self._results.items():
+            if row["texture"] is not None:
+                found[row["texture"]][name] = row["first"]
         for number, step in enumerate(self._steps):
             for row in attachments(step):
-                if row["texture"] == texture and has_samples(self._plan, row):
-                    found.setdefault(row["result"], number)
-        return sorted(found, key=lambda name: int(found[name]))
+                if has_samples(self._plan, row):
+                    found[row["texture"]].setdefault(row["result"], number)
+        return {texture: sorted(first, key=first.__getitem__) for texture, first in found.items()}
 
     @cached_property
     def _used_as(self) -> Mapping[int, set[str]]:
@@ -148,10 +159,14 @@ class _Needs:
     def check_steps(self) -> None:
         """A step stores what somebody needs, and later frames wait for what they use."""
         self._check_later_frames()
+        read_in_pass: set[int | None] = set()
         for number, step in enumerate(self._steps):
             where = step_name(step)
             if "continues" in step:
-                self._check_continued(number, step)
+                self._check_continued(number, step, read_in_pass)
+            if not step.get("continues", False):
+                read_in_pass = set()
+            read_in_pass.update(texture for _, texture in read_now(step, is_first=True))
             for row in attachments(step):
                 self._check_stored(number, where, row)
                 if "stencil" in row and row["stencil"]["store"] != self._is_found(number, row):
@@ -178,12 +193,29 @@ class _Needs:
 
     def _resolves(self, number: int, drawn: Row) -> bool:
         """Whether somebody reads what a step has drawn before another one draws there, too."""
-        for step in self._steps[number + 1 :]:
-            if any(result == drawn["result"] for result, _ in read_now(step, is_first=True)):
-                return True
-            if any(_draws_on(row, drawn) for row in attachments(step)):
-                return False
-        return True
+        read = _next(self._reads.get(drawn["result"], ()), number)
+        again = _next(self._draws.get(_place(drawn), ()), number)
+        return again is None or (read is not None and read <= again)
+
+    @cached_property
+    def _reads(self) -> Mapping[str, list[int]]:
+        """The steps that read each result, in order."""
+        found: dict[str, list[int]] = defaultdict(list)
+        for number, step in enumerate(self._steps):
+            for result, _ in read_now(step, is_first=True):
+                found[result].append(number)
+        return dict(found)
+
+    @cached_property
+    def _draws(self) -> Mapping[_Place, list[int]]:
+        """The steps that draw on at each place, in order. One that clears the samples there draws
+        another layer of the result."""
+        found: dict[_Place, list[int]] = defaultdict(list)
+        for number, step in enumerate(self._steps):
+            for row in attachments(step):
+                if row["load"] == "load":
+                    found[_place(row)].append(number)
+        return dict(found)
 
     def _check_later_frames(self) -> None:
         """They wait for what is written in each of them, and for nothing else."""
@@ -200,8 +232,9 @@ class _Needs:
                 if row["only_first"] == is_always:
                     fail(self._plan, where, f"whether later frames wait for {what} is said wrongly")
 
-    def _check_continued(self, number: int, step: Row) -> None:
-        """Whether a step draws on in the render pass of the one before is said rightly."""
+    def _check_continued(self, number: int, step: Row, read: Set[int | None]) -> None:
+        """Whether a step draws on in the render pass of the one before is said rightly; ``read``
+        are the textures that are read in that pass."""
         before = self._steps[number - 1] if number else {"kind": "copy"}
         here, there = _places(step), _places(before)
         resolved = {row["resolve"]["texture"] for row in attachments(step)
@@ -216,18 +249,10 @@ class _Needs:
             and not step["buffer_barriers"]
             and {row["texture"] for row in step["barriers"]}
             <= {texture for texture, *_ in here} | resolved
-            and resolved.isdisjoint(self._read_in_pass(number - 1))
+            and resolved.isdisjoint(read)
         )
         if step["continues"] != continues:
             fail(self._plan, step_name(step), "whether it draws on is said wrongly")
-
-    def _read_in_pass(self, number: int) -> Iterator[int | None]:
-        """The textures that are read in the render pass which the step of this number is part
-        of."""
-        for step in reversed(self._steps[: number + 1]):
-            yield from (texture for _, texture in read_now(step, is_first=True))
-            if not step.get("continues", False):
-                return
 
     def _is_needed(self, number: int, result: str) -> bool:
         """Whether anybody needs behind a step what it draws."""
@@ -235,19 +260,26 @@ class _Needs:
         return is_left or self._last_read.get(result, number) > number
 
     def _is_found(self, number: int, left: Row) -> bool:
-        """Whether a later step draws where stencil values were left."""
-        later = [row for step in self._steps[number + 1 :] for row in attachments(step)]
-        again = (_draws_on(row, left) for row in later)
-        return any(again) or any(
-            row["over"] == left["result"] and self._finds(row, left) for row in later
-        )
+        """Whether a later step draws where stencil values were left, or over the result that has
+        them: samples only with the same samples, as others find one value for each texel."""
+        over = left["result"], left["texture"] if has_samples(self._plan, left) else None
+        last = max(self._last_over.get(over, -1), self._last_draw.get(_place(left), -1))
+        return last > number
 
-    def _finds(self, over: Row, left: Row) -> bool:
-        """Whether a step that draws over what another has left finds it as this one left it:
-        samples, or one value for each texel."""
-        if has_samples(self._plan, left):
-            return bool(over["texture"] == left["texture"])
-        return True
+    @cached_property
+    def _last_draw(self) -> Mapping[_Place, int]:
+        """The last step that draws on at each place."""
+        return {place: numbers[-1] for place, numbers in self._draws.items()}
+
+    @cached_property
+    def _last_over(self) -> Mapping[tuple[str, int | None], int]:
+        """The last step that draws over each result, in a texture or in any."""
+        found: dict[tuple[str, int | None], int] = {}
+        for number, step in enumerate(self._steps):
+            for row in attachments(step):
+                if row["over"] is not None:
+                    found[row["over"], row["texture"]] = found[row["over"], None] = number
+        return found
 
     @cached_property
     def _last_read(self) -> dict[str, int]:
@@ -262,13 +294,13 @@ class _Needs:
         return found
 
 
-def _draws_on(row: Row, left: Row) -> bool:
-    """Whether a step draws on where another one has drawn. One that clears the samples there draws
-    another layer of the result."""
-    return row["load"] == "load" and _place(row) == _place(left)
+def _next(numbers: Sequence[int], number: int) -> int | None:
+    """The first of some numbers in order that is larger than another one."""
+    at = bisect_right(numbers, number)
+    return numbers[at] if at < len(numbers) else None
 
 
-def _place(row: Row) -> tuple[str, int, int | None, int]:
+def _place(row: Row) -> _Place:
     return row["result"], row["texture"], row["layer"], row["level"]
 
 

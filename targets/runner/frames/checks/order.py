@@ -6,6 +6,9 @@ and level, and how it is used.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from .....compiler.budget import Tally
 from .rows import (
     END,
     WRITES,
@@ -40,6 +43,7 @@ class _Execution:
         """How the buffers of results are used, of those that this frame has used."""
         self._kept_buffers: set[str] = set()
         self._step = ""
+        self._meter = Tally("steps", f"the frame {plan['frame']} uses layers and levels in")
         self._waited: set[int | str] = set()
         """Textures, and results in buffers, with a barrier before this step."""
         self._used_here: set[int | str] = set()
@@ -200,17 +204,23 @@ class _Execution:
     def _finds(self, texture: int, result: str) -> None:
         """Check that a texture holds a result, all of it."""
         held = self._holds.get(texture, {})
-        for place in places(self._plan["textures"][texture]):
+        for place in self._all_of(texture):
             if held.get(place) != result:
                 found = held.get(place)
                 what = f"`{found}`" if found else "nothing"
                 self._fail(f"texture {texture} should hold `{result}`, and holds {what}")
 
+    def _all_of(self, texture: int) -> Iterator[tuple[int, int]]:
+        """Every layer and level of a texture. Raises ``BudgetError`` for too many in all."""
+        row = self._plan["textures"][texture]
+        self._meter.add(row["layers"] * row["levels"])
+        return places(row)
+
     def _copy(self, source: Row, target: Row) -> None:
         self._used(source["texture"], "copied_from")
         self._finds(source["texture"], source["result"])
         self._written(target["texture"], "copied_to")
-        whole = places(self._plan["textures"][target["texture"]])
+        whole = self._all_of(target["texture"])
         result: str = source["result"]
         self._holds[target["texture"]] = dict.fromkeys(whole, result)
         self._stencils[target["texture"]] = set(self._stencils.get(source["texture"], ()))
@@ -219,7 +229,8 @@ class _Execution:
         texture, result, over = target["texture"], target["result"], target["over"]
         self._written(texture, use)
         held = self._holds.setdefault(texture, {})
-        layers = self._plan["textures"][texture]["layers"]
+        layers = self._plan["textures"][texture]["layers"] if target["layer"] is None else 1
+        self._meter.add(layers)
         for layer in range(layers) if target["layer"] is None else (target["layer"],):
             place = layer, target["level"]
             found = held.get(place)

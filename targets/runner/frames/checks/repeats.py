@@ -6,7 +6,8 @@ that would leave the same in every frame.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Sequence, Set
 from itertools import pairwise
 
 from .rows import (
@@ -53,30 +54,39 @@ class _Repeats:
         self._often = {result for step in plan["steps"] if not is_rare(step)
                        for result, _ in written(step)}  # fmt: skip
         """Results that every frame draws."""
+        self._constant = [
+            not any(key in part for part in value["steps"] for key in _OF_THE_HOST)
+            for value in plan["values"]
+        ]
+        """Of each value whether it is the same in every frame."""
+        self._read_by: dict[int, Set[str]] = {}
+        """By the number of a shader, what it reads."""
 
     def only_first(self) -> set[str]:
         """The names of the steps that only a first frame needs, since it has no last one."""
+        steps = {step["name"]: step for step in self._plan["steps"] if "name" in step}
+        leaves: dict[str, list[str]] = defaultdict(list)
+        for name, step in steps.items():
+            for result, _ in written(step):
+                leaves[result].append(name)
         needed: set[str] = set()
         pending = list(self._outputs)
         reached = set(pending)
         while pending:
-            result = pending.pop()
-            for step in self._plan["steps"]:
-                results = [each for each, _ in written(step)]
-                if result not in results:
+            for name in leaves[pending.pop()]:
+                if name in needed:
                     continue
-                needed.add(step["name"])
-                now = read_now(step, is_first=False)
-                wanted = {each for each, _ in (*read_before(step), *now)}
-                further = (wanted | {*results, *drawn_over(step)}) - reached
+                needed.add(name)
+                further = _wanted(steps[name]) - reached
                 reached |= further
                 pending += further
-        return {step["name"] for step in self._plan["steps"] if "name" in step} - needed
+        return steps.keys() - needed
 
     def leaves_the_same(self, step: Row) -> bool:
         """Whether nothing that a step is given, or draws to, changes from frame to frame."""
         results = {result for result, _ in written(step)}
-        if results & (self._drawn_anew | self._often) or any(drawn_over(step)):
+        changes = results & self._drawn_anew or results & self._often
+        if changes or any(drawn_over(step)):
             return False
         if any(drawn["models"] is not None or drawn["light"] for drawn in step.get("draws", ())):
             return False
@@ -100,17 +110,23 @@ class _Repeats:
                 yield row["value"]
 
     def _is_constant(self, number: int | None) -> bool:
-        if number is None:
-            return False
-        steps = self._plan["values"][number]["steps"]
-        return not any(key in part for part in steps for key in _OF_THE_HOST)
+        return number is not None and self._constant[number]
 
     def _is_given_all(self, use: Row) -> bool:
         """Whether the frame sets all that a shader reads, as far as that is known."""
         if self._reflections is None:
             return True
-        names = {row["name"] for row in use["inputs"]}
-        return names.issuperset(_read_by(self._reflections[use["shader"]]))
+        shader = use["shader"]
+        if shader not in self._read_by:
+            self._read_by[shader] = set(_read_by(self._reflections[shader]))
+        return self._read_by[shader] <= {row["name"] for row in use["inputs"]}
+
+
+def _wanted(step: Row) -> set[str]:
+    """The results that have to be drawn in later frames where a step is done in them."""
+    now = read_now(step, is_first=False)
+    read = (result for result, _ in (*written(step), *read_before(step), *now))
+    return {*read, *drawn_over(step)}
 
 
 def _read_by(reflection: Row) -> Iterator[str]:

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, NoReturn
 
+from .....compiler.diagnostics.display import harmless
+
 Row = Mapping[str, Any]
 
 Reading = tuple[str, int | None]
@@ -18,8 +20,21 @@ WRITES = frozenset(("target", "depth", "image", "copied_to"))
 """Uses of a texture behind which even the same use has to wait."""
 
 
+MOST_TOLD = 300
+"""How many letters a line of an error has: what a plan calls things may be as long as it likes."""
+
+
 class PlanError(ValueError):
-    """A plan cannot be executed; the text tells people why."""
+    """A plan cannot be executed; the text tells people why, in one line or several."""
+
+    def __init__(self, *lines: str) -> None:
+        super().__init__("\n".join(map(_line, lines)))
+
+
+def _line(text: str) -> str:
+    """A line of an error, without what would make two of it, or a very long one."""
+    shown = harmless(text if len(text) <= MOST_TOLD else text[: MOST_TOLD // 2])
+    return shown if len(text) <= MOST_TOLD else f"{shown} … {harmless(text[-MOST_TOLD // 2 :])}"
 
 
 def fail(plan: Row, where: str, text: str) -> NoReturn:

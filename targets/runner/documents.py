@@ -1,0 +1,132 @@
+"""Reads JSON that was received: plans, reflections, and the elements of buffers.
+
+What stands in such a text is not believed. It is refused if it has too many values, before any of
+them is made; if it is nested as nobody nests; if a name stands twice in an object, which hosts
+understand in different ways; or if a number or a text is none elsewhere.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+from ...compiler.budget import allowed, check
+from .files import FileError
+
+MOST_NESTED = 200
+"""How deep lists and objects may stand in each other."""
+
+LARGEST = 2**53
+"""Up to here, all languages of hosts tell whole numbers apart."""
+
+_TEXT = re.compile(rb'"[^"\\]*+(?:\\.?[^"\\]*+)*+(?:"|\Z)', re.DOTALL)
+_HALF = re.compile(r"\\u[dD][89a-fA-F]")
+"""How half of a character is written that takes two halves."""
+
+
+class DocumentError(FileError):
+    """A text is no JSON that can be read; says where it stands, and why."""
+
+
+class Quota:
+    """How many values several documents may still have together."""
+
+    def __init__(self, what: str) -> None:
+        """``what`` begins the sentence that is told if there are too many, and ends with its
+        verb."""
+        self._what = what
+        self._taken = 0
+
+    def take(self, data: bytes) -> None:
+        """Count the values of a text. Raises ``BudgetError``."""
+        count = _at_most(data)
+        if self._taken + count > allowed("values"):
+            # Commas and brackets within texts are none.
+            count = _at_most(_TEXT.sub(b"", data))
+        self._taken += count
+        check("values", self._taken, self._what)
+
+
+def read_json(data: bytes, name: str, quota: Quota | None = None) -> Any:
+    """The value of a JSON text in UTF-8; ``name`` is what errors call it, and ``quota`` says how
+    many values there may be. Raises ``DocumentError`` and ``BudgetError``."""
+    (quota or Quota(f"{name} has")).take(data)
+    try:
+        text = data.decode("utf-8")
+        found = json.loads(
+            text, object_pairs_hook=_members, parse_constant=_constant, parse_float=_float,
+            parse_int=_integer,
+        )  # fmt: skip
+        _check_nesting(found)
+        if _HALF.search(text):
+            json.dumps(found, ensure_ascii=False).encode("utf-8")
+    except json.JSONDecodeError as error:
+        reason = f"{error.msg}, line {error.lineno}, column {error.colno}"
+    except UnicodeDecodeError:
+        raise DocumentError(f"{name} is no text in UTF-8") from None
+    except UnicodeEncodeError:
+        reason = "a text in it has half of a character"
+    except RecursionError:
+        reason = _TOO_DEEP
+    except ValueError as error:
+        reason = str(error)
+    else:
+        return found
+    raise DocumentError(f"{name} is no JSON that can be read: {reason}")
+
+
+_TOO_DEEP = f"lists and objects stand in each other more than {MOST_NESTED} times"
+
+
+def _at_most(data: bytes) -> int:
+    """How many values a text has at most: as many as commas and opening brackets, and one."""
+    return 1 + data.count(b",") + data.count(b"[") + data.count(b"{")
+
+
+def _check_nesting(document: Any) -> None:
+    level = [document]
+    for _ in range(MOST_NESTED + 1):
+        level = [
+            inner
+            for each in level
+            if isinstance(each, dict | list)
+            for inner in (each.values() if isinstance(each, dict) else each)
+        ]
+        if not level:
+            return
+    raise ValueError(_TOO_DEEP)
+
+
+def _members(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) != len(pairs):
+        seen: set[str] = set()
+        for name, _ in pairs:
+            if name in seen:
+                raise ValueError(f"{json.dumps(name[:60])} stands twice in one object")
+            seen.add(name)
+    return found
+
+
+def _constant(name: str) -> NoReturn:
+    raise ValueError(f"{name} is no number of JSON")
+
+
+def _float(text: str) -> float:
+    number = float(text)
+    if not math.isfinite(number):
+        raise ValueError(f"{_short(text)} is too large for a number")
+    return number
+
+
+def _integer(text: str) -> int:
+    if len(text) > len(str(-LARGEST)) or abs(number := int(text)) > LARGEST:
+        raise ValueError(f"{_short(text)} is too large for a whole number")
+    return number
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 20 else f"{text[:20]}…"

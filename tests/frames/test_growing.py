@@ -1,0 +1,116 @@
+"""Twice the plan, or reflection, is twice the work, whichever part of it is larger."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from functools import partial
+from typing import Any
+
+import pytest
+
+from burnish.compiler.budget import BudgetError
+from burnish.compiler.reflection.schema import PLAN, REFLECTION, errors, schema
+from burnish.targets.runner.frames.checks.names import check_names
+from burnish.targets.runner.frames.checks.needs import check_needs
+from burnish.targets.runner.frames.checks.order import check_order
+from burnish.targets.runner.frames.checks.reflections import check_reflection
+from burnish.targets.runner.frames.checks.repeats import check_repeats
+from burnish.targets.runner.frames.checks.rows import PlanError
+from burnish.targets.runner.frames.checks.shaders import check_shaders
+
+from ..diagnostics.test_growth import calls
+from ..fuzz.received import received
+from .growing import Growing, Schemas
+from .kit import of_text
+
+SCHEMAS = Schemas({name: schema(name) for name in (PLAN, REFLECTION)})
+FRAME = received("reaction")
+SHADERS = list(FRAME.reflections.values())
+ONCE = 100
+"""How many elements there are; and then twice as many."""
+OTHER = 3000
+"""So many calls more are for what does not grow."""
+
+
+WRONG = (PlanError, BudgetError, LookupError, TypeError)
+"""What ends a check of a document, which may not even follow its schema here."""
+
+
+def of_a_plan(plan: Any) -> None:
+    """All that is done with a plan. Most of these are wrong, which each check finds for itself."""
+    errors(plan, PLAN)
+    checks: list[Callable[[], None]] = [
+        partial(check, plan) for check in (check_names, check_needs, check_order)
+    ]
+    checks += [partial(check, plan, SHADERS) for check in (check_repeats, check_shaders)]
+    for check in checks:
+        with suppress(*WRONG):
+            check()
+
+
+def of_a_reflection(reflection: Any) -> None:
+    """All that is done with a reflection."""
+    errors(reflection)
+    with suppress(*WRONG):
+        check_reflection("x", reflection)
+
+
+PLACES = {
+    f"{name.partition('.')[0]} {where.name}": (name, where)
+    for name in (PLAN, REFLECTION)
+    for where in SCHEMAS.growing(name)
+}
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_twice_the_document_is_twice_the_work(place: str) -> None:
+    name, where = PLACES[place]
+    once, twice = (calls(_work(name, where, count)) for count in (ONCE, 2 * ONCE))
+    assert twice < 2.2 * once + OTHER
+
+
+def _work(name: str, where: Growing, count: int) -> Callable[[], None]:
+    document, done = (FRAME.plan, of_a_plan) if name == PLAN else (SHADERS[0], of_a_reflection)
+    return partial(done, SCHEMAS.grown(document, where, name, count))
+
+
+def test_new_lists_of_schemas_are_found() -> None:
+    assert len(PLACES) > 100
+    assert {"plan steps/*/draws/*/uses/*/inputs", "reflection derived/*/steps/*/args"} < {*PLACES}
+
+
+CHAIN = """
+import std.frames.{FullScreen}
+pass Read : FullScreen {
+    map source : texture2d with { filter = nearest, mip = none }
+    target value : rgba16f = source.load(ivec2(frag_coord.xy)) + 1
+}
+pass First : FullScreen { target value : rgba16f = vec4(uv, 0, 1) }
+frame Chain {
+    step0 = First(screen)
+    {steps}
+    output picture = step{last}.value
+}
+"""
+
+
+def test_twice_the_steps_are_twice_the_work() -> None:
+    work = []
+    for count in (20, 40):
+        steps = "\n".join(
+            f"step{number} = Read(screen) with {{ source = step{number - 1}.value }}"
+            for number in range(1, count)
+        )
+        text = CHAIN.replace("{steps}", steps).replace("{last}", str(count - 1))
+        frame = of_text(text)
+        work.append(calls(partial(of_a_whole, frame.plan, [s.reflection for s in frame.shaders])))
+    assert work[1] < 2.2 * work[0]
+
+
+def of_a_whole(plan: Any, reflections: Any) -> None:
+    """All checks of a good plan."""
+    for check in (check_names, check_needs, check_order):
+        check(plan)
+    check_repeats(plan, reflections)
+    check_shaders(plan, reflections)

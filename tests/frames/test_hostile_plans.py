@@ -1,0 +1,139 @@
+"""Plans and reflections that follow their schemas, and would take all memory, or never end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from ..fuzz.received import Received, outcome, received
+
+Change = Callable[[dict[str, Any], dict[str, Any]], object]
+
+CONSTANT = {"op": "constant", "type": "float", "args": [], "value": 1.5}
+
+
+def number(steps: list[dict[str, Any]]) -> Change:
+    """The size of the first textures is computed by other steps."""
+
+    def change(plan: dict[str, Any], _shader: dict[str, Any]) -> None:
+        plan["values"][plan["textures"][0]["size"]["value"]]["steps"] = steps
+
+    return change
+
+
+def doubled(op: str, type_: str, times: int) -> list[dict[str, Any]]:
+    """Steps of which each consists twice of the one before."""
+    steps = [{"op": op, "type": type_, "args": [each, each]} for each in range(times)]
+    return [CONSTANT, *steps, {"op": "vector", "type": "ivec2", "args": [times]}]
+
+
+def folds(depth: int) -> list[dict[str, Any]]:
+    """Sums in sums."""
+    whole = {"op": "constant", "type": "int", "args": []}
+    variable = {"op": "bound", "type": "int", "args": [], "binder": depth - 1}
+    steps: list[dict[str, Any]] = [{**whole, "value": 60_000}, {**whole, "value": 0}, variable]
+    for inner in range(2, depth + 2):
+        row = {"op": "fold", "type": "int", "operator": "add", "bound": 60_000}
+        steps.append({**row, "args": [0, 1, inner]})
+    last = len(steps) - 1
+    return [*steps, {"op": "vector", "type": "ivec2", "args": [last, last]}]
+
+
+def powers(times: int) -> list[dict[str, Any]]:
+    """Products of whole numbers that are called floats, each the square of the last."""
+    first = {"op": "constant", "type": "float", "args": [], "value": 2**50}
+    row = {"op": "call", "type": "float", "function": "mul"}
+    steps = [{**row, "args": [each, each]} for each in range(times)]
+    return [first, *steps, {"op": "splat", "type": "ivec2", "args": [times]}]
+
+
+def count_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    row = next(row for row in shader["parameters"] if row["block"] is not None)
+    row["layout"] |= {"count": 2**50, "stride": 0}
+
+
+def block_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["blocks"][0]["size"] = 2**44
+
+
+def parameter_of(plan: dict[str, Any], _shader: dict[str, Any]) -> None:
+    row = plan["parameters"][0]
+    row["layout"] |= {"count": 2**28, "stride": 16}
+    row["size"] = 2**32
+
+
+def levels_of(plan: dict[str, Any], _shader: dict[str, Any]) -> None:
+    plan["textures"][0]["levels"] = 2**40
+
+
+def layers_of(plan: dict[str, Any], _shader: dict[str, Any]) -> None:
+    plan["textures"][0] |= {"dimension": "2d_array", "layers": 2**40}
+
+
+def sampler_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["samplers"][0]["state"]["wrap"] = "mirrored"
+
+
+def entry_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    (backend,) = shader["backends"].values()
+    backend["files"][0]["entry_point"] = "--help"
+
+
+def default_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["textures"][0]["default"] = "checkered"
+
+
+HOSTILE: dict[str, tuple[Change, str]] = {
+    "more and more lanes": (
+        number(doubled("vector", "float", 60)), "Shadows, value 2: its steps cannot be computed"
+    ),
+    "sums in sums": (
+        number(folds(4)), "a frame of Shadows takes 4,000,002 steps, and the limit is 4,000,000 "
+        "steps: `--budget steps=4001k` raises it"
+    ),
+    "powers of powers": (
+        number(powers(200)), "Shadows, value 2: its steps compute no ivec2"
+    ),
+    "many elements without bytes": (
+        count_of, "Shadows.Shadowed.Clay, from_lamp: 1125899906842624 elements do not lie every 0 "
+        "bytes"
+    ),
+    "a large block": (
+        block_of, "Shadows.Shadowed.Clay: its blocks take 17,592 GB, and the limit is 1 GB: "
+        "`--budget memory=17593G` raises it"
+    ),
+    "a large parameter": (
+        parameter_of, "Shadows: the values of its parameters take 68.7 GB, and the limit is 1 GB: "
+        "`--budget memory=69G` raises it"
+    ),
+    "many levels": (
+        levels_of, "Shadows, texture 0: no texture has 1099511627776 levels"
+    ),
+    "many layers": (
+        layers_of, "Shadows, texture 0: 2d_array does not have 1099511627776 layers"
+    ),
+    "no word of samplers": (
+        sampler_of, "`Shadows.Shadowed.Clay.json` does not follow reflection.schema.json:\n"
+        '  /samplers/0/state/wrap: "mirrored" is not "repeat", "clamp" or "mirror"'
+    ),
+    "an option as entry point": (
+        entry_of, "Shadows.Shadowed.Clay, glsl:vulkan: `--help` is no name of an entry point"
+    ),
+    "a default of another kind": (
+        default_of, "Shadows.Shadowed.Clay, shadow: nothing depth is called `checkered`"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_documents_are_refused_at_once(tmp_path: Path, name: str) -> None:
+    change, wanted = HOSTILE[name]
+    whole = deepcopy(received("shadows"))
+    shader = next(each for each in whole.reflections.values() if each["samplers"])
+    change(whole.plan, shader)
+    said = outcome(Received(whole.plan, whole.reflections, whole.texts).write(tmp_path))
+    assert said == wanted
