@@ -205,7 +205,7 @@ def test_somebody_who_never_ends(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(replacing, "PATIENCE", 0.1)
     put_old(tmp_path)
     other = os.open(tmp_path, os.O_RDONLY)
-    fcntl.flock(other, fcntl.LOCK_EX)
+    fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
     with pytest.raises(TimeoutError, match=r"has held this folder for 0\.1 seconds"):
         replace_all(str(tmp_path), {"a": b"x"})
     assert contents(tmp_path) == OLD

@@ -195,7 +195,7 @@ def test_values_are_counted_before_they_are_made(folder: Path) -> None:
     (folder / "Deferred.plan.json").write_text("[" + ",".join(["[]"] * 2_100_000), "utf-8")
     assert said(folder) == (
         "`Deferred.plan.json`, with the files that it names, has 4,200,001 values, and the limit "
-        "is 2,000,000 values: `--budget values=4201k` raises it"
+        "is 3,000,000 values: `--budget values=4201k` raises it"
     )
 
 

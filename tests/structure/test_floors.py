@@ -79,8 +79,8 @@ FLOORS: dict[str, str] = {
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
     "targets.runner": (
-        "frozen stdlib arguments cache diagnostics srgb ir promises reference reflection budget "
-        "closing toolchain"
+        "frozen garbage stdlib arguments cache diagnostics srgb ir promises reference reflection "
+        "budget closing toolchain"
     ),
     "targets.web_host": "ir budget runner toolchain",
     "targets.conformance": (
@@ -97,7 +97,7 @@ FLOORS: dict[str, str] = {
         "description emit legalise availability selection runner compiled"
     ),
     "commands": (
-        "frozen cache inputs diagnostics syntax ir passes frontend formula budget closing "
+        "frozen garbage cache inputs diagnostics syntax ir passes frontend formula budget closing "
         "description emit registry availability selection runner web_host web_view conformance "
         "toolchain compiled api"
     ),

@@ -12,7 +12,6 @@ from playwright.sync_api import Page
 from burnish.commands.view.keeping import Keeping
 from burnish.commands.view.pictures import Pictures, Wanted
 from burnish.commands.view.uploads import MOST_BYTES
-from burnish.compiler.budget import raised
 from burnish.targets.runner.textures.kinds import PictureError
 
 from .kit import Viewer
@@ -155,20 +154,19 @@ def test_how_large_pictures_may_be(viewer: Viewer, monkeypatch: pytest.MonkeyPat
         pictures.keep("a.png", png(size=(1024, 1024)), FLAT)
 
 
-def test_files_that_were_asked_for_longest_ago_go() -> None:
+def test_files_that_were_asked_for_longest_ago_go(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where there is no room for all of them; one that there is no room for is refused."""
     pictures = Pictures(Keeping())
     files = [png((shade, 0, 0)) for shade in (10, 20, 30)]
     first, second = (pictures.keep("a.png", file, FLAT) for file in files[:2])
-    room = 2 * (len(files[0]) + len(repr(first)))
-    with raised({"memory": 4 * room}):
-        assert pictures.get(first)
-        third = pictures.keep("a.png", files[2], FLAT)
-        assert [pictures.get(word) is not None for word in (first, second, third)] == [
-            True, False, True,
-        ]  # fmt: skip
-        assert pictures.texture(second, FLAT) is None
-    with raised({"memory": 100}), pytest.raises(PictureError, match=r"no room to keep b\.png: a "):
+    monkeypatch.setattr(Keeping, "most", 2 * (len(files[0]) + len(repr(first))))
+    assert pictures.get(first)
+    third = pictures.keep("a.png", files[2], FLAT)
+    found = [pictures.get(word) is not None for word in (first, second, third)]
+    assert found == [True, False, True]
+    assert pictures.texture(second, FLAT) is None
+    monkeypatch.setattr(Keeping, "most", 1)
+    with pytest.raises(PictureError, match=r"no room to keep b\.png: a "):
         pictures.keep("b.png", files[0], FLAT)
 
 
