@@ -87,7 +87,9 @@ class Evaluator:
     ) -> None:
         """``most_operations`` limits how many operations are computed; a turn is one, too."""
         self._stored = stored or _as_it_is
-        self._left = most_operations
+        self._most = most_operations
+        self.computed = 0
+        """How many operations and turns have been computed, if that is limited."""
         self._leaves = leaves
         self._xp = xp
         self._observer = observer
@@ -161,7 +163,7 @@ class Evaluator:
                 operands = self._operands(before, frame, pending)
                 if operands is None:
                     continue
-                if self._left is not None:
+                if self._most is not None:
                     self._spend()
                 if bodies_of(node):
                     return opened(node, operands, home, self._xp, self._spend, self._stored)
@@ -217,9 +219,9 @@ class Evaluator:
 
     def _spend(self) -> None:
         """Count one operation, which a turn of a loop is, too."""
-        if self._left is not None:
-            self._left -= 1
-            if self._left < 0:
+        if self._most is not None:
+            self.computed += 1
+            if self.computed > self._most:
                 raise TooLongError
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.api import variants
 from burnish.compiler.ir.stages import STAGES
 from burnish.targets import registry
 from burnish.targets.emit.namer import Namer
@@ -54,7 +55,8 @@ def untaken(text: str, language: str) -> set[str]:
 
 def texts(source: str | Path, native_stages: bool) -> Iterator[tuple[str, str]]:
     """The texts of a source for all profiles that have what it needs, each with its language."""
-    result = burnish.compile(source, "all", partial=True, native_stages=native_stages)
+    rig, _pass = variants(source)[0]
+    result = burnish.compile(source, "all", rig=rig, partial=True, native_stages=native_stages)
     for material in result.materials:
         for file in material.files:
             yield file.target, file.text

@@ -72,7 +72,7 @@ UNGUARDED = error(
 
 TOO_MUCH_WORK = error(
     "B0413",
-    "this has to be known at compile time, and takes more than {most} operations",
+    "this has to be known at compile time, and takes more than {most}",
     "Array lengths, ranges and defaults are computed by the compiler, loops in them iteration by "
     "iteration. Use fewer iterations, or let the shader compute the value: an equation is not "
     "computed when compiling.",

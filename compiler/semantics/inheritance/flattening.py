@@ -12,6 +12,7 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
+from ...reference.work import Work
 from ...syntax import ast
 from ..names.modules import Module, Symbol
 from .inherited import inherited_names
@@ -27,6 +28,8 @@ class Records:
 
     def __init__(self, report: Report) -> None:
         self._report = report
+        self.work = Work()
+        """What the elaborations that share these records have computed together."""
         self._known: dict[Symbol, Record] = {}
         self._astray: set[Symbol] = set()
         """Records whose base is wrong, which has been reported."""

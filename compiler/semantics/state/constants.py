@@ -14,12 +14,10 @@ from ...ir.node import Node
 from ...ir.operations import joins_group
 from ...ir.shader import ConstantValue as Value
 from ...ir.types import Matrix, Scalar, Type, scalar_kind
-from ...reference.evaluate import Evaluator, NotConstantError, TooLongError, evaluate
+from ...reference.evaluate import Evaluator, NotConstantError, TooLongError
 from ...reference.namespace import Lanes
+from ...reference.work import Work
 from .scope import Failure
-
-MOST_OPERATIONS = 500_000
-"""Operations that are computed for one value, and each turn of a loop is one: about two seconds."""
 
 _OPERATIONS = frozenset(
     {
@@ -43,9 +41,11 @@ _OPERATIONS = frozenset(
 class ConstantValues:
     """Evaluates nodes that depend on nothing; reports those that do."""
 
-    def __init__(self, report: Report, is_wrong: Callable[[Node], bool]) -> None:
-        """``is_wrong`` says whether a value has errors of its own, and reports them."""
+    def __init__(self, report: Report, is_wrong: Callable[[Node], bool], work: Work) -> None:
+        """``is_wrong`` says whether a value has errors of its own, and reports them. ``work`` is
+        what the whole compile has computed by now."""
         self._report = report
+        self._work = work
         self._is_wrong = is_wrong
         self._plain: dict[Node, bool] = {}
         """The nodes that were looked at, and whether they are made of constants."""
@@ -58,12 +58,20 @@ class ConstantValues:
             return None
         if self.is_known(node):
             return self._known.value(node)
-        try:
-            return evaluate(node, most_operations=MOST_OPERATIONS)
-        except NotConstantError:
-            self._report.add(rules.NOT_CONSTANT, span)
-        except TooLongError:
-            self._report.add(rules.TOO_MUCH_WORK, span, most=MOST_OPERATIONS)
+        work = self._work
+        if span not in work.refused:
+            allowed = work.allowed(span)
+            evaluator = Evaluator(most_operations=allowed)
+            try:
+                return evaluator.value(node)
+            except NotConstantError:
+                self._report.add(rules.NOT_CONSTANT, span)
+                return None
+            except TooLongError:
+                work.refuse(span, allowed)
+            finally:
+                work.took(span, evaluator.computed)
+        self._report.add(rules.TOO_MUCH_WORK, span, most=work.refused[span])
         return None
 
     def integer(self, node: Node | Failure, span: Span) -> int | None:

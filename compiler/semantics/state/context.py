@@ -124,7 +124,7 @@ class Context:
         self.notes = Notes()
         self.places = Places(self.notes.spans)
         self.crossings = Crossings(self.tree, report, self.follow, self.places)
-        self.constants = ConstantValues(report, self._is_wrong)
+        self.constants = ConstantValues(report, self._is_wrong, records.work)
         self.meanings = Meanings(self.tree)
         self.ranges = Ranges(())
         """What is known of values already: it bounds loops and proves lengths."""

@@ -1,0 +1,44 @@
+"""How much may be computed while compiling.
+
+All elaborations of one compile share a ``Work``: each value that has to be known has a limit of its
+own, and so have all of them together, since a file can have any number of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+from ...frozen import fresh, record
+
+MOST_OPERATIONS = 500_000
+"""Operations that are computed for one value, and each turn of a loop is one: about two seconds."""
+MOST_TOGETHER = 1_000_000
+"""Those of all values of a compile. What is written in one place counts once: it is computed again
+for each material, say, that the compiler makes of it."""
+
+
+@record
+class Work:
+    """What has been computed, by the places where it is written."""
+
+    left: int = MOST_TOGETHER
+    counted: set[Hashable] = fresh(factory=set)
+    refused: dict[Hashable, str] = fresh(factory=dict)
+    """The places of values that take too long, and of what these take more than."""
+
+    def allowed(self, place: Hashable) -> int:
+        """How many operations the value at a place may take."""
+        return MOST_OPERATIONS if place in self.counted else min(MOST_OPERATIONS, self.left)
+
+    def took(self, place: Hashable, operations: int) -> None:
+        """Note how many it took, or took before it was given up."""
+        if place not in self.counted:
+            self.counted.add(place)
+            self.left -= operations
+
+    def refuse(self, place: Hashable, allowed: int) -> None:
+        """Note that the value at a place takes more than it may."""
+        one, all_ = f"{MOST_OPERATIONS} operations", f"{MOST_TOGETHER} operations"
+        self.refused[place] = (
+            one if allowed == MOST_OPERATIONS else f"{all_} together with others before it"
+        )
