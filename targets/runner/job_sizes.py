@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from ...compiler.budget import check
 from ...compiler.ir.shader import Shader
 from ...compiler.reference.cost import check_operations
+from ...compiler.reference.picture import PIXELS_AT_ONCE
 from .drivers.capture_job import CaptureJob
 from .drivers.draw_job import Draw, Job
 from .drivers.kernel_job import KernelJob
@@ -23,14 +24,10 @@ COPIES = 8
 on either side, and as the numbers that are made of it."""
 
 
-PORTION = 1 << 13
-"""How many pixels of a picture the reference computes at once."""
-
-
 def check_work(shader: Shader) -> None:
     """Raise ``BudgetError`` if loops of a program turn so often that the reference would refuse to
     compute it: drivers that compute on processors would not end either."""
-    check_operations([result.value for result in shader.results], PORTION, shader.name)
+    check_operations([result.value for result in shader.results], PIXELS_AT_ONCE, shader.name)
 
 
 def check_draws(job: Job) -> None:
