@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from ..ir.node import Node, reachable
-from ..ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector, width
+from ..ir.types import numbers
 
 MOST = 1 << 21
 """How many numbers of all pixels together an evaluation may need at the same time."""
@@ -64,18 +64,6 @@ def _sizes(nodes: Sequence[Node]) -> dict[int, int]:
             or node.op == "attribute"
             or any(sizes[operand.id] for operand in node.operands)
         )
-        sizes[node.id] = max(_numbers(node.type), 1) if varies else 0
+        sizes[node.id] = max(numbers(node.type), 1) if varies else 0
     return sizes
 
-
-def _numbers(type_: Type) -> int:
-    match type_:
-        case Scalar() | Vector() | Matrix():
-            return width(type_)
-        case TallMatrix(columns):
-            return 4 * columns
-        case Array(element, count):
-            return count * _numbers(element)
-        case Struct(members=members):
-            return sum(_numbers(member) for _, member in members)
-    return 0
