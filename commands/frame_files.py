@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
+from ..compiler.budget import check
 from .failures import fail
 
 if TYPE_CHECKING:
@@ -20,17 +21,47 @@ MOVING = frozenset((".gif", ".webp", ".apng"))
 """The endings of files that hold many pictures."""
 DURATION = 40
 """For how many milliseconds such a file shows each of them."""
+_OF_A_PIXEL = 4
+"""Bytes of an image in memory."""
 
 
-def write_pictures(rows: Sequence[Sequence[Floats]], path: Path) -> list[Path]:
-    """Write what is shown of each frame, side by side; all files or none.
+class Shown(NamedTuple):
+    """What is kept of a picture until files are written, which is a part of its numbers only."""
 
-    Each picture is a texture's first level, of shape (layers, height, width, lanes).
-    """
+    image: Image | None
+    """What a screen shows."""
+    numbers: Floats | None
+    """Of shape (height, width, lanes), for formats that keep them."""
+
+    @classmethod
+    def of(cls, layers: Floats, path: Path) -> Shown:
+        """Of a texture's first level, of shape (layers, height, width, lanes)."""
+        from ..targets.runner.pictures import keeps_numbers
+
+        if keeps_numbers(path):
+            return cls(None, _in_a_row(layers))
+        return cls(image_of(layers), None)
+
+    @property
+    def size(self) -> int:
+        """How many bytes it takes, with a copy of it in a file."""
+        kept = 0 if self.image is None else self.image.width * self.image.height * _OF_A_PIXEL
+        return 2 * (kept + (0 if self.numbers is None else self.numbers.nbytes))
+
+
+def check_kept(pictures: Sequence[Shown], times: int) -> None:
+    """Raise ``BudgetError`` if there is no room for as many pictures so many times, which are kept
+    until all files are written together."""
+    size = times * sum(picture.size for picture in pictures)
+    check("memory", size, f"{times * len(pictures)} pictures need")
+
+
+def write_pictures(rows: Sequence[Sequence[Shown]], path: Path) -> list[Path]:
+    """Write what is shown of each frame, side by side; all files or none."""
     if len(rows) == 1:
         return _write(path.parent, {path.name: _still(rows[0], path)})
     if path.suffix.lower() in MOVING:
-        images = [_beside([image_of(each) for each in row]) for row in rows]
+        images = [_beside([picture.image for picture in row if picture.image]) for row in rows]
         return _write(path.parent, {path.name: moving(images, path)})
     digits = max(len(str(len(rows) - 1)), 3)
     names = [f"{path.stem}-{number:0{digits}}{path.suffix}" for number in range(len(rows))]
@@ -73,13 +104,14 @@ def moving(images: Sequence[Image], path: Path) -> bytes:
     return encoded(first, path, **further)
 
 
-def _still(row: Sequence[Floats], path: Path) -> bytes:
+def _still(row: Sequence[Shown], path: Path) -> bytes:
     """One picture; or the numbers of one, if the format is one for numbers."""
     from ..targets.runner.pictures import encoded, encoded_numbers, keeps_numbers
 
     if not keeps_numbers(path):
-        return encoded(_beside([image_of(each) for each in row]), path)
-    (pixels,) = map(_in_a_row, row)
+        return encoded(_beside([picture.image for picture in row if picture.image]), path)
+    ((_image, pixels),) = row
+    assert pixels is not None
     return encoded_numbers(pixels, path, lanes=pixels.shape[-1])
 
 

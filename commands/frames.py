@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ import click
 
 from .console import remark, say, show
 from .failures import fail
-from .frame_files import write_pictures
+from .frame_files import Shown, check_kept, write_pictures
 from .panels import check_single
 from .progress import Progress
 from .subjects import Request
@@ -61,12 +61,14 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
         told_contradictions(frame),
     ):
         tell_lacking_tools(drivers, runner, fatal=True)
-        columns: list[list[Floats]] = []
+        rows: list[list[Shown]] = [[] for _ in range(request.frames)]
         for done, route in enumerate(routes):
             drawn = draw_by(route, made, request, runner, toolchain, progress)
-            columns += ([pictures[name] for pictures in drawn] for name in outputs)
+            for row, pictures in zip(rows, drawn, strict=True):
+                own = [Shown.of(pictures[name], request.output) for name in outputs]
+                check_kept(own, len(routes) * request.frames)
+                row.extend(own)
             progress.tell((done + 1) / len(routes))
-        rows = list(zip(*columns, strict=True))
     written = write_pictures(rows, request.output)
     further = f" to {written[-1].name}" if len(written) > 1 else ""
     say(f"{frame.name}: {written[0]}{further}")
@@ -76,6 +78,7 @@ def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
     """The frame of a plan, or the only one of the file, with texts for the routes."""
     from .. import api
     from ..targets.runner.frames.plan_files import is_plan, read_frame
+    from ..targets.runner.job_sizes import check_work
 
     profiles = sorted({route.profile for route in routes if route is not None})
     if is_plan(request.file):
@@ -95,7 +98,10 @@ def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
     if len(result.frames) > 1:
         known = ", ".join(frame.name for frame in result.frames)
         fail(f"the file has several frames: choose one of {known} by --material")
-    return result.frames[0]
+    frame = result.frames[0]
+    for shader in frame.shaders:
+        check_work(shader.shader)
+    return frame
 
 
 def host_maker(frame: PlannedFrame, request: Request) -> Callable[[], FrameHost]:
@@ -112,13 +118,13 @@ def draw_by(
     runner: Runner,
     toolchain: Toolchain,
     progress: Progress,
-) -> Sequence[Mapping[str, Floats]]:
-    """The outputs, by name, of all frames that a request asks for; the route ``None`` is the
-    reference."""
+) -> Iterable[Mapping[str, Floats]]:
+    """The outputs, by name, of all frames that a request asks for, one frame after the other; the
+    route ``None`` is the reference."""
     from ..targets.web_host.drawing import draw_frames
 
     if route is None:
-        return list(_by_reference(made(), request, progress))
+        return _by_reference(made(), request, progress)
     return draw_frames(made(), route, runner, toolchain, request.frames)
 
 

@@ -234,8 +234,9 @@ class _Making:
                 drawn = frames.draw_by(
                     route, made, request, self._runner, self._toolchain, progress
                 )
-                for output in frames.frame_outputs(frame, request.target):
-                    images = [image_of(each[output]) for each in drawn]
+                outputs = frames.frame_outputs(frame, request.target)
+                rows = [[image_of(each[output]) for output in outputs] for each in drawn]
+                for output, images in zip(outputs, zip(*rows, strict=True), strict=True):
                     self._figure(f"{frame.name}.{output}", name, self._device(route), images, "")
 
     def _device(self, route: Route | None) -> str:

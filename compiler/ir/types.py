@@ -8,6 +8,7 @@ types are one object, because every node's key contains its type.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from typing import ClassVar, Literal
 
 from ...frozen import frozen
@@ -170,6 +171,23 @@ def width(type_: Type) -> int:
             return size * size
         case _:
             raise TypeError(f"{type_} has no width")
+
+
+@cache
+def numbers(type_: Type) -> int:
+    """How many numbers a value has, with those of all its elements and members; 0 of what is no
+    value, such as a texture."""
+    match type_:
+        case Scalar() | Vector() | Matrix():
+            return width(type_)
+        case TallMatrix(columns=columns):
+            return 4 * columns
+        case Array(element=element, count=count):
+            return count * numbers(element)
+        case Struct(members=members):
+            return sum(numbers(member) for _, member in members)
+        case _:
+            return 0
 
 
 _KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")

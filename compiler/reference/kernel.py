@@ -29,6 +29,7 @@ from .cost import check_operations
 from .evaluate import Evaluator, LeafValues
 from .held_values import HeldValues, as_rounded
 from .in_groups import Groups, InGroups, PlainInGroups
+from .live import at_once
 from .namespace import Lanes, Namespace
 from .picture.sampler import PlainReader, TextureReader
 from .picture.scene import RasterRules, Texels
@@ -121,7 +122,7 @@ class _Parts:
 
     def joined(self, count: int) -> tuple[list[list[Bounded]], Array]:
         """The lanes of each root for all invocations, and for which of them nothing is defined."""
-        step = max(_AT_ONCE // self._size, 1) * self._size
+        step = max(at_once(self._roots, _AT_ONCE) // self._size, 1) * self._size
         begins = range(0, max(count, 1), step)
         parts = [self._part(begin, min(step, count - begin)) for begin in begins]
         undecided = np.concatenate([undecided for _, undecided in parts])

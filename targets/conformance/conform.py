@@ -11,12 +11,14 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 from threading import Event
 
+from ...compiler.budget import BudgetError
 from ...frozen import EMPTY
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.device import Device, DriverError
 from ..runner.frames.by_route import lacking
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameSubject, is_frame, is_shader
+from ..runner.job_sizes import check_work
 from ..runner.kernels import UndrawableError, is_drawn, is_over_buffers
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
@@ -171,7 +173,7 @@ def _row(
             results.append(result)
             if interrupted.is_set() or (brief and _differs(result.comparison)):
                 break
-    except (CodeError, DriverError, PlanError, UndrawableError) as error:
+    except (BudgetError, CodeError, DriverError, PlanError, UndrawableError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
 
@@ -180,7 +182,10 @@ def _results(
     plan: AnyPlan, route: Route, device: Device, runner: Runner, toolchain: Toolchain
 ) -> Iterator[CaseResult]:
     if isinstance(plan, FramePlan):
+        for shader in plan.subject.shaders:
+            check_work(shader.shader)
         return plan.results(route, device, runner, toolchain)
+    check_work(plan.subject.shader)
     codes = compile_one(route, plan.subject.files, toolchain)
     return plan.results(route, device, codes, runner)
 

@@ -14,6 +14,7 @@ import os
 import pickle
 import sys
 
+from ...compiler.budget import BudgetError, current, raised
 from ...compiler.ir.node import Graph
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.reference.bounds.errors import Errors
@@ -44,13 +45,17 @@ class References(Closing):
     def expected(
         self, shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None = None
     ) -> Expected:
-        """What ``reference.expected`` returns."""
+        """What ``reference.expected`` returns, and the same errors."""
         question = self._size and _question(shader, state, rules, errors)
         if question:
             with self._pool.borrow() as worker:
                 answer = worker.ask({"question": question}, TIME_LIMIT)
             if "picture" in answer.reply:
                 return loaded(base64.b64decode(answer.reply["picture"]))
+            if "refused" in answer.reply:
+                raise BudgetError(answer.reply["refused"])
+            if "lacks_memory" in answer.reply:
+                raise MemoryError
         return expected(shader, state, rules, errors)
 
 
@@ -61,14 +66,21 @@ def _question(
     # Results hold their nodes. The graph, in which passes look for equal nodes, stays here.
     bare = changed(shader, graph=Graph(), notes=Notes())
     try:
-        return base64.b64encode(pickle.dumps((bare, state, rules, errors))).decode("ascii")
+        whole = bare, state, rules, errors, current()
+        return base64.b64encode(pickle.dumps(whole)).decode("ascii")
     except RecursionError:
         return None
 
 
 def _answer(question: str) -> dict[str, str]:
-    shader, state, rules, errors = pickle.loads(base64.b64decode(question))
-    picture = dumped(expected(shader, state, rules, errors))
+    shader, state, rules, errors, limits = pickle.loads(base64.b64decode(question))
+    try:
+        with raised(limits):
+            picture = dumped(expected(shader, state, rules, errors))
+    except BudgetError as error:
+        return {"refused": str(error)}
+    except MemoryError as error:
+        return {"lacks_memory": str(error)}
     return {"picture": base64.b64encode(picture).decode("ascii")}
 
 

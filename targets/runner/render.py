@@ -11,6 +11,7 @@ from ..toolchain import Toolchain
 from .binding import pipeline, shows_less
 from .codes import compile_one
 from .drivers.readback import arrays
+from .job_sizes import check_work
 from .kernels import drawable, pictures_of
 from .reference import Progress, expected
 from .routes import Route
@@ -38,8 +39,10 @@ def by_route(
     """The targets, each of shape (height, width, 4); rounded to their formats only if the pass
     blends, or has several samples for each pixel.
 
-    Raises ``CodeError`` if the route's compiler refuses the texts, and ``DriverError``.
+    Raises ``CodeError`` if the route's compiler refuses the texts, ``DriverError``, and
+    ``BudgetError`` for a picture that is too large, or would take too long.
     """
+    check_work(subject.shader)
     codes = compile_one(route, subject.files, toolchain)
     exact = not shows_less(subject.reflection)
     shader_pipeline = pipeline(subject.reflection, route, codes, exact=exact)

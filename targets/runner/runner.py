@@ -23,6 +23,7 @@ from .drivers.draw_job import Job, Picture
 from .drivers.frame_job import FrameJob, FrameTexels
 from .drivers.kernel_job import KernelJob, Written
 from .drivers.wire import from_json, to_json
+from .job_sizes import check_captures, check_dispatches, check_draws
 from .layers import single_draws, stacked
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
@@ -92,8 +93,10 @@ class Runner(Closing):
     def draw(self, route: Route, job: Job) -> tuple[Picture, ...]:
         """A picture for each draw of the job, from the store if it was drawn before.
 
-        Layers that are draws of their own come together in one picture. Raises ``DriverError``.
+        Layers that are draws of their own come together in one picture. Raises ``DriverError``, and
+        ``BudgetError`` for pictures that are too large.
         """
+        check_draws(job)
         singles = [single_draws(draw) for draw in job.draws]
         drawn = iter(self._drawn(route, Job(job.pipeline, tuple(chain.from_iterable(singles)))))
         return tuple(stacked([next(drawn) for _ in draws]) for draws in singles)
@@ -112,12 +115,15 @@ class Runner(Closing):
         return made
 
     def compute(self, route: Route, job: KernelJob) -> tuple[Written, ...]:
-        """What each dispatch of the job writes. Raises ``DriverError``."""
+        """What each dispatch of the job writes. Raises ``DriverError`` and ``BudgetError``."""
+        check_dispatches(job)
         answer = self._ask(route.driver, {"kernel": to_json(job)})
         return tuple(from_json(Written, written) for written in answer["written"])
 
     def capture(self, route: Route, job: CaptureJob) -> tuple[Captured, ...]:
-        """The vertices that each draw of the job captures. Raises ``DriverError``."""
+        """The vertices that each draw of the job captures. Raises ``DriverError`` and
+        ``BudgetError``."""
+        check_captures(job)
         answer = self._ask(route.driver, {"capture": to_json(job)})
         return tuple(from_json(Captured, captured) for captured in answer["captured"])
 

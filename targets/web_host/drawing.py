@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
+from ..runner.frames.counting import check_textures
 from ..runner.frames.host import FrameHost
 from ..runner.routes import EVERY_DRIVER, Route
 from ..runner.runner import Runner
@@ -19,8 +20,10 @@ def draw_frames(
 ) -> list[dict[str, Floats]]:
     """The outputs of some frames, by name: (layers, height, width, 4).
 
-    Raises ``CodeError`` if a compiler refuses a text, and ``DriverError``.
+    Raises ``CodeError`` if a compiler refuses a text, ``DriverError``, and ``BudgetError`` for
+    textures that are too large.
     """
+    check_textures(host, count)
     if not EVERY_DRIVER[route.driver].draws_packages:
         return by_route.draw_frames(host, route, runner, toolchain, count)
     names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]

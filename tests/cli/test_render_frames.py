@@ -11,7 +11,7 @@ import pytest
 from PIL import Image, ImageSequence
 
 import burnish
-from burnish.commands.frame_files import write_pictures
+from burnish.commands.frame_files import Shown, write_pictures
 from burnish.commands.frames import those_that_have_all
 from burnish.targets.runner.routes import ROUTES
 
@@ -93,7 +93,8 @@ def test_one_frame_is_one_picture(folder: Path) -> None:
 
 
 def test_there_are_enough_digits(folder: Path) -> None:
-    write_pictures([[np.zeros((1, 1, 1, 4))]] * 1001, folder / "out" / "f.png")
+    output = folder / "out" / "f.png"
+    write_pictures([[Shown.of(np.zeros((1, 1, 1, 4)), output)]] * 1001, output)
     assert min(tree(folder / "out")) == "f-0000.png"
     assert max(tree(folder / "out")) == "f-1000.png"
 

@@ -625,7 +625,7 @@ def test_vertices_are_the_same_however_many_are_evaluated_at_once(
     ]
     mesh = triangles(corners, s=np.linspace(-0.3, 0.7, 12))
     whole = picture(given, mesh, at(8), errors=errors)
-    monkeypatch.setattr(stage_evaluation, "_VERTICES", 5)
+    monkeypatch.setattr(stage_evaluation, "VERTICES_AT_ONCE", 5)
     parts = picture(given, mesh, at(8), errors=errors)
     assert whole.covered.any()
     assert np.array_equal(whole.targets[0], parts.targets[0])

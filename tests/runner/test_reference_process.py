@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import sys
 
 import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.budget import BudgetError, raised
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import Expected, RasterRules
 from burnish.targets.runner import reference_process
@@ -54,6 +56,29 @@ def test_a_graph_that_is_too_deep_to_be_sent_is_drawn_here() -> None:
     question = (material.shader, *QUESTION[1:])
     with References(1) as references:
         assert _same(references.expected(*question), expected(*question))
+
+
+def test_a_process_has_the_limits_of_whoever_asks() -> None:
+    with References(1) as references:
+        with raised({"memory": 1000}), pytest.raises(BudgetError) as told:
+            references.expected(*QUESTION)
+        assert _same(references.expected(*QUESTION), expected(*QUESTION))
+    assert str(told.value).startswith("the picture of `M` needs ")
+
+
+@pytest.mark.parametrize(
+    ("reply", "error"),
+    [({"refused": "it is too large"}, BudgetError), ({"lacks_memory": ""}, MemoryError)],
+)
+def test_what_a_process_refuses_is_not_drawn_here(
+    reply: dict[str, str], error: type[Exception], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answer = f"print({json.dumps(json.dumps(reply))}, flush=True)"
+    monkeypatch.setattr(
+        reference_process, "Worker", lambda *_: Worker(lambda: [sys.executable, "-c", answer])
+    )
+    with References(1) as references, pytest.raises(error):
+        references.expected(*QUESTION)
 
 
 def test_without_processes_none_is_started(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -30,6 +30,9 @@ Errors = tuple[int, ...]
 
 MOST = 12
 """How many errors of its own a stored lane keeps; all others become one."""
+MANY = 4 * MOST
+"""How many errors any lane keeps. A loop that adds up lanes which share nothing would otherwise
+have more of them in every turn."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,7 +66,8 @@ class Form:
         if not self.errors:
             return Form(other.errors, other.terms, rest)
         errors, one, two = _together(self.errors, other.errors)
-        return Form(errors, _joined(_placed(self.terms, one), _placed(other.terms, two)), rest)
+        terms = _joined(_placed(self.terms, one), _placed(other.terms, two))
+        return Form(errors, terms, rest)._limited()
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
@@ -82,15 +86,24 @@ class Form:
         It keeps the errors that it shares with others, and the rest becomes one more. Of too many,
         the smallest join the rest.
         """
-        kept, rest = list(range(len(self.errors))), self.rest
-        if len(kept) > MOST:
-            sizes = np.abs(self.terms).reshape(len(kept), -1).max(axis=1)
-            order = np.argsort(sizes)
-            kept, merged = sorted(order[-MOST:].tolist()), order[:-MOST]
-            rest = rest + np.abs(self.terms[merged]).sum(axis=0)
-        terms = np.broadcast_arrays(*self.terms[kept], rest) if kept else [rest]
-        errors = (*(self.errors[i] for i in kept), next(_numbers))
+        form = self._largest()
+        terms = np.broadcast_arrays(*form.terms, form.rest) if form.errors else [form.rest]
+        errors = (*form.errors, next(_numbers))
         return Form(errors, np.stack(terms), np.zeros_like(terms[-1]))
+
+    def _limited(self) -> Form:
+        """The form with its largest errors, if it has too many."""
+        return self if len(self.errors) <= MANY else self._largest()
+
+    def _largest(self) -> Form:
+        """The form with its largest errors; the others are a part of the rest."""
+        if len(self.errors) <= MOST:
+            return self
+        sizes = np.abs(self.terms).reshape(len(self.errors), -1).max(axis=1)
+        order = np.argsort(sizes)
+        kept, merged = sorted(order[-MOST:].tolist()), order[:-MOST]
+        rest = self.rest + np.abs(self.terms[merged]).sum(axis=0)
+        return Form(tuple(self.errors[i] for i in kept), self.terms[kept], rest)
 
 
 def alone(radius: Array) -> Form:
@@ -113,10 +126,10 @@ def chosen(
     )
     if is_second is None:
         terms = np.where(is_first, first, second) if errors else _NO_TERMS
-        return Form(errors, terms, np.where(is_first, x.rest, y.rest))
+        return Form(errors, terms, np.where(is_first, x.rest, y.rest))._limited()
     terms = np.where(is_first, first, np.where(is_second, second, 0.0)) if errors else _NO_TERMS
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
-    return Form(errors, terms, rest)
+    return Form(errors, terms, rest)._limited()
 
 
 def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius: Array) -> Form:

@@ -13,9 +13,11 @@ from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
 from .resolve import expected_on, samples_on
 from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
+from .stage_evaluation import PIXELS_AT_ONCE
 
 __all__ = [
     "NOWHERE",
+    "PIXELS_AT_ONCE",
     "Canvas",
     "Counted",
     "Expected",

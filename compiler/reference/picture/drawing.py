@@ -36,11 +36,12 @@ from .scene import (
     RasterRules,
     Texels,
 )
-from .stage_evaluation import StageEvaluator, Vertices
+from .stage_evaluation import PIXELS_AT_ONCE, StageEvaluator, Vertices
 from .stencil import StencilTest
+from .tiles import Tile, tiles
 
-_LANES = 1 << 13
-"""How many pixels are shaded at once, so that a large picture needs no more memory than others."""
+Tell = Callable[[float], None]
+"""Called with the part of the work that is done, from 0 to 1."""
 
 
 def draw(
@@ -51,7 +52,7 @@ def draw(
     rules: RasterRules,
     clear: Sequence[Sequence[float]],
     errors: Errors | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Tell | None = None,
     blend_constant: Sequence[float] = BLACK,
 ) -> Expected:
     """The picture that every implementation must draw, with the bounds of a device's rounding.
@@ -88,7 +89,7 @@ def draw_onto(
     geometry: Geometry,
     rules: RasterRules,
     errors: Errors | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Tell | None = None,
     hulls: Hulls | None = None,
 ) -> frozenset[int]:
     """Draw over what is on a canvas, as ``draw`` does on an empty one, and with the same errors.
@@ -121,7 +122,7 @@ class _Drawing:
         errors: Errors | None,
     ) -> None:
         self._rules = rules
-        check_operations([result.value for result in shader.results], _LANES, shader.name)
+        check_operations([result.value for result in shader.results], PIXELS_AT_ONCE, shader.name)
         self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
         self._faces: Faces = faces_of(
@@ -161,10 +162,19 @@ class _Drawing:
         """The ids of the promises that were broken."""
         return frozenset(self._stages.found.broken)
 
-    def draw(self, progress: Callable[[float], None] | None, hulls: Hulls | None) -> None:
-        """Draw all fragments on the canvas."""
+    def draw(self, progress: Tell | None, hulls: Hulls | None) -> None:
+        """Draw all fragments on the canvas, those of one tile after those of another."""
+        done, whole = 0, Tile.of(self._rules)
+        for tile in tiles(self._faces, whole, self._rules):
+            begin, share = done / whole.pixels, tile.pixels / whole.pixels
+            tell = None if progress is None else _within(progress, begin, share)
+            self._draw_tile(tile.within(self._rules), tell, hulls)
+            done += tile.pixels
+
+    def _draw_tile(self, rules: RasterRules, progress: Tell | None, hulls: Hulls | None) -> None:
+        """Draw the fragments in a part of the picture, which is the scissor of these rules."""
         canvas = self._canvas
-        coverage = coverage_of(self._faces, self._rules, len(self._lanes))
+        coverage = coverage_of(self._faces, rules, len(self._lanes))
         fragments, sure = coverage.fragments, coverage.certain
         seen = self._let_through(fragments)
         fragments, sure = fragments.only(seen), sure[seen]
@@ -232,7 +242,7 @@ class _Drawing:
         np.minimum.at(behind, certain.sample, farthest)
         return doubtful.only(~(depth - off > behind[doubtful.sample]))
 
-    def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
+    def _shaded(self, fragments: Fragments, progress: Tell | None) -> Shades:
         """The fragments' colours, computed for a limited number of quads at a time."""
         quads, lane = quads_of(fragments, self._rules, self._stages.side)
         # The samples of a pixel that a face covers have one lane in common.
@@ -241,14 +251,14 @@ class _Drawing:
         colours = [np.empty((3, count, 4)) for _ in self._lanes]
         discarded, undecided = np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_)
         shades = Shades(colours, discarded, undecided, np.asarray(of_sample.ravel()))
-        step = max(_LANES // quads.side**2, 1)
+        step = max(self._stages.pixels_at_once // quads.side**2, 1)
         for begin in range(0, len(quads), step):
             limits = np.array([begin, begin + step]) * quads.side**2
             first, last = np.searchsorted(lanes, limits)
             part = quads.part(begin, begin + step)
             self._shade(part, lanes[first:last] - limits[0], slice(first, last), shades)
             if progress is not None:
-                progress(last / count)
+                progress(float(last / count))
         return shades
 
     def _shade(self, quads: Quads, lane: Ints, members: slice, into: Shades) -> None:
@@ -272,3 +282,8 @@ class _Drawing:
                 bounded = as_bounded(values)
                 ends = (bounded.value, bounded.low, bounded.high)
                 colours[:, members, i] = np.stack([chosen(end) for end in ends])
+
+
+def _within(progress: Tell, begin: float, share: float) -> Tell:
+    """What is told of a part of the work, as what is told of all of it."""
+    return lambda done: progress(begin + share * done)

@@ -22,6 +22,7 @@ from ...ir.types import scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, all_remembered, exact, given, hull, joined
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
+from ..live import at_once
 from ..namespace import Lane, Lanes, Namespace
 from ..texture_reads import Reader
 from .quads import Barycentric
@@ -38,9 +39,9 @@ _ROWS, _COLUMNS = -2, -1
 DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
 
-_VERTICES = 1 << 14
-"""How many vertices are evaluated at once, so that a large mesh needs no more memory than others.
-"""
+VERTICES_AT_ONCE, PIXELS_AT_ONCE = 1 << 14, 1 << 13
+"""How many vertices and how many pixels are evaluated at once, so that a large mesh or picture
+needs no more memory than others."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +96,11 @@ class StageEvaluator:
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "cross"]
         self.side = 2 if _compares(nodes, rules) else 1
+        self._at_vertices = (*(node.operands[0] for node in self._crossings), self._position)
+        self._at_pixels = (*((self._discard,) if self._discard else ()), *self._targets)
+        self._vertices_at_once = at_once(self._at_vertices, VERTICES_AT_ONCE)
+        self.pixels_at_once = at_once(self._at_pixels, PIXELS_AT_ONCE)
+        """For how many pixels ``fragments`` may be called."""
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         texels = {resource: _texels(textures, resource) for resource in read}
@@ -106,8 +112,8 @@ class StageEvaluator:
         """Evaluate the vertex stage."""
         inputs = geometry.inputs()
         parts = []
-        for begin in range(0, max(geometry.vertex_count, 1), _VERTICES):
-            some = slice(begin, begin + _VERTICES)
+        for begin in range(0, max(geometry.vertex_count, 1), self._vertices_at_once):
+            some = slice(begin, begin + self._vertices_at_once)
             attributes = {name: rows[some] for name, rows in geometry.attributes.items()}
             numbers = {name: numbers[some] for name, numbers in inputs.items()}
             parts.append(self._some_vertices(replace(geometry, attributes=attributes), numbers))
@@ -129,8 +135,7 @@ class StageEvaluator:
 
         watch = _Watch(self, (count,))
         evaluator = Evaluator(leaves, self._xp, watch)
-        crossing = [node.operands[0] for node in self._crossings]
-        *crossed, position = evaluator.values((*crossing, self._position))
+        *crossed, position = evaluator.values(self._at_vertices)
         crossings = {
             node.id: tuple(_at_each(lane, count) for lane in lanes)
             for node, lanes in zip(self._crossings, crossed, strict=True)
@@ -161,9 +166,8 @@ class StageEvaluator:
 
         watch = _Watch(self, (len(front), self.side, self.side))
         evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered)
-        discards = (self._discard,) if self._discard else ()
-        found = evaluator.values((*discards, *self._targets))
-        discarded: Any = found.pop(0)[0] if discards else False
+        found = evaluator.values(self._at_pixels)
+        discarded: Any = found.pop(0)[0] if self._discard else False
         watch.end((*(lane for target in found for lane in target), discarded))
         targets = tuple(map(watch.as_defined, found))
         return Shaded(targets, discarded, watch.undecided)

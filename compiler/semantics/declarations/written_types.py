@@ -7,8 +7,9 @@ from functools import cache, partial
 
 from ....frozen import EMPTY
 from ...diagnostics import rules
+from ...diagnostics.source import Span
 from ...ir import build
-from ...ir.types import INT, Array, Opaque, RuntimeArray, Struct, Texture, Type
+from ...ir.types import INT, Array, Opaque, RuntimeArray, Struct, Texture, Type, numbers
 from ...syntax import ast
 from ..names.modules import Module, Symbol
 from ..names.not_types import not_a_type
@@ -23,6 +24,10 @@ MOST_ELEMENTS = 4096
 
 MOST_LEVELS, MOST_PARTS = 64, 4096
 """How deep structures nest, and into how many numbers, vectors and matrices one is taken apart."""
+
+MOST_NUMBERS = 1 << 18
+"""Of a value, with those of all its elements and members: a megabyte. No API has uniform blocks of
+more than a sixteenth of that."""
 
 
 _OPAQUE_MEMBER: Mapping[type, str] = {
@@ -69,7 +74,18 @@ def _resolved(
     if declared is None or written.count is None:
         return declared
     count = count_of(ctx, written.count, module, variables)
-    return None if count is None else array_of(declared, count)
+    return None if count is None else _fitting(ctx, array_of(declared, count), written.span)
+
+
+def _fitting(ctx: Context, declared: Declared, span: Span) -> Declared | None:
+    """A type whose values are not too large, or ``None`` after reporting."""
+    count = numbers(declared.type)
+    if count <= MOST_NUMBERS:
+        return declared
+    ctx.report.add(
+        rules.VALUE_TOO_LARGE, span, type=declared.text, count=count, most=MOST_NUMBERS
+    )
+    return None
 
 
 def _unsized(ctx: Context, written: ast.TypeName, declared: Declared) -> Declared | None:
@@ -155,7 +171,7 @@ def _struct(ctx: Context, symbol: Symbol) -> Declared | None:
     if levels > MOST_LEVELS or parts > MOST_PARTS:
         _too_large(ctx, declaration)
         return None
-    return structure(struct, symbol.name, tuple(members))
+    return _fitting(ctx, structure(struct, symbol.name, tuple(members)), declaration.name.span)
 
 
 def _members(

@@ -1,0 +1,69 @@
+"""How many numbers an evaluation needs at the same time for each pixel, vertex or invocation.
+
+Most programs need a few dozens. But whoever chooses between two arrays has all their elements for
+each pixel, so few pixels are evaluated at once then.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from ..ir.node import Node, reachable
+from ..ir.types import numbers
+
+MOST = 1 << 21
+"""How many numbers of all pixels together an evaluation may need at the same time."""
+
+_VARYING = frozenset(("input", "cross", "bound", "formal"))
+"""What differs from pixel to pixel, besides vertex inputs, or may do so from turn to turn."""
+
+
+def at_once(roots: Sequence[Node], usual: int) -> int:
+    """How many pixels, vertices or invocations to evaluate at once: fewer than usual, if each has
+    very many numbers."""
+    return max(min(usual, MOST // max(most_live(roots), 1)), 1)
+
+
+def most_live(roots: Sequence[Node]) -> int:
+    """How many numbers there are of one pixel at the same time, at most.
+
+    Values are forgotten after their last use, as ``Evaluator.values`` does; those that are computed
+    in turns of a loop, when the turn ends.
+    """
+    nodes = reachable(roots)
+    uses = Counter(root.id for root in roots)
+    for node in nodes:
+        uses.update(operand.id for operand in node.operands)
+    sizes = _sizes(nodes)
+    inside = sum(sizes[node.id] for node in nodes if _is_in_turn(node))
+    live = most = 0
+    for node in nodes:
+        if _is_in_turn(node):
+            continue
+        live += sizes[node.id]
+        most = max(most, live)
+        for operand in node.operands:
+            uses[operand.id] -= 1
+            if not uses[operand.id] and not _is_in_turn(operand):
+                live -= sizes[operand.id]
+    return most + inside
+
+
+def _is_in_turn(node: Node) -> bool:
+    """Whether a node is computed anew in each turn of a loop, or for each call of a function."""
+    return bool(node.free or node.variables)
+
+
+def _sizes(nodes: Sequence[Node]) -> dict[int, int]:
+    """How many numbers each node has for one pixel; none, if it has the same for all pixels."""
+    sizes: dict[int, int] = {}
+    for node in nodes:
+        varies = (
+            node.op in _VARYING
+            or node.op == "attribute"
+            or any(sizes[operand.id] for operand in node.operands)
+        )
+        sizes[node.id] = max(numbers(node.type), 1) if varies else 0
+    return sizes
+
