@@ -66,4 +66,3 @@ def _sizes(nodes: Sequence[Node]) -> dict[int, int]:
         )
         sizes[node.id] = max(numbers(node.type), 1) if varies else 0
     return sizes
-

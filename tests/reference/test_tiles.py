@@ -47,9 +47,7 @@ def _drawn(given: Shader, count: int, side: int, errors: Any) -> Expected:
 
 @pytest.mark.parametrize("samples", [1, 4])
 @pytest.mark.parametrize("errors", [None, few_ulps])
-def test_tiles_do_not_show(
-    samples: int, errors: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_tiles_do_not_show(samples: int, errors: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     given = shader(BLENDED.format(samples), "P")
     whole = _drawn(given, 5, 12, errors)
     assert whole.layers.max() == 5
@@ -86,6 +84,8 @@ def test_what_lies_behind_each_other_needs_no_more_memory() -> None:
     ],
 )
 def test_how_many_numbers_there_are_of_an_invocation(value: str, least: int, most: int) -> None:
-    text = "struct A {{ a : float[4096] }}\nkernel K {{ buffer b : A[]\n result r : float[9] = {} }}"
+    text = (
+        "struct A {{ a : float[4096] }}\nkernel K {{ buffer b : A[]\n result r : float[9] = {} }}"
+    )
     kernel = burnish.compile(text.format(value), ())["K"].shader
     assert least <= most_live([result.value for result in kernel.results]) <= most
