@@ -37,7 +37,7 @@ def _squares(count: int) -> Geometry:
     depths = np.repeat(np.linspace(0.9, 0.1, count), 4)[:, None]
     places = np.hstack([np.tile(corners, (count, 1)), depths, np.ones_like(depths)])
     first = 4 * np.arange(count)[:, None]
-    triangles = np.hstack([first + [0, 1, 2], first + [0, 2, 3]])
+    triangles = np.hstack([first + np.array([0, 1, 2]), first + np.array([0, 2, 3])])
     return geometry(triangles, place=places)
 
 
@@ -58,7 +58,7 @@ def test_tiles_do_not_show(samples: int, errors: Any, monkeypatch: pytest.Monkey
             assert np.array_equal(one, other, equal_nan=True)
 
 
-def _arrays(picture: Expected) -> list[object]:
+def _arrays(picture: Expected) -> list[Any]:
     ends = (*picture.targets, *picture.low, *picture.high)
     return [*ends, picture.covered, picture.undecided, picture.layers]
 
