@@ -20,7 +20,7 @@ from burnish.targets.runner.frames.checks.rows import PlanError
 from burnish.targets.runner.frames.checks.shaders import check_shaders
 
 from ..diagnostics.test_growth import calls
-from ..fuzz.received import received
+from ..fuzz.hostile.plans import received
 from .growing import Growing, Schemas
 from .kit import of_text
 

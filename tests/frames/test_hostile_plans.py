@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from ..fuzz.received import Received, outcome, received
+from ..fuzz.hostile.plans import Received, outcome, received
 
 Change = Callable[[dict[str, Any], dict[str, Any]], object]
 

@@ -19,6 +19,7 @@ from burnish.targets.runner.routes import select
 
 from .oracles import ORACLES, Case, Finding, Tools, ask
 from .programs import program
+from .received import KINDS, Received
 from .robustness import found
 from .shrink import shrunk
 from .tree import Node
@@ -29,6 +30,8 @@ share all of it."""
 
 MUTATED_SHARE = 0.15
 """The further time, as a share, for programs with mistakes."""
+RECEIVED_SHARE = 0.25
+"""The further time, as a share, for all else that may be received: pictures, plans, requests …"""
 
 TELL_EVERY = 15.0
 """Seconds between two lines of progress."""
@@ -174,6 +177,10 @@ def _parser() -> ArgumentParser:
     parser.add_argument(
         "--output", type=Path, default=Path("build/fuzz"), help="the folder for what is found"
     )
+    parser.add_argument(
+        "--received", type=lambda text: text.split(","), default=[], metavar="KIND,…",
+        help=f"instead of programs, only try what may be received, of {', '.join(KINDS)}",
+    )  # fmt: skip
     parser.add_argument("--show", action="store_true", help="print the programs, and ask nothing")
     return parser
 
@@ -189,8 +196,12 @@ def main() -> int:
     with Tools(select([asked.routes])) as tools:
         run, stopped, troubles = Run(asked, tools), False, 0
         try:
-            run.programs()
-            troubles = 0 if asked.program else _mutated(asked)
+            if not asked.received:
+                run.programs()
+            if not (asked.program or asked.received):
+                troubles = _mutated(asked)
+            if not asked.program:
+                troubles += _received(asked)
         except KeyboardInterrupt:
             stopped = True
             print("\nstopped", flush=True)
@@ -207,6 +218,19 @@ def _mutated(asked: Namespace) -> int:
         troubles += 1
         print(f"\nfound with mistakes {number}:\n{text}\n{trouble}", flush=True)
         _store(asked.output / f"mistakes-{number}.burnish", text)
+    return troubles
+
+
+def _received(asked: Namespace) -> int:
+    """Try other hostile things, too, and return how many of them made trouble."""
+    tried = Received(asked.received or tuple(KINDS))
+    share = 1.0 if asked.received else RECEIVED_SHARE
+    troubles = 0
+    for name, text in tried.found(asked.seed, share * asked.seconds):
+        troubles += 1
+        print(f"\nfound with {name}:\n{text}", flush=True)
+        _store(asked.output / f"{name.replace(':', '-')}.txt", text)
+    print(", ".join(f"{kind} {number}" for kind, number in tried.done.items()), flush=True)
     return troubles
 
 

@@ -1,136 +1,146 @@
-"""Plans and reflections with mistakes, as they may be received: what Burnish does with each.
+"""Hostile things that Burnish may receive, at random: what ``make fuzz`` tries besides sources.
 
-``mistaken`` changes what a frame was compiled to, and ``trouble`` reads it as ``burnish render``
-does, up to the job that a driver would get. Either the whole of it is possible, or an error says
-why it is not: nothing else may be raised.
+A kind is a row of ``KINDS``. It tries one thing by a generator of random numbers, and asserts what
+has to be true of it. The usual answer to such a thing is an error that says what is wrong with it,
+which kinds pass over. Whatever else is raised is trouble, and so is an answer that takes long, or
+more memory than there may be.
+
+A trial is named by its kind and a number, such as ``scenes:57``, which always give the same thing.
 """
 
 from __future__ import annotations
 
-import json
+import resource
+import signal
+import sys
+import time
 import traceback
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cache
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
 from random import Random
-from typing import Any
+from tempfile import TemporaryDirectory
+from types import FrameType
+from typing import NamedTuple
 
-import burnish
-from burnish.compiler.budget import BudgetError
-from burnish.targets.runner.codes import Codes
-from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.frame_checks import check_frame
-from burnish.targets.runner.drivers.frame_job import FrameJob
-from burnish.targets.runner.drivers.pipeline import Code
-from burnish.targets.runner.drivers.wire import from_json, to_json
-from burnish.targets.runner.files import FileError
-from burnish.targets.runner.frames.by_route import frame_job
-from burnish.targets.runner.frames.checking import PlanError
-from burnish.targets.runner.frames.host import FrameHost
-from burnish.targets.runner.frames.plan_files import read_frame, told_contradictions
-from burnish.targets.runner.frames.scenery import in_a_row
-from burnish.targets.runner.instances.instance import MissingValuesError
-from burnish.targets.runner.instances.values import ParameterError
-from burnish.targets.runner.kernels import EmptyImageError
-from burnish.targets.runner.meshes import MeshError
-from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.scenes.gltf.reading import read_gltf
 
-from .documents import mutated
+from .hostile import folders, outputs, picture_bytes, plans, requests, scene_bytes
 
-FOLDER = Path(__file__).parents[2] / "examples" / "frames"
-NAMES = ("deferred", "reaction", "shadows", "smooth_edges", "ripples", "transparency", "wax")
-"""Frames that have, together, all that plans can say."""
+SECONDS = 10
+"""How long an answer may take."""
+MEMORY = 10**9
+"""How many bytes a process may come to, whatever it receives."""
 
-ROUTE = ROUTES["lavapipe:glsl"]
-SIZE = (8, 8)
-TOLD = (
-    BudgetError, DriverError, EmptyImageError, FileError, MeshError, MissingValuesError,
-    ParameterError, PlanError,
-)  # fmt: skip
-"""The errors whose texts tell people what is wrong."""
+Trial = Callable[[Random, Path], None]
+"""Tries one thing, in an empty folder."""
 
 
-@dataclass(frozen=True, slots=True)
+def _pictures() -> Trial:
+    """What reads a picture that is damaged."""
+    seeds = picture_bytes.seeds()
+
+    def read(random: Random, folder: Path) -> None:
+        name = random.choice(list(seeds))
+        picture_bytes.read(picture_bytes.mutated(seeds[name], random), folder / name)
+
+    return read
+
+
+def _scenes() -> Trial:
+    """What reads a scene with mistakes."""
+    seeds = scene_bytes.seeds()
+
+    def read(random: Random, folder: Path) -> None:
+        content = scene_bytes.mutated(random.choice(seeds), random)
+        scene_bytes.read(content, folder / "scene.gltf", read_gltf)
+
+    return read
+
+
+def _plans() -> Trial:
+    """What reads a plan or a reflection with mistakes."""
+
+    def read(random: Random, folder: Path) -> None:
+        trouble = plans.trouble(plans.mistaken(random.randrange(10**9)).write(folder))
+        assert trouble is None, trouble
+
+    return read
+
+
+KINDS: Mapping[str, Callable[[], Trial]] = {
+    "folders": folders.trial,
+    "outputs": outputs.trial,
+    "pictures": _pictures,
+    "plans": _plans,
+    "requests": requests.trial,
+    "scenes": _scenes,
+}
+"""What makes the trial of each kind; it may prepare something that all of its trials share."""
+
+
+class TooSlowError(Exception):
+    """There was no answer in time."""
+
+
+class Trouble(NamedTuple):
+    """What was found by a trial."""
+
+    name: str
+    text: str
+
+
 class Received:
-    """The files of a frame, by their names."""
+    """The trials of some kinds."""
 
-    plan: Any
-    reflections: Mapping[str, Any]
-    texts: Mapping[str, str]
+    def __init__(self, kinds: Sequence[str] = tuple(KINDS)) -> None:
+        self._trials = {kind: KINDS[kind]() for kind in kinds}
+        self.done: Counter[str] = Counter()
+        """How many things of each kind were tried."""
 
-    def write(self, folder: Path) -> Path:
-        """Write all files, and return the plan's."""
-        for name, text in self.texts.items():
-            (folder / name).write_text(text, "utf-8")
-        return self.write_documents(folder)
+    def found(self, seed: str, seconds: float) -> Iterator[Trouble]:
+        """Try things of all kinds in turn for so many seconds, by the numbers of a seed."""
+        end = time.monotonic() + seconds
+        for number in count():
+            for kind in self._trials:
+                if time.monotonic() >= end:
+                    return
+                if trouble := self.trouble(kind, f"{seed}:{number}"):
+                    yield trouble
 
-    def write_documents(self, folder: Path) -> Path:
-        """Write the plan and the reflections, and return the plan's file."""
-        for name, document in self.reflections.items():
-            (folder / name).write_text(json.dumps(document), "utf-8")
-        path = folder / "Frame.plan.json"
-        path.write_text(json.dumps(self.plan), "utf-8")
-        return path
-
-
-@cache
-def received(name: str) -> Received:
-    """What one of ``NAMES`` is compiled to, for one route."""
-    (frame,) = burnish.compile(FOLDER / f"{name}.burnish", (ROUTE.profile,)).frames
-    texts = {file.name: "x" for shader in frame.shaders for file in shader.files}
-    reflections = {f"{each.name}.json": each.reflection for each in frame.shaders}
-    plain = json.loads(json.dumps([frame.plan, reflections]))
-    return Received(plain[0], plain[1], texts)
-
-
-def mistaken(number: int) -> Received:
-    """A frame with mistakes, which follow from a number."""
-    random = Random(number)
-    whole = received(random.choice(NAMES))
-    if random.random() < 0.5:
-        return Received(mutated(whole.plan, random), whole.reflections, whole.texts)
-    name = random.choice(list(whole.reflections))
-    changed = {**whole.reflections, name: mutated(whole.reflections[name], random)}
-    return Received(whole.plan, changed, whole.texts)
+    def trouble(self, kind: str, number: str) -> Trouble | None:
+        """What is wrong with the answer to one thing, if anything is."""
+        name = f"{kind}:{number}"
+        self.done[kind] += 1
+        with TemporaryDirectory(prefix="burnish-") as folder:
+            try:
+                with _limited():
+                    self._trials[kind](Random(name), Path(folder))
+            except Exception:
+                return Trouble(name, traceback.format_exc())
+        taken = _most_memory()
+        return Trouble(name, f"the process has come to {taken} bytes") if taken > MEMORY else None
 
 
-def outcome(path: Path) -> str:
-    """What is said of a plan; empty if nothing is wrong. Raises what should not be raised."""
+@contextmanager
+def _limited() -> Iterator[None]:
+    """Raise ``TooSlowError`` in the ``with`` block if it takes too long."""
+
+    def stop(_number: int, _frame: FrameType | None) -> None:
+        raise TooSlowError(f"no answer within {SECONDS} s")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(SECONDS)
     try:
-        _prepare(path)
-    except TOLD as error:
-        return str(error)
-    return ""
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)
 
 
-def trouble(path: Path) -> str | None:
-    """The traceback of what a plan raises beside errors, or an error that nobody can read; ``None``
-    if there is neither."""
-    try:
-        said = outcome(path)
-    except Exception:
-        return traceback.format_exc()
-    return None if len(said) < LONGEST else f"it says {len(said)} letters: {said[:1000]}"
-
-
-LONGEST = 40_000
-"""How long an error may be: a hundred lines."""
-
-
-def _prepare(path: Path) -> None:
-    """Everything up to the driver, and what this checks first."""
-    frame = read_frame(path, (ROUTE.profile,))
-    with told_contradictions(frame):
-        tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
-        materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-        host = FrameHost(frame, in_a_row(materials, tags, "cube"), SIZE)
-        names = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
-        codes = [_codes(shader.files) for shader in frame.shaders]
-        job = frame_job(host, ROUTE, codes, names, 2)
-    check_frame(from_json(FrameJob, json.loads(json.dumps(to_json(job)))))
-
-
-def _codes(files: Sequence[Any]) -> Codes:
-    return Codes({stage: Code(file.entry_points[stage]) for file in files
-                  for stage in file.entry_points})  # fmt: skip
+def _most_memory() -> int:
+    """The most memory that this process has had, in bytes."""
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most if sys.platform == "darwin" else most * 1024

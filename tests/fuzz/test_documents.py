@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from .received import NAMES, mistaken, outcome, received, trouble
+from .hostile.plans import NAMES, mistaken, outcome, received, trouble
 
 DOCUMENTS, AT_ONCE = 240, 30
 

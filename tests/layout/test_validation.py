@@ -13,8 +13,8 @@ from referencing import Registry, Resource
 from burnish.compiler.reflection.schema import PLAN, REFLECTION, errors, schema
 from burnish.compiler.reflection.validation import MOST, Compiler, first_errors
 
-from ..fuzz.documents import mutated
-from ..fuzz.received import received
+from ..fuzz.hostile.documents import mutated
+from ..fuzz.hostile.plans import received
 
 FRAME = received("reaction")
 DOCUMENTS: dict[str, list[Any]] = {PLAN: [FRAME.plan], REFLECTION: [*FRAME.reflections.values()]}

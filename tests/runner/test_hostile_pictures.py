@@ -17,7 +17,7 @@ from PIL import Image
 from burnish import PictureError, Texture
 from burnish.compiler.budget import BudgetError, raised
 
-from ..fuzz.picture_bytes import mutated, read, seeds
+from ..fuzz.hostile.picture_bytes import mutated, read, seeds
 from ..suite.memory import measured
 
 POSTSCRIPT = b"%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 100 100\nshowpage\n"

@@ -12,7 +12,7 @@ from burnish.compiler.budget import LIMITS, BudgetError, raised
 from burnish.targets.runner.scenes.gltf.reading import read_gltf
 from burnish.targets.runner.scenes.records import SceneError
 
-from ..fuzz.scenes import mutated, read, seeds
+from ..fuzz.hostile.scene_bytes import mutated, read, seeds
 from ..suite.memory import measured
 from .kit import Json, triangle
 

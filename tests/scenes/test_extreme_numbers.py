@@ -19,7 +19,7 @@ from burnish.targets.runner.instances.values import ParameterError
 from burnish.targets.runner.scenes.gltf.reading import read_gltf
 from burnish.targets.runner.scenes.records import SceneError
 
-from ..fuzz.scenes import rich
+from ..fuzz.hostile.scene_bytes import rich
 from .kit import Json
 
 FRAME = """\

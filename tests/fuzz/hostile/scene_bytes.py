@@ -22,7 +22,7 @@ from PIL import Image
 from burnish.compiler.budget import BudgetError
 from burnish.targets.runner.scenes.records import SceneError
 
-from ..scenes.kit import Builder, Json, glb, png, triangle
+from ...scenes.kit import Builder, Json, glb, png, triangle
 
 TOLD = (SceneError, BudgetError)
 """What reading a scene may raise."""
