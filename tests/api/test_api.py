@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.compiler.ir.node import reachable
 from burnish.targets import registry
 
 from ..suite.processes import run
@@ -174,11 +175,20 @@ def test_textures_of_what_is_none() -> None:
 
 
 def test_sums_that_share_sums_take_no_longer_than_their_graph() -> None:
-    functions = "\n".join(
-        f"fn f{i}(x: float) -> float = f{i - 1}(x) + f{i - 1}(sin(x))" for i in range(1, 40)
-    )
-    source = f"fn f0(x: float) -> float = x\n{functions}\nmaterial A {{ alpha = f39(uv.x) }}"
-    assert burnish.compile(source, ("glsl",))["A"].text("glsl", "fragment").count("sin(") == 39
+    """Where so many calls in calls are no shader any more, that is told at once."""
+
+    def source(count: int) -> str:
+        functions = "\n".join(
+            f"fn f{i}(x: float) -> float = f{i - 1}(x) + f{i - 1}(sin(x))" for i in range(1, count)
+        )
+        last = f"material A {{ alpha = f{count - 1}(uv.x) }}"
+        return f"fn f0(x: float) -> float = x\n{functions}\n{last}"
+
+    shader = burnish.compile(source(40), ())["A"].shader
+    assert sum(node.op == "call" for node in reachable(shader.roots)) < 100
+    assert burnish.compile(source(10), ("glsl",))["A"].text("glsl", "fragment").count("sin(") == 9
+    with pytest.raises(burnish.CompileError, match="operations in place of calls of A"):
+        burnish.compile(source(40), ("glsl",))
 
 
 def test_what_was_compiled_before_changes_nothing() -> None:
