@@ -14,7 +14,7 @@ from burnish.targets.toolchain import Toolchain
 from .mutations import mutated
 from .robustness import problem, refused
 
-TEXTS, AT_ONCE = 1600, 100
+TEXTS, AT_ONCE = 800, 50
 CHECKED = range(1, 160, 2)
 """These have a single change each, with which about one in fifteen still compiles."""
 
