@@ -39,19 +39,24 @@ class _QuietGroup(click.Group):
         """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
         try:
             show_everything()
-            code = super().main(*arguments, **{**options, "standalone_mode": False})
+            code = self._ended(*arguments, **options)
+        except OSError as error:
+            place = "" if error.filename is None else f"`{error.filename}`: "
+            complain(f"error: {place}{error.strerror or error}")
+            code = FAILED
+        sys.exit(code)
+
+    def _ended(self, *arguments: Any, **options: Any) -> int:
+        """Run a command line; returns its exit code, once misuse has been told."""
+        try:
+            return super().main(*arguments, **{**options, "standalone_mode": False}) or 0
         except click.ClickException as error:
             from .console import show_misuse
 
             show_misuse(error)
-            sys.exit(error.exit_code)
+            return error.exit_code
         except click.Abort:
-            sys.exit(INTERRUPTED)
-        except OSError as error:
-            place = "" if error.filename is None else f"`{error.filename}`: "
-            complain(f"error: {place}{error.strerror or error}")
-            sys.exit(FAILED)
-        sys.exit(code or 0)
+            return INTERRUPTED
 
     def list_commands(self, _context: click.Context) -> list[str]:
         """The names of the commands, as the help lists them."""

@@ -35,13 +35,14 @@ FLOORS: dict[str, str] = {
     "compiler.promises": "frozen stdlib ir formula",
     "compiler.source_map": "diagnostics ir",
     "compiler.reference": "frozen stdlib budget diagnostics ir formula",
+    "compiler.semantics.work": "frozen",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
     "compiler.library_trees": "cache precomputed diagnostics syntax names",
     "compiler.library": "stdlib precomputed diagnostics syntax names library_trees",
-    "compiler.semantics.inheritance": "frozen diagnostics syntax names",
+    "compiler.semantics.inheritance": "frozen diagnostics syntax work names",
     "compiler.semantics.state": (
-        "frozen stdlib diagnostics syntax ir reference types names inheritance"
+        "frozen stdlib diagnostics syntax ir reference work types names inheritance"
     ),
     "compiler.semantics.hints": "stdlib diagnostics syntax ir types names state",
     "compiler.semantics.declarations": (

@@ -71,7 +71,7 @@ def test_pictures_are_kept_within_the_limit(tmp_path: Path) -> None:
 def test_more_pictures_than_a_page_can_have(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text(PAINTED)
-    with viewing(file, "--budget", "memory=20M") as viewer:
+    with viewing(file, "--budget", "memory=28M") as viewer:
         word = viewer.ask(QUERY, "POST", png(size=(1024, 1024))).body.decode()
         found = viewer.ask(f"/document?picture.paint={word}").json()
         assert "a page that draws Painted needs 28" in found["error"]

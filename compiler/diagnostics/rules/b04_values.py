@@ -165,16 +165,16 @@ STRUCT_TOO_LARGE = error(
     "The parts of a structure are the numbers, vectors and matrices in it, including those of "
     "the structures in it.",
 )
-VALUE_TOO_LARGE = error(
-    "B0482",
-    "a value of type `{type}` has {count:,} numbers, and {most:,} are possible",
-    "Whoever sets a value has all its numbers in memory, and so has a shader that chooses between "
-    "two. Elements of a `buffer` may be many: `buffer name : T[]`.",
-)
 EMPTY_STRUCT = error(
     "B0481",
     "the structure `{name}` has no members",
     "Give it what its values are made of: `width : float`.",
+)
+VALUE_TOO_LARGE = error(
+    "B0482",
+    "a value of type `{type}` has {count} numbers, and {most} are possible",
+    "Whoever sets a value has all its numbers in memory, and so has a shader that chooses between "
+    "two. Elements of a `buffer` may be many: `buffer name : T[]`.",
 )
 
 HOST_NAME_TAKEN = error(

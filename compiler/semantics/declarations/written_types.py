@@ -82,7 +82,10 @@ def _fitting(ctx: Context, declared: Declared, span: Span) -> Declared | None:
     count = numbers(declared.type)
     if count <= MOST_NUMBERS:
         return declared
-    ctx.report.add(rules.VALUE_TOO_LARGE, span, type=declared.text, count=count, most=MOST_NUMBERS)
+    ctx.report.add(
+        rules.VALUE_TOO_LARGE, span,
+        type=declared.text, count=f"{count:,}", most=f"{MOST_NUMBERS:,}",
+    )  # fmt: skip
     return None
 
 

@@ -12,9 +12,9 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
-from ...reference.work import Work
 from ...syntax import ast
 from ..names.modules import Module, Symbol
+from ..work import Work
 from .inherited import inherited_names
 from .records import Definition, Record, Statement, is_abstract
 

@@ -16,7 +16,7 @@ from ...ir.shader import ConstantValue as Value
 from ...ir.types import Matrix, Scalar, Type, scalar_kind
 from ...reference.evaluate import Evaluator, NotConstantError, TooLongError
 from ...reference.namespace import Lanes
-from ...reference.work import Work
+from ..work import Work
 from .scope import Failure
 
 _OPERATIONS = frozenset(

@@ -69,20 +69,20 @@ kernel void cs_main(
     threadgroup array<float3, 40> group_vec3s;
     const int count = draw.numbers_count;
     const uint global_index = index;
-    const int index_ = max(min(int(global_index), count - 1), 0);
+    const int index_2 = max(min(int(global_index), count - 1), 0);
     const uint place = global_index % 40u;
     const uint present = min(uint(count) - (global_index - place), 40u);
-    const float total = group_sum(group_floats, numbers[index_], place, present);
-    const float totals_group_max = group_max(group_floats, numbers[index_], place, present);
+    const float total = group_sum(group_floats, numbers[index_2], place, present);
+    const float totals_group_max = group_max(group_floats, numbers[index_2], place, present);
     const float3 before_group_exclusive_sum = group_exclusive_sum(
-        group_vec3s, float3(numbers[index_], 1.0f, 0.0f), place
+        group_vec3s, float3(numbers[index_2], 1.0f, 0.0f), place
     );
     if (global_index < uint(count)) {
-        before[index_] = float4(
+        before[index_2] = float4(
             abs(total) >= 1.1754944e-38f ? before_group_exclusive_sum / total : float3(0.0f), 0.0f
         );
-        if (index_ % 40 == 0) {
-            totals[index_ / 40] = float2(total, totals_group_max);
+        if (index_2 % 40 == 0) {
+            totals[index_2 / 40] = float2(total, totals_group_max);
         }
     }
 }

@@ -23,18 +23,18 @@ kernel void cs_main(
     device const Particle* before [[buffer(1)]], device Particle* after [[buffer(2)]],
     device float* speeds [[buffer(3)]]
 ) {
-    const int index_ = int(index);
-    if (index_ >= draw.before_count) { return; }
+    const int index_2 = int(index);
+    if (index_2 >= draw.before_count) { return; }
     float3 others = float3(0.0f);
     for (int i = 0; i < min(draw.before_count, 64); i++) {
-        const float3 others_difference = float3(before[index_].place) - float3(before[i].place);
+        const float3 others_difference = float3(before[index_2].place) - float3(before[i].place);
         others += others_difference / max(dot(others_difference, others_difference), 0.0001f)
             * saturate(1.0f - length(others_difference) / draw.reach);
     }
-    const float3 speed = 0.99f * float3(before[index_].speed)
-        + draw.dt * (others - draw.pull * float3(before[index_].place));
-    after[index_].place = float3(before[index_].place) + draw.dt * speed;
-    after[index_].speed = speed;
-    after[index_].age = before[index_].age + draw.dt;
-    speeds[index_] = length(speed);
+    const float3 speed = 0.99f * float3(before[index_2].speed)
+        + draw.dt * (others - draw.pull * float3(before[index_2].place));
+    after[index_2].place = float3(before[index_2].place) + draw.dt * speed;
+    after[index_2].speed = speed;
+    after[index_2].age = before[index_2].age + draw.dt;
+    speeds[index_2] = length(speed);
 }

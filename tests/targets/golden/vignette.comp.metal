@@ -18,15 +18,15 @@ kernel void cs_main(
     texture2d<float, access::write> dark [[texture(0)]],
     texture2d<float, access::write> light_ [[texture(1)]], texture2d<float> picture [[texture(2)]]
 ) {
-    const int2 texel_ = int2(texel);
+    const int2 texel_2 = int2(texel);
     const int2 place_texture_size = texture_size(picture, 0);
-    const float2 place = (2.0f * float2(texel_) + 1.0f) / float2(place_texture_size) - 1.0f;
+    const float2 place = (2.0f * float2(texel_2) + 1.0f) / float2(place_texture_size) - 1.0f;
     const float light = 1.0f - draw.strength * dot(place, place);
     dark.write(
         float4(
-            picture.read(uint2(clamp(texel_, int2(0), place_texture_size - 1)), uint(0)).xyz * light, light
+            picture.read(uint2(clamp(texel_2, int2(0), place_texture_size - 1)), uint(0)).xyz * light, light
         ),
-        uint2(texel_)
+        uint2(texel_2)
     );
-    light_.write(float4(light, 0.0f, 0.0f, 1.0f), uint2(texel_));
+    light_.write(float4(light, 0.0f, 0.0f, 1.0f), uint2(texel_2));
 }
