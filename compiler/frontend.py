@@ -34,6 +34,9 @@ _NOT_OWN = {
     kind: f"the file declares no {kind}; without `--{kind}` the library's is taken"
     for kind in ("rig", "pass")
 }
+MOST_PROGRAMS = 256
+"""Materials, kernels and frames of a file, which take up to 0.03 s each to compile for all
+targets."""
 
 
 class Frontend:
@@ -58,11 +61,11 @@ class Frontend:
         self._loader = Loader(report, self._library, folders, parse, self._read, self.inputs.looked)
 
     def open_file(self, path: Path) -> Module | None:
-        """The module in a file; ``None`` after reporting that it cannot be read."""
+        """The module in a file; ``None`` after reporting that it cannot be read, or is too much."""
         with suppress(ValueError):  # No file has such a name, which is told when it is read.
             self._base = _without_links(path.parent)
         source = self._read(path, self._report)
-        return None if source is None else self._loader.main(source, path)
+        return None if source is None else self._limited(self._loader.main(source, path))
 
     def _read(
         self, path: Path, report: Report, name: str = "", span: Span | None = None
@@ -92,11 +95,25 @@ class Frontend:
     def open_text(self, text: str, name: str) -> Module | None:
         """The module in a text; its quoted imports are looked up along the search path.
 
-        ``None`` after reporting that the text does not consist of characters.
+        ``None`` after reporting that the text does not consist of characters, or is too much.
         """
         if not check_text(text, name, self._report):
             return None
-        return self._loader.main(Source(name, text), None)
+        return self._limited(self._loader.main(Source(name, text), None))
+
+    def _limited(self, module: Module) -> Module | None:
+        """A module that is to be compiled, or ``None`` after reporting that it makes too much of
+        it."""
+        kinds = ("material", "kernel", "frame")
+        programs = [each for kind in kinds for each in records_of(module, kind, abstract=False)]
+        if len(programs) <= MOST_PROGRAMS:
+            return module
+        names = sorted((each.declaration.name.span for each in programs), key=lambda at: at.start)
+        self._report.add(
+            rules.TOO_MANY_PROGRAMS, names[MOST_PROGRAMS],
+            path=module.file.source.name, count=len(programs), most=MOST_PROGRAMS,
+        )  # fmt: skip
+        return None
 
     @property
     def files(self) -> tuple[Path, ...]:

@@ -23,6 +23,8 @@ class Work:
 
     left: int = MOST_TOGETHER
     counted: set[Hashable] = fresh(factory=set)
+    steps: int = 0
+    """The steps of all frames so far."""
     refused: dict[Hashable, str] = fresh(factory=dict)
     """The places of values that take too long, and of what these take more than."""
 

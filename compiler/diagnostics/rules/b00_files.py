@@ -80,3 +80,9 @@ TOO_MUCH_IMPORTED = error(
     "with `{path}`, the imported files are larger than {limit}",
     "A file and all that it imports are read as a whole. Import only what is used.",
 )
+TOO_MANY_PROGRAMS = error(
+    "B0015",
+    "`{path}` declares {count} materials, kernels and frames, and {most} are possible",
+    "All that are not abstract are compiled together. Divide the file; what several files need "
+    "belongs into one that they import.",
+)

@@ -176,7 +176,7 @@ BLEND_CONSTANT_UNUSED = error(
 )
 TOO_MANY_STEPS = error(
     "B0828",
-    "`{name}` has more than {most} steps",
+    "`{name}` has more than {most}",
     "Repetitions inside of each other multiply their steps, each of which a host draws one by one. "
     "What is done so often belongs into a loop of a shader.",
 )

@@ -60,6 +60,8 @@ DEEPEST = 48
 
 MOST_STEPS = 1024
 """Of one frame. The largest example has 52; planning and hosts look at each of them."""
+MOST_TOGETHER = 4096
+"""Of all frames of a compile."""
 
 DEPTH_FORMAT = "depth32f"
 
@@ -242,9 +244,7 @@ class Steps:
     ) -> Made:
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
-        if len(self.steps) >= MOST_STEPS:
-            name = self._frame.instance.record.symbol.declaration.name
-            self._ctx.report.add(rules.TOO_MANY_STEPS, name.span, name=name.text, most=MOST_STEPS)
+        if not self._has_room():
             return FAILURE
         if declaration.abstract:
             self._ctx.report.add(rules.ABSTRACT_USE, e.callee.span, name=symbol.name)
@@ -283,7 +283,7 @@ class Steps:
             info.buffer.name: Elements(f"{name}.{info.buffer.name}", info, info.doc, e.span)
             for info in shader.shader.written
         }
-        self.steps.append(KernelStep(name, use, images, buffers, "", e.span))
+        self._add(KernelStep(name, use, images, buffers, "", e.span))
         return StepValue(name, {**images, **buffers})
 
     def _extent(self, shader: FrameShader, use: Use, name: str) -> Size:
@@ -352,8 +352,24 @@ class Steps:
         sides = self._destinations.known_size(size, size.level + first.level)
         if not settings.check(shader.shader, symbol.name, e.span, sides):
             return FAILURE
-        self.steps.append(step)
+        self._add(step)
         return StepValue(around.name, self._all_left(step))
+
+    def _add(self, step: Step) -> None:
+        self.steps.append(step)
+        self._ctx.records.work.steps += 1
+
+    def _has_room(self) -> bool:
+        """Whether there may be one more step; if not, that has been reported."""
+        if len(self.steps) >= MOST_STEPS:
+            most = f"{MOST_STEPS} steps"
+        elif self._ctx.records.work.steps >= MOST_TOGETHER:
+            most = f"{MOST_TOGETHER} steps together with the frames before it"
+        else:
+            return True
+        name = self._frame.instance.record.symbol.declaration.name
+        self._ctx.report.add(rules.TOO_MANY_STEPS, name.span, name=name.text, most=most)
+        return False
 
     @staticmethod
     def _all_left(step: RenderStep) -> dict[str, Image]:
