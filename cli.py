@@ -55,7 +55,9 @@ def _exit_code(arguments: list[str]) -> int:
         if succeeded is not None:
             return 0 if succeeded else FAILED
         from .commands.group import burnish
+        from .commands.waking import wake_on_signals
 
+        wake_on_signals()
         burnish.main(arguments, obj=question)
     except KeyboardInterrupt:
         return interrupted()
