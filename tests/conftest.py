@@ -43,13 +43,17 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture
 def interruptible() -> Iterator[None]:
-    """Lets the programs that a test starts be interrupted.
+    """Lets the programs that a test starts be interrupted, and be told that a terminal is gone.
 
-    Who runs the tests in the background may have them ignore it, which programs inherit.
+    Who runs the tests in the background may have them ignore these, which programs inherit.
     """
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    before = {
+        signal.SIGINT: signal.signal(signal.SIGINT, signal.default_int_handler),
+        signal.SIGHUP: signal.signal(signal.SIGHUP, signal.SIG_DFL),
+    }
     yield
-    signal.signal(signal.SIGINT, before)
+    for number, handler in before.items():
+        signal.signal(number, handler)
 
 
 @pytest.fixture

@@ -52,6 +52,7 @@ def environment(place: Path, command: str) -> Mapping[str, str]:
     }
 
 
+@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("number", SIGNALS)
 @pytest.mark.parametrize("command", COMMANDS)
 def test_nothing_is_left(command: str, number: signal.Signals, place: Path) -> None:

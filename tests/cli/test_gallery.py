@@ -131,7 +131,7 @@ def test_the_first_page_shows_all_files_as_the_readme_groups_them(page: Page) ->
     pictures = [each.get_attribute("src") for each in page.locator(".cards img").all()]
     assert pictures[0] == pictures[2], "what draws nothing itself is seen in what imports it"
     assert page.locator(".cards img").last.get_attribute("alt") == "as up.burnish uses it"
-    assert page.evaluate("[...document.images].filter(i => !i.naturalWidth).length") == 0
+    page.wait_for_function("[...document.images].every(i => i.naturalWidth)")  # loaded when seen
     assert page.evaluate("document.documentElement.scrollWidth") <= 500
     assert page.locator(".routes tbody tr").all_inner_texts()[0].startswith("llvmpipe:gl330\t")
 

@@ -205,6 +205,7 @@ def test_no_trap_is_sprung(command: str, traps: Traps) -> None:
     traps.check(done.stdout + done.stderr)
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_no_trap_is_sprung_by_the_viewer(traps: Traps) -> None:
     command = [sys.executable, "-P", "-m", "burnish", "view", ".", "--no-browser"]
     with started(command, cwd=traps.folder, env=traps.environment) as program:

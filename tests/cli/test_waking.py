@@ -5,6 +5,8 @@ from __future__ import annotations
 import signal
 import sys
 
+import pytest
+
 from ..suite.processes import started
 
 WAITING = """
@@ -26,6 +28,7 @@ except KeyboardInterrupt:
 """
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_the_main_thread_is_woken() -> None:
     with started([sys.executable, "-c", WAITING]) as program:
         assert program.line() == b"waits\n"
