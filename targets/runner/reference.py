@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ...compiler.budget import check
 from ...compiler.ir.leaves import Attribute, Parameter
 from ...compiler.ir.node import Formal, Node, formals_of, reachable
 from ...compiler.ir.shader import Shader
@@ -22,6 +23,7 @@ from ...compiler.ir.types import Array, Struct, scalar_kind, width
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
 from ...compiler.reference.storage_buffers import Contents
+from .drivers.texels import TEXELS
 from .drivers.wire import to_json
 from .instances.derived import Inputs, computed
 from .instances.instance import Instance
@@ -35,6 +37,10 @@ STORE = "expected"
 
 Progress = Callable[[float], None]
 """Called with the part of the work that is done, from 0 to 1."""
+
+_BYTES_OF_TEXEL = 100
+"""What the reference takes for each texel of all levels, with the bounds of what devices read, as
+measured."""
 
 
 def expected(
@@ -103,10 +109,15 @@ def _derived(parameter: Parameter, found: Mapping[str, Any]) -> Any:
 
 
 def texels_of(instance: Instance) -> dict[str, Texels]:
-    """The texels of all textures, by name."""
+    """The texels of all textures, by name. Raises ``BudgetError`` where reading these takes too
+    much memory."""
+    textures = instance.textures()
+    count = sum(len(level) // TEXELS[each.format].size for each in textures.values()
+                for level in each.levels)  # fmt: skip
+    check("memory", count * _BYTES_OF_TEXEL, "what the reference reads of textures takes")
     return {
         name: Texels(tuple(texture.linear()), texture.format.endswith("-srgb"))
-        for name, texture in instance.textures().items()
+        for name, texture in textures.items()
     }
 
 

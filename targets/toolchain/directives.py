@@ -17,10 +17,9 @@ from collections.abc import Iterator, Sequence
 _BEGINNING = re.compile(r"#|%:|\?\?=")
 _SPLICE = re.compile(r"(\\|\?\?/)\s*$")
 """The end of a line that goes on in the next one; some compilers allow spaces there."""
-_FIRST = re.compile(r"[^\x21-\x7e]*|.*\*/.*", re.DOTALL)
-"""What may stand in front of a directive: nothing that is seen, or the end of a comment."""
-_HARMLESS = re.compile(r"#(version|line|extension(?i:(?!.*include)))\b.*", re.DOTALL)
-"""What Burnish emits. There are extensions with which texts include files."""
+_SEEN = re.compile(r"[\x21-\x7e]")
+_HARMLESS = re.compile(r"#(version|line|extension)\b")
+"""What Burnish emits; but there are extensions with which texts include files."""
 
 
 def foreign_directive(text: str, headers: Sequence[str] = ()) -> tuple[int, str] | None:
@@ -30,15 +29,31 @@ def foreign_directive(text: str, headers: Sequence[str] = ()) -> tuple[int, str]
     """
     includes = {f"#include <{header}>" for header in headers}
     for number, line in _lines(text):
-        for found in _BEGINNING.finditer(line):
-            directive = line[found.start() :].strip()
-            if (
-                _FIRST.fullmatch(line[: found.start()])
-                and directive not in includes
-                and not _HARMLESS.fullmatch(directive)
-            ):
+        for start in _foreign(line):
+            directive = line[start:].strip()
+            if directive not in includes:
                 return number, directive
     return None
+
+
+def _foreign(line: str) -> Iterator[int]:
+    """Where directives begin of a kind that Burnish does not emit. A line may be very long, and
+    have many beginnings."""
+    last_include = line.lower().rfind("include")
+    for start in _beginnings(line):
+        found = _HARMLESS.match(line, start)
+        if found is None or (found[1] == "extension" and start < last_include):
+            yield start
+
+
+def _beginnings(line: str) -> Iterator[int]:
+    """Where directives may begin: behind nothing that is seen, or behind the end of a comment."""
+    seen = _SEEN.search(line)
+    first = seen.start() if seen else 0
+    closed = line.find("*/")
+    for found in _BEGINNING.finditer(line):
+        if found.start() <= first or 0 <= closed < found.start():
+            yield found.start()
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:

@@ -61,6 +61,15 @@ def test_a_frame_comes_back_as_it_was_compiled(folder: Path) -> None:
         ]
 
 
+def test_a_text_with_other_directives_reaches_no_driver(folder: Path) -> None:
+    """OpenGL's drivers and browsers compile GLSL themselves."""
+    text = folder / f"{CLAY}.frag.wgsl"
+    text.write_text(f"// first\n  #define A B\n{text.read_text('utf-8')}", "utf-8")
+    assert said(folder) == (
+        f'`{CLAY}.frag.wgsl`, line 2: no text of Burnish has the directive "#define A B"'
+    )
+
+
 def test_texts_for_another_target_are_missed(folder: Path) -> None:
     with pytest.raises(PlanError) as raised:
         read_frame(folder / "Deferred.plan.json", ("glsl:vulkan",))

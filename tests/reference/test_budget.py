@@ -6,6 +6,7 @@ import tracemalloc
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 import burnish
 from burnish.compiler.budget import LIMITS, BudgetError, raised
@@ -86,6 +87,23 @@ def test_the_option_lets_it_pass(tmp_path: Path) -> None:
         assert invoke("render", file, "-o", output, "--size", 16).exit_code == 1
         allowed = invoke("render", file, "-o", output, "--size", 16, "--budget", "memory=1G")
     assert (allowed.exit_code, allowed.stderr) == (0, "")
+
+
+def test_textures_that_the_reference_reads_are_counted(tmp_path: Path) -> None:
+    """It has numbers where a picture has bytes, and a picture has a few where it has one colour."""
+    file, picture = tmp_path / "m.burnish", tmp_path / "a.png"
+    Image.new("L", (2048, 2048)).save(picture)
+    file.write_text("material M {{ {maps} color = {reads} }}".format(
+        maps=" ".join(f"map t{n} : texture2d" for n in range(3)),
+        reads=" + ".join(f"t{n}(uv).rgb" for n in range(3)),
+    ))  # fmt: skip
+    words = [f"--set=t{n}={picture}" for n in range(3)]
+    result = invoke("render", file, "-o", tmp_path / "m.png", "--size", 16, *words)
+    assert result.exit_code == 1
+    assert result.stderr == (
+        "error: what the reference reads of textures takes 1.68 GB, and the limit is 1 GB: "
+        "`--budget memory=1678M` raises it\n"
+    )
 
 
 # --- loops ---------------------------------------------------------------------------------------

@@ -128,6 +128,64 @@ def test_more_parts_than_any_picture_has(tmp_path: Path) -> None:
         Texture.load(path)
 
 
+def scans(count: int, *, side: int = 4) -> bytes:
+    """A progressive JPEG picture whose last scan comes so many times more. Each takes 4 ms where a
+    side has 2000 texels."""
+    stream = BytesIO()
+    Image.new("L", (side, side), 128).save(stream, "JPEG", progressive=True)
+    whole, end = stream.getvalue()[:-2], stream.getvalue()[-2:]
+    return whole + whole[whole.rindex(b"\xff\xda") :] * count + end
+
+
+def test_more_scans_than_any_picture_has(tmp_path: Path) -> None:
+    path = tmp_path / "a.jpg"
+    path.write_bytes(scans(40))
+    assert Texture.load(path).width == 4
+    path.write_bytes(scans(3000))
+    with pytest.raises(PictureError, match=r"is damaged: it has 3,\d+ scans$"):
+        Texture.load(path)
+
+
+def tile(side: int) -> bytes:
+    """A TIFF picture of 16 x 16 grey texels in one deflated tile, which is far larger."""
+    texels = zlib.compressobj()
+    rows = b"".join(texels.compress(bytes(side)) for _ in range(side)) + texels.flush()
+    tags = [
+        (256, 16), (257, 16), (258, 8), (259, 8), (262, 1), (277, 1), (322, side), (323, side),
+        (324, 8), (325, len(rows)),
+    ]  # fmt: skip
+    entries = b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in tags)
+    head = b"II*\0" + struct.pack("<I", 8 + len(rows))
+    return head + rows + struct.pack("<H", len(tags)) + entries + bytes(4)
+
+
+def test_tiles_are_counted_and_not_the_picture_alone(tmp_path: Path) -> None:
+    path = tmp_path / "a.tiff"
+    path.write_bytes(tile(256))
+    assert Texture.load(path).width == 16
+    path.write_bytes(tile(16_384))
+    said, peak = measured(LOADING, str(path), "float", "1000000000")
+    assert said == (
+        "the texture takes 4.29 GB, and the limit is 1 GB: `--budget memory=4295M` raises it"
+    )
+    assert peak < 100 * 10**6
+
+
+def test_tiles_of_floats_are_counted(tmp_path: Path) -> None:
+    import OpenImageIO
+
+    path = tmp_path / "a.exr"
+    spec = OpenImageIO.ImageSpec(16, 16, 4, "float")
+    spec.tile_width = spec.tile_height = 2048
+    sink = OpenImageIO.ImageOutput.create("openexr")
+    assert sink.open(str(path), spec)
+    assert sink.write_image(np.zeros((16, 16, 4), np.float32))
+    assert sink.close()
+    assert path.stat().st_size < 2000
+    with raised({"memory": 50 * 10**6}), pytest.raises(BudgetError, match="the texture takes 101"):
+        Texture.load(path)
+
+
 def test_profiles_and_comments_of_usual_size(tmp_path: Path) -> None:
     path = tmp_path / "a.png"
     noise = np.random.default_rng(1).bytes(900_000)

@@ -56,6 +56,23 @@ FINE = (
 )
 
 
+LONG = {
+    "in a comment": ("// " + "#" * 1_000_000, None),
+    "behind a comment": ("*/" + "#version " * 100_000, None),
+    "extensions": ("*/" + "#extension " * 100_000, None),
+    "spliced": ("// #\\\n" * 200_000, None),
+    "at the end": ("// " + "#" * 1_000_000 + "*/ #define", "#define"),
+}
+"""Lines that take minutes if each beginning of a directive looks at all of its line."""
+
+
+@pytest.mark.parametrize("case", LONG)
+def test_long_lines_are_read_once(case: str) -> None:
+    text, expected = LONG[case]
+    found = foreign_directive(text)
+    assert (found and found[1]) == expected
+
+
 @pytest.mark.parametrize("text", FOREIGN)
 def test_foreign_directives_are_found(text: str) -> None:
     for before, after in (("", ""), ("#version 450\n", "\nvoid main() { }\n")):

@@ -21,6 +21,7 @@ from ....compiler.ir.program import StageName
 from ....compiler.ir.shader import Shader
 from ....compiler.reflection.validation import shown
 from ....garbage import seldom_collected
+from ...toolchain.directives import foreign_directive
 from ..documents import Quota, read_json
 from ..files import read_file
 from .checking import PlanError, check_plan
@@ -179,10 +180,17 @@ class _Reader:
         return data
 
     def _text(self, name: str, what: str) -> str:
+        """A text, which drivers may compile themselves."""
         try:
-            return self._data(self._beside(name, what)).decode("utf-8")
+            text = self._data(self._beside(name, what)).decode("utf-8")
         except UnicodeDecodeError:
             raise PlanError(f"`{name}` is no text in UTF-8") from None
+        if found := foreign_directive(text):
+            line, directive = found
+            raise PlanError(
+                f"`{name}`, line {line}: no text of Burnish has the directive {shown(directive)}"
+            )
+        return text
 
     def _check_schema(self, document: Any, name: str, schema: str) -> None:
         from ....compiler.reflection.schema import errors

@@ -12,6 +12,7 @@ import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
+from math import prod
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, BinaryIO
@@ -41,6 +42,16 @@ _OF_SMALL, _OF_LARGE = (6, 20), (22, 32)
 takes in addition, as measured: of colours in lanes of 8 bits, and of anything else."""
 _PASSING_OF_LAYERS = 5
 """How often the layers of a texture are there while it is made of them, levels included."""
+_SCAN = b"\xff\xda"
+"""What a scan of a JPEG picture begins with."""
+_MOST_SCANS = 64
+"""Of a picture, or of one of its parts. Each is decoded into all texels; encoders write a dozen."""
+_PART = 1 << 20
+"""How many bytes of a file are looked through at once."""
+_TILE_SIZE = 322, 323
+"""The tags of a TIFF picture for the width and the height of its tiles."""
+_BYTES_OF_TILE = 16
+"""The most bytes of a texel in a tile that has been decoded."""
 
 # Pillow tells of damage by exceptions. What it logs besides is not for the terminal.
 logging.getLogger("PIL").addHandler(logging.NullHandler())
@@ -119,6 +130,7 @@ def _decoded(
 ) -> NDArray[Any]:
     with _header_of(file, name, formats) as picture:
         _check_size(picture, name, sample, memory)
+        _check_scans(file, picture, name)
         ImageOps.exif_transpose(picture, in_place=True)
         return _LANES[sample](picture)
 
@@ -151,9 +163,35 @@ def _check_size(picture: ImageFile, name: str, sample: Kind, memory: Tally) -> N
     check("pixels", width * height, f"{name} has")
     is_small = picture.mode in _SMALL and sample == "float"
     kept, passing = _OF_SMALL if is_small else _OF_LARGE
-    memory.add(width * height * kept, passing=width * height * passing)
+    passing = width * height * passing + _texels_of_tile(picture) * _BYTES_OF_TILE
+    memory.add(width * height * kept, passing=passing)
     if len(picture.tile) > PARTS:
         raise PictureError(f"{name} is damaged: it consists of {len(picture.tile):,} parts")
+
+
+def _texels_of_tile(picture: ImageFile) -> int:
+    """How many texels a tile of a TIFF picture has, which may be far larger than the picture."""
+    tags = getattr(picture, "tag_v2", {})
+    return prod(int(tags.get(tag, 0)) for tag in _TILE_SIZE)
+
+
+def _check_scans(file: BinaryIO, picture: ImageFile, name: str) -> None:
+    """Refuse a picture of a few bytes that takes very long to decode: one of many scans."""
+    if picture.format == "JPEG" or "jpeg" in str(picture.info.get("compression")):
+        scans = sum(part.count(_SCAN) for part in _parts_of(file))
+        if scans > _MOST_SCANS * max(len(picture.tile), 1):
+            raise PictureError(f"{name} is damaged: it has {scans:,} scans")
+
+
+def _parts_of(file: BinaryIO) -> Iterator[bytes]:
+    """The bytes of a file, after which it is where it was. Parts overlap by one byte."""
+    place = file.tell()
+    file.seek(0)
+    last = b""
+    while part := file.read(_PART):
+        yield last + part
+        last = part[-1:]
+    file.seek(place)
 
 
 @contextmanager

@@ -92,7 +92,9 @@ def _texels(source: ImageInput, name: str, memory: Tally) -> NDArray[np.float32]
     pixels = spec.width * spec.height
     check("pixels", pixels, f"{name} has")
     beside = _PASSING_OF_PIXEL + spec.nchannels * _BYTES_OF_CHANNEL
-    memory.add(pixels * _KEPT_OF_PIXEL, passing=pixels * beside)
+    # A tile may be far larger than the picture.
+    beside_tile = spec.tile_width * spec.tile_height * spec.nchannels * _BYTES_OF_CHANNEL
+    memory.add(pixels * _KEPT_OF_PIXEL, passing=pixels * beside + beside_tile)
     if spec.deep or spec.depth > 1:
         raise PictureError(f"{name} is no flat picture: it has several values behind a texel")
     channels = _channels(spec.channelnames, name)
