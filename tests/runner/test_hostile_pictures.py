@@ -178,6 +178,7 @@ def test_tiles_of_floats_are_counted(tmp_path: Path) -> None:
     spec = OpenImageIO.ImageSpec(16, 16, 4, "float")
     spec.tile_width = spec.tile_height = 2048
     sink = OpenImageIO.ImageOutput.create("openexr")
+    assert sink is not None
     assert sink.open(str(path), spec)
     assert sink.write_image(np.zeros((16, 16, 4), np.float32))
     assert sink.close()
