@@ -27,6 +27,7 @@ class Told:
     def __init__(self, watcher: Watcher[Path]) -> None:
         self._watcher = watcher
         self._changes: Queue[Path] = Queue()
+        self._seen: Path | None = None
 
     def follow(self, file: Path) -> None:
         self._watcher.follow(file, file, lambda: sources(file, ()))
@@ -37,8 +38,13 @@ class Told:
             self._changes.put(file)
 
     def sees(self, file: Path) -> None:
-        """Wait until a change of this file, and of no other one, is told."""
-        assert self._changes.get(timeout=LIMIT) == file
+        """Wait until a change of this file, and of no other one, is told. A change of the file
+        before may be told twice: it can be looked at in the midst of being written."""
+        found = self._changes.get(timeout=LIMIT)
+        while found == self._seen != file:
+            found = self._changes.get(timeout=LIMIT)
+        assert found == file
+        self._seen = file
 
     def sees_nothing(self) -> None:
         assert self._changes.empty()
