@@ -13,7 +13,7 @@ from .diagnostics import rules
 from .diagnostics.diagnostic import Report
 from .diagnostics.file_names import readable
 from .diagnostics.nearest import suggestion
-from .diagnostics.source import Source, Span
+from .diagnostics.source import Compared, Source, Span
 from .inputs import Inputs
 from .ir.frame import Frame
 from .ir.shader import Shader
@@ -55,6 +55,7 @@ class Frontend:
         """The folder from which outputs count the names of files."""
         self._size = 0
         """How many characters have been read, of all files."""
+        self._compared = Compared()
         self._report = report
         self._records = Records(report)
         self._library = standard_library(FOLDER)
@@ -77,6 +78,7 @@ class Frontend:
         if source is None:
             return None
         source.portable = self._portable(path)
+        source.compared = self._compared
         self._size += len(source.text)
         if self._size > TOTAL_LIMIT:
             limit = f"{TOTAL_LIMIT} characters"
@@ -99,7 +101,7 @@ class Frontend:
         """
         if not check_text(text, name, self._report):
             return None
-        return self._limited(self._loader.main(Source(name, text), None))
+        return self._limited(self._loader.main(Source(name, text, compared=self._compared), None))
 
     def _limited(self, module: Module) -> Module | None:
         """A module that is to be compiled, or ``None`` after reporting that it makes too much of
