@@ -13,7 +13,7 @@ from .diagnostics import rules
 from .diagnostics.diagnostic import Report
 from .diagnostics.file_names import readable
 from .diagnostics.nearest import suggestion
-from .diagnostics.source import Source, Span
+from .diagnostics.source import Compared, Source, Span
 from .inputs import Inputs
 from .ir.frame import Frame
 from .ir.shader import Shader
@@ -37,6 +37,9 @@ _NOT_OWN = {
 MOST_PROGRAMS = 256
 """Materials, kernels and frames of a file, which take up to 0.03 s each to compile for all
 targets."""
+MOST_RECORDS = 1024
+"""All of a file that extend something or are extended, each of which is put together with all that
+it extends."""
 
 
 class Frontend:
@@ -55,6 +58,7 @@ class Frontend:
         """The folder from which outputs count the names of files."""
         self._size = 0
         """How many characters have been read, of all files."""
+        self._compared = Compared()
         self._report = report
         self._records = Records(report)
         self._library = standard_library(FOLDER)
@@ -77,6 +81,7 @@ class Frontend:
         if source is None:
             return None
         source.portable = self._portable(path)
+        source.compared = self._compared
         self._size += len(source.text)
         if self._size > TOTAL_LIMIT:
             limit = f"{TOTAL_LIMIT} characters"
@@ -99,21 +104,29 @@ class Frontend:
         """
         if not check_text(text, name, self._report):
             return None
-        return self._limited(self._loader.main(Source(name, text), None))
+        return self._limited(self._loader.main(Source(name, text, compared=self._compared), None))
 
     def _limited(self, module: Module) -> Module | None:
         """A module that is to be compiled, or ``None`` after reporting that it makes too much of
         it."""
         kinds = ("material", "kernel", "frame")
         programs = [each for kind in kinds for each in records_of(module, kind, abstract=False)]
-        if len(programs) <= MOST_PROGRAMS:
-            return module
-        names = sorted((each.declaration.name.span for each in programs), key=lambda at: at.start)
+        found = (each for symbols in module.declared.values() for each in symbols)
+        records = [s for s in found if isinstance(s.declaration, ast.Record | ast.Mixin)]
+        few = self._are_few(module, programs, "materials, kernels and frames", MOST_PROGRAMS)
+        few = few and self._are_few(module, records, "records and mixins", MOST_RECORDS)
+        return module if few else None
+
+    def _are_few(self, module: Module, symbols: Sequence[Symbol], kinds: str, most: int) -> bool:
+        """Whether a module declares no more of something than is possible; reported if not."""
+        if len(symbols) <= most:
+            return True
+        names = sorted((each.declaration.name.span for each in symbols), key=lambda at: at.start)
         self._report.add(
-            rules.TOO_MANY_PROGRAMS, names[MOST_PROGRAMS],
-            path=module.file.source.name, count=len(programs), most=MOST_PROGRAMS,
+            rules.TOO_MANY_PROGRAMS, names[most],
+            path=module.file.source.name, count=len(symbols), kinds=kinds, most=most,
         )  # fmt: skip
-        return None
+        return False
 
     @property
     def files(self) -> tuple[Path, ...]:

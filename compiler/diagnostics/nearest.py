@@ -11,11 +11,11 @@ _ALIKE = 0.62
 """How similar two names have to be, as ``difflib`` measures it."""
 _SHORT, _ALIKE_IF_SHORT = 4, 0.7
 """Names of up to four letters are similar by chance, as `i` and `pi` or `key` and `eye` are."""
-
-
-_MOST_COMPARED = 100_000
-"""How many names are compared in one text. Nobody reads so many suggestions, and the work would
-grow with the number of unknown names times that of known ones."""
+_LONGEST = 60
+"""Names with more letters are like no other: comparing takes the product of two lengths."""
+_MOST_COMPARED = 10**7
+"""How many letters are compared with letters in all texts of a compile. Nobody reads so many
+suggestions, and the work would grow with the number of unknown names times that of known ones."""
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
@@ -26,7 +26,9 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     """
     from difflib import get_close_matches
 
-    candidates = sorted(set(known) - {name})
+    if len(name) > _LONGEST:
+        return None
+    candidates = sorted({each for each in known if len(each) <= _LONGEST} - {name})
     for candidate in candidates:
         if candidate.casefold() == name.casefold():
             return candidate
@@ -48,20 +50,26 @@ def _continues(name: str, other: str) -> bool:
 
 
 def is_searched_out(source: Source) -> bool:
-    """Whether so many names were compared that no nearest one is looked for in this text."""
-    return source.compared > _MOST_COMPARED
+    """Whether so much was compared that no nearest name is looked for in this text any more."""
+    return source.compared.letters > _MOST_COMPARED
+
+
+def nearest_in(source: Source, name: str, known: Iterable[str]) -> str | None:
+    """The nearest name for one of which a text may have very many; ``None`` when too much was
+    compared: see ``_MOST_COMPARED``."""
+    if is_searched_out(source):
+        return None
+    candidates = set(known)
+    source.compared.letters += len(name) * sum(map(len, candidates))
+    return nearest(name, candidates)
 
 
 def respelling(name: str, span: Span, known: Iterable[str]) -> Hint:
     """A hint to write the nearest name for ``name``, which stands at ``span``.
 
-    In a text with very many unknown names it is not looked for any more: see ``_MOST_COMPARED``.
+    In a text with very many unknown names it is not looked for any more.
     """
-    if is_searched_out(span.source):
-        return ""
-    candidates = set(known)
-    span.source.compared += len(candidates)
-    found = nearest(name, candidates)
+    found = nearest_in(span.source, name, known)
     return "" if found is None else respelt(name, span, found)
 
 

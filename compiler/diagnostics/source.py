@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
-from ...frozen import frozen, record
+from ...frozen import fresh, frozen, record
+
+
+@record
+class Compared:
+    """How much was compared to find what unknown names were meant to be."""
+
+    letters: int = 0
+    """Pairs of letters, of which one is in the unknown name."""
 
 
 @record
@@ -19,8 +27,8 @@ class Source:
     portable: str = ""
     """What outputs call it, whatever folder the compiler runs in: the path from the folder of the
     file that is compiled. Empty where that is ``name``."""
-    compared: int = 0
-    """How many names were compared with unknown ones in this text; ``nearest.py`` keeps count."""
+    compared: Compared = fresh(factory=Compared)
+    """``nearest.py`` keeps count; all texts of a compile have the same one."""
     _line_starts: list[int] | None = None
 
     @property

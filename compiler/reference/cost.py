@@ -2,7 +2,9 @@
 
 Those who draw pictures and run kernels of sources that anybody may have written multiply this by
 the number of pixels or elements, and refuse what would not end. A loop counts as often as its
-bound says: that is known of every loop.
+bound says: that is known of every loop. An operation with vectors or matrices counts as often as
+they have numbers, and one that takes longer as often as simpler ones fit into its time: two
+units for one pixel are about a nanosecond, which is one of the operations that are limited.
 """
 
 from __future__ import annotations
@@ -13,16 +15,25 @@ from typing import NamedTuple
 from ..budget import check
 from ..ir.node import Node, binders, bodies_of, formals_of, reachable
 from ..ir.operations import FOLD, ITERATE
+from ..ir.types import Texture, numbers
 
 _CALL = 1 << 12
 """What calling an operation of NumPy costs beside its work, in numbers that it computes with."""
+_STEP = 2
+"""What an operation costs beside the numbers that it reads and makes."""
+_READ = 100
+"""What a read of a texture costs: it blends several texels, of which it has to find each."""
+_SLOW = {"inverse": 6, "determinant": 3}
+"""How many times as much functions of matrices cost that do not look at each number once."""
+_PARTS = ("swizzle", "member")
+"""Operations that only pick something of a value, however large it is."""
 
 
 class _Cost(NamedTuple):
     """What a node with bodies takes besides its own operation."""
 
     inside: int
-    """How many operations its bodies take, in all turns."""
+    """What its bodies take, in all turns."""
     outside: tuple[Node, ...]
     """What its bodies use that hangs on none of its variables, and so is computed once."""
 
@@ -30,11 +41,11 @@ class _Cost(NamedTuple):
 def check_operations(roots: Sequence[Node], lanes: int, name: str) -> None:
     """Raise ``BudgetError`` if it takes too long to compute these nodes for so many pixels,
     vertices or elements at once, before anybody is told how far it is."""
-    check("operations", operations(roots) * (_CALL + lanes), f"`{name}` takes")
+    check("operations", operations(roots) * (_CALL + lanes) // 2, f"`{name}` takes")
 
 
 def operations(roots: Sequence[Node]) -> int:
-    """How many operations the evaluator computes at most for the values of these nodes."""
+    """How much the evaluator computes at most for the values of these nodes, for one pixel."""
     costs: dict[int, _Cost] = {}
     for node in reachable(roots):  # Operands come first, and so do inner loops.
         if bodies_of(node):
@@ -45,7 +56,19 @@ def operations(roots: Sequence[Node]) -> int:
 def _cost_of(node: Node, costs: dict[int, _Cost]) -> _Cost:
     inside = bodies_of(node)
     once = _walk(node.operands[inside.start : inside.stop], costs, node)
-    return _Cost(once.inside * _turns(node), once.outside)
+    return _Cost((once.inside + _STEP + numbers(node.type)) * _turns(node), once.outside)
+
+
+def _weight(node: Node) -> int:
+    """What a node takes by itself, without its bodies."""
+    if not node.operands:
+        return 1
+    if any(isinstance(operand.type, Texture) for operand in node.operands):
+        return _READ
+    read = () if node.op in _PARTS or bodies_of(node) else node.operands
+    moved = numbers(node.type) + sum(numbers(operand.type) for operand in read)
+    slower = _SLOW.get(str(node.data), 1) if node.op == "call" else 1
+    return _STEP + moved * slower
 
 
 def _turns(node: Node) -> int:
@@ -67,7 +90,7 @@ def _walk(roots: Sequence[Node], costs: dict[int, _Cost], binder: Node | None) -
             outside.append(node)
             continue
         inside = bodies_of(node)
-        count += 1
+        count += _weight(node)
         if inside:
             count += costs[node.id].inside
             pending += costs[node.id].outside

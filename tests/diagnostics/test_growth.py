@@ -6,6 +6,7 @@ import sys
 import tracemalloc
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from types import FrameType
 
 import pytest
@@ -59,21 +60,51 @@ def test_twice_the_text_is_twice_the_work(shape: Callable[[int], str]) -> None:
     assert twice < 2.3 * once
 
 
-def test_unknown_names_are_compared_with_known_ones_only_so_often(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def letters(source: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> int:
+    """How many pairs of letters are compared with each other when a text is checked."""
     compared = 0
     search = nearest.nearest
 
     def counted(name: str, known: set[str]) -> str | None:
         nonlocal compared
-        compared += len(known)
+        compared += len(name) * sum(map(len, known))
         return search(name, known)
 
     monkeypatch.setattr(nearest, "nearest", counted)
-    found = burnish.check(material("\n".join(f"a{i} = unk{i}" for i in range(4000))))
-    assert len(found) == 4000
-    assert compared < 110_000
+    burnish.check(source, search_path=(folder,))
+    return compared
+
+
+def unknown_names(count: int, start: str) -> str:
+    return "\n".join(f"{start}a{i} = {start}unk{i}" for i in range(count))
+
+
+@pytest.mark.parametrize("start", ["", "x" * 30], ids=["short", "long"])
+def test_unknown_names_are_compared_with_known_ones_only_so_often(
+    start: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(nearest, "_MOST_COMPARED", 10**6)
+    assert 10**6 < letters(material(unknown_names(400, start)), tmp_path, monkeypatch) < 2.5e6
+
+
+def test_the_names_of_all_files_count_together(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(nearest, "_MOST_COMPARED", 10**6)
+    imported = []
+    for name in "ABC":
+        text = f"material {name} {{ {unknown_names(400, '')} }}\n"
+        (tmp_path / f"{name}.burnish").write_text(text)
+        imported.append(f'import "{name}.burnish".{{{name}}}\nmaterial My{name} : {name} {{ }}\n')
+    assert 10**6 < letters("".join(imported), tmp_path, monkeypatch) < 2.5e6
+
+
+def test_names_of_very_many_letters_are_like_no_other() -> None:
+    """Comparing takes the product of two lengths, or more."""
+    name = "albedo" * 10
+    assert nearest.nearest(name[:-1], [name]) == name
+    assert nearest.nearest(f"{name}o", [name]) is None
+    assert nearest.nearest(name, [f"{name}o"]) is None
 
 
 LONG = {

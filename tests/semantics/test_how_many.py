@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import burnish
 from burnish.compiler import frontend
 from burnish.compiler.semantics.frames import steps
+from burnish.compiler.semantics.shading import unused
 
 MANY = """import std.frames.{FullScreen}
 material A { }
@@ -32,6 +35,57 @@ def test_a_file_declares_only_so_many_programs(monkeypatch: pytest.MonkeyPatch) 
     assert complaint(f"{MANY}material D {{ }}\n") == (
         "<text>:7:10: B0015 `<text>` declares 4 materials, kernels and frames, and 3 are possible"
     )
+
+
+def test_a_file_declares_only_so_many_records(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With those that are abstract, and with mixins: each is put together with its bases."""
+    monkeypatch.setattr(frontend, "MOST_RECORDS", 5)
+    assert burnish.check(MANY) == ()
+    assert complaint(f"{MANY}mixin D {{ a = 1 }}\n") == (
+        "<text>:7:7: B0015 `<text>` declares 6 records and mixins, and 5 are possible"
+    )
+
+
+def bases(count: int) -> str:
+    """Abstract materials that all extend a large one."""
+    slots = "".join(f" a{number} = {number}" for number in range(50))
+    derived = "".join(f"abstract material D{number} : Base {{ }}\n" for number in range(count))
+    return f"abstract material Base {{{slots} }}\n{derived}"
+
+
+UNUSED = {
+    "bases": bases,
+    "mixins": lambda n: "".join(f"mixin A{i} {{ a{i} = uv.x }}\n" for i in range(n)),
+    "wrong with every light": lambda n: (
+        "".join(f"rig R{i} {{ }}\n" for i in range(n))
+        + "".join(f"abstract material A{i} {{ a = {i} + true }}\n" for i in range(n))
+    ),
+    "wrong with every type": lambda n: "".join(
+        f"fn f{i}<T: floats>(x: T) = x + true + {i}\n" for i in range(n)
+    ),
+}
+
+
+@pytest.mark.parametrize("shape", UNUSED.values(), ids=UNUSED)
+def test_only_so_much_is_tried(
+    shape: Callable[[int], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(unused, "MOST_TRIED", 20_000)
+    tried, attempt = 0, unused._Trial.attempt
+
+    def counted(*arguments: Any, **named: Any) -> Any:
+        nonlocal tried
+        tried += 1
+        return attempt(*arguments, **named)
+
+    monkeypatch.setattr(unused._Trial, "attempt", counted)
+    codes = []
+    for count in (2, 200):
+        tried = 0
+        codes.append([found.rule.code for found in burnish.check(shape(count))])
+    assert "B0016" not in codes[0]
+    assert codes[1].count("B0016") == 1
+    assert tried < 1000
 
 
 def test_what_is_imported_is_not_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -48,6 +48,11 @@ def unread_lights(count: int) -> str:
     return f"{declared}\nmaterial M {{ }}"
 
 
+def structures(count: int) -> str:
+    declared = lines(count, lambda i: f"struct S{i} {{ a : float }}")
+    return f"{declared}\nmaterial M {{ }}"
+
+
 def work(program: str) -> int:
     """How many lines of Python it takes to check a program."""
     lines_run = 0
@@ -75,6 +80,7 @@ def work(program: str) -> int:
         (functions_twice, 100),
         (signs, 200),
         (unread_lights, 24),
+        (structures, 400),
     ],
 )
 def test_twice_the_program_is_twice_the_work(program: Callable[[int], str], size: int) -> None:

@@ -82,7 +82,13 @@ TOO_MUCH_IMPORTED = error(
 )
 TOO_MANY_PROGRAMS = error(
     "B0015",
-    "`{path}` declares {count} materials, kernels and frames, and {most} are possible",
-    "All that are not abstract are compiled together. Divide the file; what several files need "
-    "belongs into one that they import.",
+    "`{path}` declares {count} {kinds}, and {most} are possible",
+    "All that are not abstract are compiled together, and all others are checked together. Divide "
+    "the file; what several files need belongs into one that they import.",
+)
+TOO_MUCH_UNUSED = error(
+    "B0016",
+    "with `{name}`, more than {most} characters of `{path}` would be tried",
+    "What no shader uses is checked by trying it, with a material and lights of the file, and with "
+    "others until it is right; each try reads all that it extends. Divide the file.",
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics.nearest import nearest
+from ...diagnostics.nearest import nearest_in
 from ...ir.types import RuntimeArray, Texture
 from ...syntax import ast
 from ..inheritance.records import Definition
@@ -31,7 +31,7 @@ def way_to_set(instance: Instance, definition: Definition, declared: Declared) -
         value = f"give it a value, `{name} : {declared.text} = …`"
         return f"{value}, or let others extend it: `abstract {kind} {record.name}`"
     own = (n for n, found in record.definitions.items() if found[-1].owner is record.symbol)
-    slip = nearest(name, own)
+    slip = nearest_in(member.name.span.source, name, own)
     if slip is not None:
         return f"`{slip}` is declared in `{record.name}`: did you mean `{name}`?"
     about = f": {member.doc}" if member.doc else ""

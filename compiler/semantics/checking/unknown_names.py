@@ -7,7 +7,7 @@ from itertools import chain
 from types import MappingProxyType
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import is_searched_out, nearest
+from ...diagnostics.nearest import nearest_in
 from ...diagnostics.source import Span
 from ...ir.stages import PATCH_INDEX, PRIMITIVE_INDEX
 from ...syntax import ast
@@ -119,7 +119,7 @@ def unknown_here(
     if name not in module.missing:
         if module.incomplete:
             known = list(known)
-            if is_searched_out(span.source) or nearest(name, known) is None:
+            if nearest_in(span.source, name, known) is None:
                 return  # The file that could not be imported may declare it.
         hint = module.hint(ast.Name(name, span), known) or advice.undeclared(kind, name)
         ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 from functools import cache, partial
+from itertools import chain
 
 from ....frozen import EMPTY
 from ...diagnostics import rules
@@ -199,7 +200,8 @@ def _members(
 def named_struct(ctx: Context, name: str, members: tuple[tuple[str, Type], ...]) -> Struct:
     """A structure for the texts, where one name cannot stand for two: files may each have a
     ``Layer``, and lights of one kind have fewer members where a rig sets one of them."""
-    names = (name, *(f"{name}_{number}" for number in range(2, 3 + len(ctx.types.struct_members))))
+    numbers_behind = range(2, 3 + len(ctx.types.struct_members))
+    names = chain([name], (f"{name}_{number}" for number in numbers_behind))
     free = next(n for n in names if ctx.types.struct_members.get(n, members) == members)
     ctx.types.struct_members[free] = members
     return Struct(free, members)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from ....frozen import changed
 from ....stdlib.builtins.facts import UNKNOWN
 from ...diagnostics import rules
-from ...diagnostics.nearest import nearest
+from ...diagnostics.nearest import nearest_in
 from ...diagnostics.source import Span
 from ...ir.frame import Elements, FromHost, Given, Image, Previous, Source
 from ...ir.shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
@@ -95,7 +95,7 @@ class Inputs:
     def lacks(self, required: Iterable[ast.Name]) -> list[ast.Name]:
         """Which of these inputs are not given, not even by a name that is misspelt: of that one
         ``report_unknown`` says what was meant."""
-        misspelt = {nearest(name.text, self._seen) for name in self._unmet()}
+        misspelt = {nearest_in(name.span.source, name.text, self._seen) for name in self._unmet()}
         return [name for name in required if not self.sets(name.text) and name.text not in misspelt]
 
     def _unmet(self) -> list[ast.Name]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import nearest, respelt
+from ...diagnostics.nearest import nearest_in, respelt
 from ...syntax import ast
 from ..checking.lights import light_instance
 from ..checking.slots import slot
@@ -73,7 +73,7 @@ def _check_spelling(
         return
     if owner.module is not surface.record.symbol.module:
         return
-    meant = nearest(name, inherited)
+    meant = nearest_in(member.name.span.source, name, inherited)
     if meant is not None and not surface.record.baseless:
         hint = respelt(name, member.name.span, meant)
         ctx.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)

@@ -8,10 +8,12 @@ with the fewest errors are reported.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from functools import cached_property, partial
 from itertools import chain, islice, product
 
 from ....frozen import changed, frozen
+from ...diagnostics import rules
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...ir.node import Node
 from ...syntax import ast
@@ -46,6 +48,9 @@ MOST_EXAMPLES = 256
 """So many ways to fill in type parameters are tried."""
 MOST_SETTINGS = 16
 """With so many materials and lights a declaration is tried that is wrong with all of them."""
+MOST_TRIED = 1_000_000
+"""How many characters of declarations are tried in a compile, each as often as it is: about five
+seconds. What a record extends is tried with it, down to what the library declares."""
 
 Check = Callable[[Setting], bool]
 """Reports what it finds, and says whether it came to values."""
@@ -79,6 +84,10 @@ class CandidateContexts:
     """Rigs and passes with one of which a concrete material has to agree."""
 
 
+class _TooMuchError(Exception):
+    """More would be tried than may be, which has been reported."""
+
+
 class UnusedDeclarations:
     """The declarations of a file that its shaders have not ``reached``."""
 
@@ -97,18 +106,60 @@ class UnusedDeclarations:
         self._reached = reached
         self._report = report
         self._records = records
+        self._tried_length = 0
         self._trials = {setting.parts: _Trial(setting) for setting in settings}
 
     def check(self) -> None:
         """Report what is wrong with them; what records use counts as checked with them."""
-        self._check(ast.Record)
-        self._check(ast.Rig, ast.Mixin)
-        self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
+        with suppress(_TooMuchError):
+            self._check(ast.Record)
+            self._check(ast.Rig, ast.Mixin)
+            self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
 
     def _check(self, *kinds: type) -> None:
         for symbol in self._declared:
             if isinstance(symbol.declaration, kinds) and symbol not in self._reached:
-                self._tell(self._attempts(symbol))
+                self._tell(self._counted(symbol))
+
+    def _counted(self, symbol: Symbol) -> Iterator[Attempt]:
+        """The attempts for a declaration, as long as not too much has been tried.
+
+        The first one is not counted for a material that can be drawn, of which there are few, nor
+        for a function or constant, which takes as long as its text is.
+        """
+        match symbol.declaration:
+            case ast.Record(kind="material", abstract=False):
+                from_first = False
+            case declaration:
+                from_first = isinstance(declaration, ast.Record | ast.Mixin | ast.Rig)
+        length = self._length(symbol)
+        for number, attempt in enumerate(self._attempts(symbol)):
+            self._tried_length += length if from_first or number else 0
+            if self._tried_length > MOST_TRIED:
+                self._report.add(
+                    rules.TOO_MUCH_UNUSED, symbol.declaration.name.span,
+                    path=self._module.file.source.name, name=symbol.name, most=f"{MOST_TRIED:,}",
+                )  # fmt: skip
+                raise _TooMuchError
+            yield attempt
+
+    def _length(self, symbol: Symbol) -> int:
+        """How many characters are read to try a declaration once."""
+        match symbol.declaration:
+            case ast.Record(kind=kind):
+                length = sum(_written(each) for each in self._records.of(symbol).chain)
+                return length + self._material if kind == "pass" else length
+            case ast.Rig():
+                return _written(symbol) + self._material
+            case ast.Mixin():
+                return sum(_written(each) for each in self._records.alone(symbol).chain)
+            case _:
+                return _written(symbol)
+
+    @cached_property
+    def _material(self) -> int:
+        """The length of the longest material with which passes and rigs are tried."""
+        return max(map(self._length, self._around.materials))
 
     @cached_property
     def _declared(self) -> list[Symbol]:
@@ -197,6 +248,11 @@ class UnusedDeclarations:
             setting = set_up(parts, self._report.apart(), self._records)
             self._trials[parts] = _Trial(setting)
         return self._trials[parts]
+
+
+def _written(symbol: Symbol) -> int:
+    """How many characters its declaration takes."""
+    return symbol.declaration.span.end - symbol.declaration.span.start
 
 
 def _is_material(symbol: Symbol) -> bool:
