@@ -61,7 +61,9 @@ def read_json(data: bytes, name: str, quota: Quota | None = None) -> Any:
             parse_int=_integer,
         )  # fmt: skip
         _check_nesting(found)
-        if _HALF.search(text):
+        may_have_halves = _HALF.search(text) is not None
+        del text  # It takes up to four times its bytes, and so may what follows.
+        if may_have_halves:
             json.dumps(found, ensure_ascii=False).encode("utf-8")
     except json.JSONDecodeError as error:
         reason = f"{error.msg}, line {error.lineno}, column {error.colno}"

@@ -9,9 +9,12 @@ import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.budget import BudgetError, raised
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.live import most_live
-from burnish.compiler.reference.picture import Expected, Geometry, RasterRules, tiles
+from burnish.compiler.reference.picture import Expected, Geometry, RasterRules, drawing, tiles
+from burnish.compiler.reference.picture.coverage import Coverage, coverage_of
+from burnish.compiler.reference.picture.faces import Faces
 
 from .kit import few_ulps, geometry, picture, shader
 
@@ -59,6 +62,32 @@ def test_tiles_do_not_show(samples: int, errors: Any, monkeypatch: pytest.Monkey
         found = _drawn(given, 5, SIDE, errors)
         for one, other in zip(_arrays(whole), _arrays(found), strict=True):
             assert np.array_equal(one, other, equal_nan=True)
+
+
+def test_a_tile_has_the_faces_that_may_cover_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So many small faces in a large picture take no longer than few for each tile."""
+    monkeypatch.setattr(tiles, "MOST", 100)
+    given, counts = shader(BLENDED.format(1), "P"), list[int]()
+
+    def counted(faces: Faces, *rest: Any) -> Coverage:
+        counts.append(len(faces.area))
+        return coverage_of(faces, *rest)
+
+    monkeypatch.setattr(drawing, "coverage_of", counted)
+    places = np.linspace(-0.95, 0.95, 20)
+    corners = np.array([(0.0, 0.0), (0.04, 0.0), (0.0, 0.04)])
+    grid = np.stack(np.meshgrid(places, places), axis=-1).reshape(-1, 1, 2) + corners
+    flat = grid.reshape(-1, 2)
+    place = np.hstack([flat, np.full((len(flat), 1), 0.5), np.ones((len(flat), 1))])
+    triangles = np.arange(len(flat)).reshape(-1, 3)
+    picture(given, geometry(triangles, place=place), RasterRules(48, 48, 8))
+    assert len(counts) > 16
+    assert sum(counts) < 4 * len(triangles)
+
+
+def test_very_many_faces_are_refused() -> None:
+    with raised({"memory": 1000}), pytest.raises(BudgetError, match="what is drawn of `M` needs"):
+        picture(shader(BLENDED.format(1), "P"), _squares(1), RasterRules(1, 1, 8))
 
 
 def _arrays(picture: Expected) -> list[Any]:

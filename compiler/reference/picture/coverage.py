@@ -42,6 +42,10 @@ class Fragments:
         """Some of them."""
         return Fragments(self.face[which], self.sample[which])
 
+    def renumbered(self, faces: Ints) -> Fragments:
+        """The same, where each face has the number that ``faces`` has for it."""
+        return Fragments(faces[self.face], self.sample)
+
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
@@ -60,6 +64,11 @@ class Coverage:
         order = np.argsort(every.face, kind="stable")
         certain: Bools = order < int(sure.sum())
         return every.only(order), certain
+
+    def renumbered(self, faces: Ints) -> Coverage:
+        """The same, where each face has the number that ``faces`` has for it."""
+        fragments, doubtful = self.fragments.renumbered(faces), self.doubtful.renumbered(faces)
+        return Coverage(fragments, self.certain, doubtful)
 
 
 @dataclass(frozen=True, slots=True)

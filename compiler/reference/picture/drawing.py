@@ -40,6 +40,9 @@ from .stage_evaluation import PIXELS_AT_ONCE, StageEvaluator, Vertices
 from .stencil import StencilTest
 from .tiles import Tile, tiles
 
+_BYTES_OF_FACE = 1000
+"""What is kept of each triangle or line while it is drawn, as measured."""
+
 Tell = Callable[[float], None]
 """Called with the part of the work that is done, from 0 to 1."""
 
@@ -122,6 +125,9 @@ class _Drawing:
         errors: Errors | None,
     ) -> None:
         self._rules = rules
+        size = len(geometry.triangles) * _BYTES_OF_FACE
+        with holding(size, f"what is drawn of `{shader.name}` needs"):
+            pass
         check_operations([result.value for result in shader.results], PIXELS_AT_ONCE, shader.name)
         self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
@@ -165,16 +171,24 @@ class _Drawing:
     def draw(self, progress: Tell | None, hulls: Hulls | None) -> None:
         """Draw all fragments on the canvas, those of one tile after those of another."""
         done, whole = 0, Tile.of(self._rules)
-        for tile in tiles(self._faces, whole, self._rules):
+        for tile, near in tiles(self._faces, whole, self._rules):
             begin, share = done / whole.pixels, tile.pixels / whole.pixels
             tell = None if progress is None else _within(progress, begin, share)
-            self._draw_tile(tile.within(self._rules), tell, hulls)
+            self._draw_tile(tile.within(self._rules), near, tell, hulls)
             done += tile.pixels
 
-    def _draw_tile(self, rules: RasterRules, progress: Tell | None, hulls: Hulls | None) -> None:
-        """Draw the fragments in a part of the picture, which is the scissor of these rules."""
+    def _draw_tile(
+        self, rules: RasterRules, near: Ints, progress: Tell | None, hulls: Hulls | None
+    ) -> None:
+        """Draw the fragments in a part of the picture, which is the scissor of these rules, and
+        which no faces cover but those that are ``near``."""
         canvas = self._canvas
-        coverage = coverage_of(self._faces, rules, len(self._lanes))
+        is_whole = len(near) == len(self._faces.area)
+        coverage = (
+            coverage_of(self._faces, rules, len(self._lanes))
+            if is_whole
+            else coverage_of(self._faces.only(near), rules, len(self._lanes)).renumbered(near)
+        )
         fragments, sure = coverage.fragments, coverage.certain
         seen = self._let_through(fragments)
         fragments, sure = fragments.only(seen), sure[seen]

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .faces import Faces
-from .scene import RasterRules
+from .scene import Floats, Ints, RasterRules
 
 MOST = 1 << 18
 """How many samples all faces in a tile may cover together, unless it is a single pixel."""
@@ -52,26 +52,30 @@ class Tile:
         return replace(self, right=middle), replace(self, left=middle)
 
 
-def tiles(faces: Faces, whole: Tile, rules: RasterRules) -> Iterator[Tile]:
-    """The tiles of a picture, from its top to its bottom."""
-    pending = [whole] if whole.pixels else []
+def tiles(faces: Faces, whole: Tile, rules: RasterRules) -> Iterator[tuple[Tile, Ints]]:
+    """The tiles of a picture, from its top to its bottom, each with the numbers of the faces that
+    may cover something in it: of very many, a tile has few."""
+    pending = [(whole, np.arange(len(faces.area)))] if whole.pixels else []
     while pending:
-        tile = pending.pop()
-        if tile.pixels > 1 and _most_samples(faces, tile, rules) > MOST:
-            pending += reversed(tile.halves())
+        tile, near = pending.pop()
+        covered = _most_covered(faces, near, tile)
+        near = near[covered != 0]  # It is NaN where nobody knows.
+        if tile.pixels > 1 and np.nansum(covered) * rules.samples > MOST:
+            pending += [(half, near) for half in reversed(tile.halves())]
         else:
-            yield tile
+            yield tile, near
 
 
-def _most_samples(faces: Faces, tile: Tile, rules: RasterRules) -> float:
-    """How many samples of a tile faces may cover together: those of the rectangles around them."""
-    slack = faces.unsure.max(axis=1, initial=0.0) + 1.0
+def _most_covered(faces: Faces, near: Ints, tile: Tile) -> Floats:
+    """How many pixels of a tile each of some faces may cover: those of the rectangle around it."""
+    slack = faces.unsure[near].max(axis=1, initial=0.0) + 1.0
     sides = []
     for places, first, last in (
-        (faces.x, tile.left, tile.right),
-        (faces.y, tile.top, tile.bottom),
+        (faces.x[near], tile.left, tile.right),
+        (faces.y[near], tile.top, tile.bottom),
     ):
         begin = np.clip(places.min(axis=1) - slack, first, last)
         end = np.clip(places.max(axis=1) + slack, first, last)
         sides.append(end - begin)
-    return float(np.nansum(sides[0] * sides[1])) * rules.samples
+    most: Floats = sides[0] * sides[1]
+    return most
