@@ -10,9 +10,7 @@ A trial is named by its kind and a number, such as ``scenes:57``, which always g
 
 from __future__ import annotations
 
-import resource
 import signal
-import sys
 import time
 import traceback
 from collections import Counter
@@ -27,6 +25,7 @@ from typing import NamedTuple
 
 from burnish.targets.runner.scenes.gltf.reading import read_gltf
 
+from ..suite.memory import most_memory
 from .hostile import folders, outputs, picture_bytes, plans, requests, scene_bytes
 
 SECONDS = 10
@@ -120,7 +119,7 @@ class Received:
                     self._trials[kind](Random(name), Path(folder))
             except Exception:
                 return Trouble(name, traceback.format_exc())
-        taken = _most_memory()
+        taken = most_memory()
         return Trouble(name, f"the process has come to {taken} bytes") if taken > MEMORY else None
 
 
@@ -138,9 +137,3 @@ def _limited() -> Iterator[None]:
     finally:
         signal.alarm(0)
         signal.signal(signal.SIGALRM, before)
-
-
-def _most_memory() -> int:
-    """The most memory that this process has had, in bytes."""
-    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return most if sys.platform == "darwin" else most * 1024

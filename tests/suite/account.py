@@ -6,13 +6,12 @@ the workers send the main process what they needed.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Generator, Iterator
-from pathlib import Path
-from resource import RUSAGE_SELF, getrusage
 from typing import TypeVar
 
 import pytest
+
+from .memory import most_memory
 
 MEMORY_AIM = 1000
 """How many megabytes a worker needs at most, if nothing grows that should not."""
@@ -42,7 +41,7 @@ class Account:
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         """Called in every process when it has run its last test, before the summary."""
-        needed = _megabytes()
+        needed = round(most_memory() / 1e6)
         output = getattr(session.config, OUTPUT, None)
         if output is not None:
             output["memory"] = needed
@@ -67,19 +66,6 @@ class Account:
         if worker > MEMORY_AIM:
             yield f"        that is too much: a process should need {MEMORY_AIM} MB at most"
         yield f"skipped: {skipped}, each for a reason that tests may have"
-
-
-def _megabytes() -> int:
-    """The most memory that this process had at once.
-
-    On Linux, what ``getrusage`` says of a process includes the memory of the one that started it.
-    """
-    try:
-        found = re.search(r"VmHWM:\s*(\d+) kB", Path("/proc/self/status").read_text("ascii"))
-    except FileNotFoundError:
-        found = None
-    kibibytes = int(found[1]) if found else getrusage(RUSAGE_SELF).ru_maxrss
-    return round(kibibytes * 1024 / 1e6)
 
 
 def pytest_configure(config: pytest.Config) -> None:
