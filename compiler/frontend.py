@@ -113,9 +113,10 @@ class Frontend:
         programs = [each for kind in kinds for each in records_of(module, kind, abstract=False)]
         found = (each for symbols in module.declared.values() for each in symbols)
         records = [s for s in found if isinstance(s.declaration, ast.Record | ast.Mixin)]
-        few = self._are_few(module, programs, "materials, kernels and frames", MOST_PROGRAMS)
-        few = few and self._are_few(module, records, "records and mixins", MOST_RECORDS)
-        return module if few else None
+        are_few = self._are_few(
+            module, programs, "materials, kernels and frames", MOST_PROGRAMS
+        ) and self._are_few(module, records, "records and mixins", MOST_RECORDS)
+        return module if are_few else None
 
     def _are_few(self, module: Module, symbols: Sequence[Symbol], kinds: str, most: int) -> bool:
         """Whether a module declares no more of something than is possible; reported if not."""
@@ -123,7 +124,7 @@ class Frontend:
             return True
         names = sorted((each.declaration.name.span for each in symbols), key=lambda at: at.start)
         self._report.add(
-            rules.TOO_MANY_PROGRAMS, names[most],
+            rules.TOO_MANY_DECLARED, names[most],
             path=module.file.source.name, count=len(symbols), kinds=kinds, most=most,
         )  # fmt: skip
         return False

@@ -80,7 +80,7 @@ TOO_MUCH_IMPORTED = error(
     "with `{path}`, the imported files are larger than {limit}",
     "A file and all that it imports are read as a whole. Import only what is used.",
 )
-TOO_MANY_PROGRAMS = error(
+TOO_MANY_DECLARED = error(
     "B0015",
     "`{path}` declares {count} {kinds}, and {most} are possible",
     "All that are not abstract are compiled together, and all others are checked together. Divide "
