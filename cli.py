@@ -50,14 +50,15 @@ def _exit_code(arguments: list[str]) -> int:
         from .garbage import SELDOM
 
         gc.set_threshold(*SELDOM)
+        from .commands.waking import wake_on_signals
+
         _heed_termination()
+        wake_on_signals()
         succeeded = _compiled(arguments, question)
         if succeeded is not None:
             return 0 if succeeded else FAILED
         from .commands.group import burnish
-        from .commands.waking import wake_on_signals
 
-        wake_on_signals()
         burnish.main(arguments, obj=question)
     except KeyboardInterrupt:
         return interrupted()
@@ -96,12 +97,13 @@ def _leave_threads(code: int) -> None:
     """
     import threading
 
-    others = [each for each in threading.enumerate() if each is not threading.current_thread()]
+    threads = [each for each in threading.enumerate() if each is not threading.current_thread()]
+    # One that the interruption met just as it was started has no identifier, nor anything to do.
+    others = [each for each in threads if each.ident is not None and not each.daemon]
     end = time.monotonic() + PATIENCE
     for thread in others:
-        if not thread.daemon:
-            thread.join(max(0.0, end - time.monotonic()))
-    if any(thread.is_alive() for thread in others if not thread.daemon):
+        thread.join(max(0.0, end - time.monotonic()))
+    if any(thread.is_alive() for thread in others):
         os._exit(code)
 
 

@@ -4,33 +4,47 @@ from __future__ import annotations
 
 import signal
 import sys
+import threading
 
 import pytest
+
+from burnish import cli
 
 from ..suite.processes import started
 
 WAITING = """
 import signal, sys
 from threading import Event, Thread
-from burnish.commands.waking import wake_on_signals
+from burnish import cli
+from burnish.commands import compilation, group
 
 def tell():
     print("waits", flush=True)
     Event().wait()
 
-wake_on_signals()
-Thread(target=tell, daemon=True).start()
-signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])  # So the other thread gets it.
-try:
+def wait(*_arguments, **_options):
+    Thread(target=tell, daemon=True).start()
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])  # So the other thread gets it.
     Event().wait()
-except KeyboardInterrupt:
-    sys.exit(130)
+
+compilation.succeeds = wait
+group.burnish.main = wait
+cli.main()
 """
 
 
 @pytest.mark.usefixtures("interruptible")
-def test_the_main_thread_is_woken() -> None:
-    with started([sys.executable, "-c", WAITING]) as program:
+@pytest.mark.parametrize("line", ["compile m.burnish -o out --validate", "doctor"])
+def test_the_main_thread_is_woken(line: str) -> None:
+    """However a command is run: a plain ``compile`` does not go through click."""
+    with started([sys.executable, "-c", WAITING, *line.split()]) as program:
         assert program.line() == b"waits\n"
         program.signal(signal.SIGINT)
         assert program.exit_code(10) == 130
+
+
+def test_a_thread_that_was_just_being_started(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C may come before it runs; ``threading.enumerate`` lists it all the same."""
+    threads = [threading.current_thread(), threading.Thread()]
+    monkeypatch.setattr(threading, "enumerate", lambda: threads)
+    cli._leave_threads(130)
