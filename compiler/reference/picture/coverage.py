@@ -42,6 +42,10 @@ class Fragments:
         """Some of them."""
         return Fragments(self.face[which], self.sample[which])
 
+    def of(self, faces: Ints) -> Fragments:
+        """Those of some faces, as those of all faces, among which these have these numbers."""
+        return Fragments(faces[self.face], self.sample)
+
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
@@ -89,6 +93,14 @@ class _Spans:
 
     def part(self, begin: int, end: int) -> _Spans:
         return _Spans(*(getattr(self, name)[begin:end] for name in self.__slots__))
+
+
+def coverage_within(faces: Faces, some: Ints, rules: RasterRules, targets: int) -> Coverage:
+    """As ``coverage_of``, of only some faces, with these numbers in ascending order."""
+    if len(some) == len(faces.area):
+        return coverage_of(faces, rules, targets)
+    found = coverage_of(faces.only(some), rules, targets)
+    return Coverage(found.fragments.of(some), found.certain, found.doubtful.of(some))
 
 
 def coverage_of(faces: Faces, rules: RasterRules, targets: int = 1) -> Coverage:

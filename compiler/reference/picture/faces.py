@@ -66,8 +66,8 @@ class Faces:
     per_w_off: Floats
     """(faces,): by how much these two may differ on a device."""
 
-    def only(self, kept: Bools) -> Faces:
-        """The faces for which ``kept`` is true."""
+    def only(self, kept: Bools | Ints) -> Faces:
+        """The faces for which ``kept`` is true, or those with these numbers."""
         return replace(self, **{row.name: getattr(self, row.name)[kept] for row in fields(self)})
 
     def settled(

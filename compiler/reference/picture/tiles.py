@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .faces import Faces
-from .scene import RasterRules
+from .scene import Floats, Ints, RasterRules
 
 MOST = 1 << 18
 """How many samples all faces in a tile may cover together, unless it is a single pixel."""
@@ -52,26 +52,45 @@ class Tile:
         return replace(self, right=middle), replace(self, left=middle)
 
 
-def tiles(faces: Faces, whole: Tile, rules: RasterRules) -> Iterator[Tile]:
-    """The tiles of a picture, from its top to its bottom."""
-    pending = [whole] if whole.pixels else []
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """The rectangles around some faces, wider by what rounding may add to them."""
+
+    face: Ints
+    """The numbers of the faces, in ascending order."""
+    ends: Floats
+    """(4, faces): of each its left and right end, and then its upper and lower one."""
+
+    @classmethod
+    def of(cls, faces: Faces) -> _Around:
+        """Those of all faces."""
+        slack = faces.unsure.max(axis=1, initial=0.0) + 1.0
+        ends = [
+            end
+            for places in (faces.x, faces.y)
+            for end in (places.min(axis=1) - slack, places.max(axis=1) + slack)
+        ]
+        return cls(np.arange(len(slack)), np.stack(ends))
+
+    def within(self, tile: Tile) -> tuple[_Around, float]:
+        """Those that touch a tile, and how many of its pixels all of them have together."""
+        left, right = np.clip(self.ends[:2], tile.left, tile.right)
+        upper, lower = np.clip(self.ends[2:], tile.top, tile.bottom)
+        pixels = (right - left) * (lower - upper)
+        some = pixels > 0
+        return _Around(self.face[some], self.ends[:, some]), float(pixels[some].sum())
+
+
+def tiles(faces: Faces, whole: Tile, rules: RasterRules) -> Iterator[tuple[Tile, Ints]]:
+    """The tiles of a picture, from its top to its bottom, and the faces that may touch each.
+
+    Only these are looked at where a tile is halved, as there may be as many tiles as faces.
+    """
+    pending = [(whole, _Around.of(faces))] if whole.pixels else []
     while pending:
-        tile = pending.pop()
-        if tile.pixels > 1 and _most_samples(faces, tile, rules) > MOST:
-            pending += reversed(tile.halves())
+        tile, around = pending.pop()
+        within, pixels = around.within(tile)
+        if tile.pixels > 1 and pixels * rules.samples > MOST:
+            pending += [(half, within) for half in reversed(tile.halves())]
         else:
-            yield tile
-
-
-def _most_samples(faces: Faces, tile: Tile, rules: RasterRules) -> float:
-    """How many samples of a tile faces may cover together: those of the rectangles around them."""
-    slack = faces.unsure.max(axis=1, initial=0.0) + 1.0
-    sides = []
-    for places, first, last in (
-        (faces.x, tile.left, tile.right),
-        (faces.y, tile.top, tile.bottom),
-    ):
-        begin = np.clip(places.min(axis=1) - slack, first, last)
-        end = np.clip(places.max(axis=1) + slack, first, last)
-        sides.append(end - begin)
-    return float(np.nansum(sides[0] * sides[1])) * rules.samples
+            yield tile, within.face

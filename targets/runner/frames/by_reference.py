@@ -92,7 +92,7 @@ class ReferenceFrames:
         steps = plan["steps"]
         for number, step in enumerate(steps):
             if is_first or not step.get("only_first", False):
-                self._step(step, is_first)
+                self._step(step, is_first, _part_of(progress, number, len(steps)))
             if progress is not None:
                 progress((number + 1) / len(steps))
         for row in plan["kept"]:
@@ -128,7 +128,7 @@ class ReferenceFrames:
         self.textures[texture] = made
         return made
 
-    def _step(self, step: Row, is_first: bool) -> None:
+    def _step(self, step: Row, is_first: bool, progress: Progress | None) -> None:
         match step["kind"]:
             case "copy":
                 source, target = step["from"]["texture"], step["to"]["texture"]
@@ -136,9 +136,9 @@ class ReferenceFrames:
             case "run":
                 self._run(step, self.host.kernel(step, is_first=is_first))
             case _:
-                self._draw(step, is_first)
+                self._draw(step, is_first, progress)
 
-    def _draw(self, step: Row, is_first: bool) -> None:
+    def _draw(self, step: Row, is_first: bool, progress: Progress | None) -> None:
         draws = list(self.host.draws(step, is_first=is_first))
         targets = list(attachments(step))
         for target in targets:
@@ -153,17 +153,25 @@ class ReferenceFrames:
             else (self.host.plan["textures"][targets[0]["texture"]]["layers"])
         )
         for layer in range(layers):
-            self._draw_layer(step, draws, layer)
+            self._draw_layer(step, draws, layer, _part_of(progress, layer, layers))
 
-    def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
+    def _draw_layer(
+        self, step: Row, draws: list[FrameDraw], layer: int, progress: Progress | None
+    ) -> None:
         shader = drawable(self._shader(step["draws"][0]["uses"][0]["shader"]))
         rules = self._rules_of(step, shader)
         size = canvas_size(rules.sample_count, len(step["targets"]))
         with holding(size, f"the step `{step['name']}` needs"):
-            self._draw_on_canvas(step, draws, layer, shader, rules)
+            self._draw_on_canvas(step, draws, layer, shader, rules, progress)
 
     def _draw_on_canvas(
-        self, step: Row, draws: list[FrameDraw], layer: int, shader: Shader, rules: RasterRules
+        self,
+        step: Row,
+        draws: list[FrameDraw],
+        layer: int,
+        shader: Shader,
+        rules: RasterRules,
+        progress: Progress | None,
     ) -> None:
         depth = step["depth"]
         canvas = Canvas(
@@ -174,8 +182,9 @@ class ReferenceFrames:
         )  # fmt: skip
         hulls = Hulls(canvas)
         load(canvas, hulls, step, layer, self.textures)
-        for draw in draws:
-            self._onto(canvas, hulls, draw, rules, layer)
+        for number, draw in enumerate(draws):
+            tell = _part_of(progress, number, len(draws))
+            self._onto(canvas, hulls, draw, rules, layer, tell)
         store(canvas, hulls, step, layer, rules, self.textures)
         self.counted |= canvas.counted
 
@@ -194,13 +203,19 @@ class ReferenceFrames:
         return self.host.shaders[number].shader
 
     def _onto(
-        self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
+        self,
+        canvas: Canvas,
+        hulls: Hulls,
+        draw: FrameDraw,
+        rules: RasterRules,
+        layer: int,
+        progress: Progress | None,
     ) -> None:
         """Draw on a canvas; where a shader draws each layer by itself, this one."""
         drawn = self._drawn_of(draw, layer)
         draw_onto(
             canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
-            hulls=None if self.errors is None else hulls,
+            progress, hulls=None if self.errors is None else hulls,
         )  # fmt: skip
 
     def _drawn_of(self, draw: FrameDraw, layer: int) -> Inputs:
@@ -266,3 +281,10 @@ class ReferenceFrames:
             },
             [drawn], 0,
         )  # fmt: skip
+
+
+def _part_of(progress: Progress | None, number: int, total: int) -> Progress | None:
+    """What is told of one of several parts of the work, as what is told of all of it."""
+    if progress is None:
+        return None
+    return lambda share: progress((number + share) / total)
