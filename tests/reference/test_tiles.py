@@ -114,7 +114,7 @@ def test_tiles_look_only_at_the_faces_that_touch_them(monkeypatch: pytest.Monkey
     """There may be as many tiles as faces. What is looked at grows only with their logarithm."""
     monkeypatch.setattr(tiles, "MOST", 64)
     rules = RasterRules(64, 64, 8)
-    looked = []
+    looked: list[int] = []
     within = tiles._Around.within
 
     def counted(around: Any, tile: tiles.Tile) -> Any:

@@ -69,6 +69,8 @@ class ReferenceFrames:
     """By the name of the result."""
     counted: Counted = frozenset()
     """The rare rules on which it hangs what has been drawn so far."""
+    told: Progress | None = None
+    """What is told how much of the present step, layer and draw is done."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -92,7 +94,8 @@ class ReferenceFrames:
         steps = plan["steps"]
         for number, step in enumerate(steps):
             if is_first or not step.get("only_first", False):
-                self._step(step, is_first, _part_of(progress, number, len(steps)))
+                self.told = _part_of(progress, number, len(steps))
+                self._step(step, is_first)
             if progress is not None:
                 progress((number + 1) / len(steps))
         for row in plan["kept"]:
@@ -128,7 +131,7 @@ class ReferenceFrames:
         self.textures[texture] = made
         return made
 
-    def _step(self, step: Row, is_first: bool, progress: Progress | None) -> None:
+    def _step(self, step: Row, is_first: bool) -> None:
         match step["kind"]:
             case "copy":
                 source, target = step["from"]["texture"], step["to"]["texture"]
@@ -136,9 +139,9 @@ class ReferenceFrames:
             case "run":
                 self._run(step, self.host.kernel(step, is_first=is_first))
             case _:
-                self._draw(step, is_first, progress)
+                self._draw(step, is_first)
 
-    def _draw(self, step: Row, is_first: bool, progress: Progress | None) -> None:
+    def _draw(self, step: Row, is_first: bool) -> None:
         draws = list(self.host.draws(step, is_first=is_first))
         targets = list(attachments(step))
         for target in targets:
@@ -152,26 +155,20 @@ class ReferenceFrames:
             if targets[0]["layer"] is not None
             else (self.host.plan["textures"][targets[0]["texture"]]["layers"])
         )
+        whole = self.told
         for layer in range(layers):
-            self._draw_layer(step, draws, layer, _part_of(progress, layer, layers))
+            self.told = _part_of(whole, layer, layers)
+            self._draw_layer(step, draws, layer)
 
-    def _draw_layer(
-        self, step: Row, draws: list[FrameDraw], layer: int, progress: Progress | None
-    ) -> None:
+    def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
         shader = drawable(self._shader(step["draws"][0]["uses"][0]["shader"]))
         rules = self._rules_of(step, shader)
         size = canvas_size(rules.sample_count, len(step["targets"]))
         with holding(size, f"the step `{step['name']}` needs"):
-            self._draw_on_canvas(step, draws, layer, shader, rules, progress)
+            self._draw_on_canvas(step, draws, layer, shader, rules)
 
     def _draw_on_canvas(
-        self,
-        step: Row,
-        draws: list[FrameDraw],
-        layer: int,
-        shader: Shader,
-        rules: RasterRules,
-        progress: Progress | None,
+        self, step: Row, draws: list[FrameDraw], layer: int, shader: Shader, rules: RasterRules
     ) -> None:
         depth = step["depth"]
         canvas = Canvas(
@@ -182,9 +179,10 @@ class ReferenceFrames:
         )  # fmt: skip
         hulls = Hulls(canvas)
         load(canvas, hulls, step, layer, self.textures)
+        whole = self.told
         for number, draw in enumerate(draws):
-            tell = _part_of(progress, number, len(draws))
-            self._onto(canvas, hulls, draw, rules, layer, tell)
+            self.told = _part_of(whole, number, len(draws))
+            self._onto(canvas, hulls, draw, rules, layer)
         store(canvas, hulls, step, layer, rules, self.textures)
         self.counted |= canvas.counted
 
@@ -203,19 +201,13 @@ class ReferenceFrames:
         return self.host.shaders[number].shader
 
     def _onto(
-        self,
-        canvas: Canvas,
-        hulls: Hulls,
-        draw: FrameDraw,
-        rules: RasterRules,
-        layer: int,
-        progress: Progress | None,
+        self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
     ) -> None:
         """Draw on a canvas; where a shader draws each layer by itself, this one."""
         drawn = self._drawn_of(draw, layer)
         draw_onto(
             canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
-            progress, hulls=None if self.errors is None else hulls,
+            self.told, hulls=None if self.errors is None else hulls,
         )  # fmt: skip
 
     def _drawn_of(self, draw: FrameDraw, layer: int) -> Inputs:
