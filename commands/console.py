@@ -82,10 +82,11 @@ def show_misuse(error: ClickException) -> None:
 
     from ..compiler.diagnostics.display import harmless_lines, harmless_message
 
-    error.message = harmless_message(error.message)
     said = StringIO()
     error.show(said)
-    click.echo(harmless_lines(said.getvalue()), err=True, nl=False)
+    message = error.format_message()
+    shown = said.getvalue().replace(message, harmless_message(message))
+    click.echo(harmless_lines(shown), err=True, nl=False)
 
 
 def remark(severity: Severity, text: str) -> None:
