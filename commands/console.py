@@ -80,23 +80,25 @@ def show_misuse(error: ClickException) -> None:
 
     import click
 
-    from ..compiler.diagnostics.display import harmless_lines
+    from ..compiler.diagnostics.display import harmless_lines, harmless_message
 
     said = StringIO()
     error.show(said)
-    click.echo(harmless_lines(said.getvalue()), err=True, nl=False)
+    message = error.format_message()
+    shown = said.getvalue().replace(message, harmless_message(message))
+    click.echo(harmless_lines(shown), err=True, nl=False)
 
 
 def remark(severity: Severity, text: str) -> None:
-    """Print a message that belongs to no place in a file to standard error."""
+    """Print a message that belongs to no place in a file to standard error; any further lines of it
+    are indented."""
     import click
 
-    from ..compiler.diagnostics.display import harmless_lines
+    from ..compiler.diagnostics.display import harmless_message
     from ..compiler.diagnostics.style import Style
 
     word = Style(wants_color(sys.stderr)).severity(severity, severity)
-    lines = map(harmless_lines, text.splitlines())
-    click.echo(f"{word}: " + "\n".join(lines), err=True, color=True)
+    click.echo(f"{word}: {harmless_message(text)}", err=True, color=True)
 
 
 def _counted(diagnostics: Sequence[Diagnostic]) -> str:

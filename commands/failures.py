@@ -58,6 +58,7 @@ def told() -> Iterator[None]:
     """
     try:
         from ..compiler.diagnostics.diagnostic import CompileError
+        from ..targets.runner.codes import CodeError
         from ..targets.runner.drivers.device import DriverError
         from ..targets.runner.routes import UnknownRouteError
 
@@ -71,7 +72,7 @@ def told() -> Iterator[None]:
         click.get_current_context().exit(FAILED)
     except UnknownRouteError as error:
         raise click.UsageError(str(error)) from error
-    except DriverError as error:
+    except (CodeError, DriverError) as error:
         fail(str(error).replace("\n", "\n  "))
     except of_drawing as error:
         fail(str(error))

@@ -280,4 +280,6 @@ def _insist_on_values(instances: Sequence[Instance]) -> None:
             instance.values()
         except MissingValuesError as error:
             said[str(error)] = error.names[0]
-    fail("\n".join(said) + f"\n  = help: set each of them: --set '{next(iter(said.values()))}=…'")
+    first, *further = said
+    text = "".join([first, *("\n  " + each.replace("\n", "\n  ") for each in further)])
+    fail(f"{text}\n  = help: set each of them: --set '{said[first]}=…'")

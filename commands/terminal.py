@@ -95,9 +95,9 @@ def _drop(stream: IO[Any]) -> None:
 
 def complain(message: str) -> None:
     """Print a message to the error output, if that can be."""
-    from ..compiler.diagnostics.display import harmless_lines
+    from ..compiler.diagnostics.display import harmless_message
 
     try:
-        print(harmless_lines(message), file=sys.stderr)
+        print(harmless_message(message), file=sys.stderr)
     except OSError:
         return  # Nobody can be told.

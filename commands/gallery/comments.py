@@ -32,6 +32,11 @@ _BEGINNING = "burnish render "
 LONGEST = 4000
 """The most letters of a command that is followed."""
 _SRGB = "srgb:"
+MOST_WORK = 2**26
+"""How many pixels a file may ask for in all steps of all its frames: 64 pictures of 1024 × 1024."""
+_LEAST_SIZE = 256
+"""The pixels of a side that a smaller picture counts with, as steps of kernels take no less time
+for it."""
 
 
 class Paragraph(NamedTuple):
@@ -85,11 +90,16 @@ def paragraphs(source: str) -> list[Paragraph]:
     return found
 
 
-def asked(source: str, name: str, root: Path) -> Asked:
-    """What a file called ``name`` in the gallery's folder ``root`` asks for."""
+def asked(source: str, name: str, root: Path, size: int) -> Asked:
+    """What a file called ``name`` in the gallery's folder ``root`` asks for, where pictures have
+    ``size`` pixels on a side."""
     try:
         words = next(_commands(source, name), None)
-        return Asked(words, _options(words[1:], root), "") if words else NOTHING
+        if not words:
+            return NOTHING
+        options = _options(words[1:], root)
+        _check_work(options, size)
+        return Asked(words, options, "")
     except _NotFollowedError as reason:
         said = f"the comment of the file {reason}; it is drawn without that"
         return NOTHING._replace(note=said)
@@ -148,6 +158,17 @@ def _options(words: Sequence[str], root: Path) -> dict[str, Any]:
     except click.ClickException as error:
         raise _NotFollowedError(f"has a command with a mistake ({error.message})") from None
     return values
+
+
+def _check_work(options: Mapping[str, Any], size: int) -> None:
+    """Insist that nobody waits long for what a file asks for."""
+    frames, steps = options.get("frames", 1), options.get("steps", 1)
+    most = max(MOST_WORK // max(size, _LEAST_SIZE) ** 2, 1)
+    if frames * steps > most:
+        raise _NotFollowedError(
+            f"asks for {frames} frames of {steps} steps: of pictures of this size, a gallery takes "
+            f"up to {most} steps in all"
+        )
 
 
 def _anything(_value: str, _root: Path) -> str:

@@ -193,7 +193,7 @@ class _Making:
     def _options(self, compiled: compared.Subjects) -> Mapping[str, Any]:
         """What is drawn otherwise than by default, as the comment of the file asks for it; or
         several frames, if some frame goes on from the last one. The page shows the command."""
-        found = asked(self._entry["source"], self._file.name, Path.cwd())
+        found = asked(self._entry["source"], self._file.name, Path.cwd(), self._size)
         if found.note:
             self._entry["notes"].append(found.note)
         words, options = found.words, found.options

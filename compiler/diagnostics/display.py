@@ -29,6 +29,15 @@ def harmless_lines(text: str) -> str:
     return "".join(pieces)
 
 
+def harmless_message(text: str) -> str:
+    """As ``harmless``, for a message whose further lines are indented.
+
+    An end of a line that nothing is indented behind comes from a name. It is shown, as what follows
+    would look like another message.
+    """
+    return "\n  ".join(map(harmless, text.split("\n  ")))
+
+
 def cells(text: str) -> list[str]:
     """How each character of a line is shown; a tab extends to the next tab stop."""
     shown: list[str] = []

@@ -13,7 +13,7 @@ import re
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
-from ...compiler.budget import allowed, check
+from ...compiler.budget import allowed, check, holding
 from .files import FileError
 
 MOST_NESTED = 200
@@ -23,8 +23,14 @@ LARGEST = 2**53
 """Up to here, all languages of hosts tell whole numbers apart."""
 
 _TEXT = re.compile(rb'"[^"\\]*+(?:\\.?[^"\\]*+)*+(?:"|\Z)', re.DOTALL)
+_ASTRAL = re.compile(rb"[\xf0-\xff]|\\u[dD][89abAB]")
+"""How a character is written for which Python has four bytes."""
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
 """How half of a character is written that takes two halves."""
+_SURROGATE = re.compile("[\ud800-\udfff]")
+"""Half of a character in a text that was read."""
+_OF_A_VALUE = 256
+"""Bytes that a value takes at most, with a short name."""
 
 
 class DocumentError(FileError):
@@ -40,20 +46,28 @@ class Quota:
         self._what = what
         self._taken = 0
 
-    def take(self, data: bytes) -> None:
-        """Count the values of a text. Raises ``BudgetError``."""
+    def take(self, data: bytes) -> int:
+        """Count the values of a text, and say how many it has at most. Raises ``BudgetError``."""
         count = _at_most(data)
         if self._taken + count > allowed("values"):
             # Commas and brackets within texts are none.
             count = _at_most(_TEXT.sub(b"", data))
         self._taken += count
         check("values", self._taken, self._what)
+        return count
 
 
 def read_json(data: bytes, name: str, quota: Quota | None = None) -> Any:
     """The value of a JSON text in UTF-8; ``name`` is what errors call it, and ``quota`` says how
     many values there may be. Raises ``DocumentError`` and ``BudgetError``."""
-    (quota or Quota(f"{name} has")).take(data)
+    count = (quota or Quota(f"{name} has")).take(data)
+    # Python has as many bytes for each character of a text as for the largest one.
+    size = count * _OF_A_VALUE + 2 * len(data) * _width_of_characters(data)
+    with holding(size, f"reading {name} takes"):
+        return _read(data, name)
+
+
+def _read(data: bytes, name: str) -> Any:
     try:
         text = data.decode("utf-8")
         found = json.loads(
@@ -61,16 +75,12 @@ def read_json(data: bytes, name: str, quota: Quota | None = None) -> Any:
             parse_int=_integer,
         )  # fmt: skip
         _check_nesting(found)
-        may_have_halves = _HALF.search(text) is not None
-        del text  # It takes up to four times its bytes, and so may what follows.
-        if may_have_halves:
-            json.dumps(found, ensure_ascii=False).encode("utf-8")
+        if _HALF.search(text):
+            _check_halves(found)
     except json.JSONDecodeError as error:
         reason = f"{error.msg}, line {error.lineno}, column {error.colno}"
     except UnicodeDecodeError:
         raise DocumentError(f"{name} is no text in UTF-8") from None
-    except UnicodeEncodeError:
-        reason = "a text in it has half of a character"
     except RecursionError:
         reason = _TOO_DEEP
     except ValueError as error:
@@ -88,6 +98,13 @@ def _at_most(data: bytes) -> int:
     return 1 + data.count(b",") + data.count(b"[") + data.count(b"{")
 
 
+def _width_of_characters(data: bytes) -> int:
+    """How many bytes Python has for each character of a text in UTF-8 that may be escaped."""
+    if _ASTRAL.search(data):
+        return 4
+    return 1 if data.isascii() and rb"\u" not in data else 2
+
+
 def _check_nesting(document: Any) -> None:
     level = [document]
     for _ in range(MOST_NESTED + 1):
@@ -100,6 +117,20 @@ def _check_nesting(document: Any) -> None:
         if not level:
             return
     raise ValueError(_TOO_DEEP)
+
+
+def _check_halves(document: Any) -> None:
+    """Refuse texts that are none elsewhere, each by itself: all of them again would be large."""
+    if isinstance(document, str):
+        if not document.isascii() and _SURROGATE.search(document):
+            raise ValueError("a text in it has half of a character")
+    elif isinstance(document, list):
+        for each in document:
+            _check_halves(each)
+    elif isinstance(document, dict):
+        for name, value in document.items():
+            _check_halves(name)
+            _check_halves(value)
 
 
 def _members(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:

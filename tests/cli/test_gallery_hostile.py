@@ -282,7 +282,7 @@ def test_every_option_that_is_followed_is_one_of_render(tmp_path: Path) -> None:
     }  # fmt: skip
     assert values.keys() == FOLLOWED.keys()
     words = " ".join(f"{name} {value}" for name, value in values.items())
-    found = asked(f"//!     burnish render x.burnish {words}\n", "x.burnish", tmp_path)
+    found = asked(f"//!     burnish render x.burnish {words}\n", "x.burnish", tmp_path, 256)
     assert found.note == ""
     assert found.options == {
         "mesh": "knot", "instances": 3, "values": (("a", "1"),), "steps": 2,
@@ -302,7 +302,25 @@ def test_comments_of_examples_are_followed() -> None:
     examples = ROOT / "examples"
     followed = 0
     for path in examples.rglob("*.burnish"):
-        found = asked(path.read_text("utf-8"), path.name, examples)
+        found = asked(path.read_text("utf-8"), path.name, examples, 1024)
         assert found.note == "", path
         followed += bool(found.options)
     assert followed > 20
+
+
+@pytest.mark.parametrize(
+    ("size", "words", "note"),
+    [
+        (256, "--frames 16 --steps 64", ""),
+        (16, "--frames 16 --steps 64", ""),
+        (1024, "--frames 60", ""),
+        (16, "--frames 60 --steps 1000", "60 frames of 1000 steps: .* up to 1024 steps in all"),
+        (1024, "--frames 13 --steps 5", "13 frames of 5 steps: .* up to 64 steps in all"),
+    ],
+)
+def test_frames_steps_and_pixels_are_counted_together(
+    size: int, words: str, note: str, tmp_path: Path
+) -> None:
+    found = asked(f"//!     burnish render x.burnish {words}\n", "x.burnish", tmp_path, size)
+    assert re.search(note, found.note) if note else not found.note
+    assert bool(found.words) == bool(found.options) == (not note)

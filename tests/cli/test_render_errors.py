@@ -219,8 +219,8 @@ def test_missing_values() -> None:
         "error: Wave needs values for\n"
         "  `time` : float   Seconds\n"
         "  `coats[1].tint` : rgb\n"
-        "Sea needs values for\n"
-        "  `water` : rgb\n"
+        "  Sea needs values for\n"
+        "    `water` : rgb\n"
         "  = help: set each of them: --set 'time=…'\n"
     )
     assert not Path("x.png").exists()

@@ -91,6 +91,36 @@ def test_messages_quote_words_of_the_command_line(
     assert not {"\x1b", "\x07", "\u202e", "\x9b"} & set(result.output)
 
 
+TWO = "a\nerror[B9999]: fake"
+"""A name that looks as if there were another message."""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("check", TWO), ("render", TWO, "-o", "x.png"), ("render", "m.burnish", "-o", TWO),
+        ("render", "m.burnish", "-o", "x.png", "--on", TWO), ("check", f"--{TWO}"),
+        ("render", "m.burnish", "-o", "x.png", "--set", TWO), ("gallery", TWO, "-o", "x"),
+        ("explain", TWO), (TWO,),
+    ],
+    ids=ascii,
+)  # fmt: skip
+def test_a_name_does_not_look_like_another_message(
+    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("m.burnish").write_text("material M { param b : float = 1\n color = vec3(b) }\n")
+    result = invoke(*words)
+    assert result.exit_code in (1, 2)
+    assert "fake" in result.stderr
+    assert not [line for line in result.stderr.splitlines() if line.startswith("error[B9999]")]
+
+
+def test_further_lines_of_a_message_are_indented(capsys: pytest.CaptureFixture[str]) -> None:
+    complain("error: one\n  two\nthree\n\n  four\r")
+    assert capsys.readouterr().err == ("error: one\n  two<U+000A>three<U+000A>\n  four<U+000D>\n")
+
+
 def test_names_of_files_in_what_is_printed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     Path(f"{EVIL}.burnish").write_text("material M { x = sin(uv.x)\n color = vec3(x * x) }\n")

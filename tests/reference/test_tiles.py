@@ -12,9 +12,8 @@ import burnish
 from burnish.compiler.budget import BudgetError, raised
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.live import most_live
-from burnish.compiler.reference.picture import Expected, Geometry, RasterRules, drawing, tiles
-from burnish.compiler.reference.picture.coverage import Coverage, coverage_of
-from burnish.compiler.reference.picture.faces import Faces
+from burnish.compiler.reference.picture import Expected, Geometry, RasterRules, tiles
+from burnish.compiler.reference.picture.assembly import faces_of
 
 from .kit import few_ulps, geometry, picture, shader
 
@@ -64,32 +63,6 @@ def test_tiles_do_not_show(samples: int, errors: Any, monkeypatch: pytest.Monkey
             assert np.array_equal(one, other, equal_nan=True)
 
 
-def test_a_tile_has_the_faces_that_may_cover_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """So many small faces in a large picture take no longer than few for each tile."""
-    monkeypatch.setattr(tiles, "MOST", 100)
-    given, counts = shader(BLENDED.format(1), "P"), list[int]()
-
-    def counted(faces: Faces, *rest: Any) -> Coverage:
-        counts.append(len(faces.area))
-        return coverage_of(faces, *rest)
-
-    monkeypatch.setattr(drawing, "coverage_of", counted)
-    places = np.linspace(-0.95, 0.95, 20)
-    corners = np.array([(0.0, 0.0), (0.04, 0.0), (0.0, 0.04)])
-    grid = np.stack(np.meshgrid(places, places), axis=-1).reshape(-1, 1, 2) + corners
-    flat = grid.reshape(-1, 2)
-    place = np.hstack([flat, np.full((len(flat), 1), 0.5), np.ones((len(flat), 1))])
-    triangles = np.arange(len(flat)).reshape(-1, 3)
-    picture(given, geometry(triangles, place=place), RasterRules(48, 48, 8))
-    assert len(counts) > 16
-    assert sum(counts) < 4 * len(triangles)
-
-
-def test_very_many_faces_are_refused() -> None:
-    with raised({"memory": 1000}), pytest.raises(BudgetError, match="what is drawn of `M` needs"):
-        picture(shader(BLENDED.format(1), "P"), _squares(1), RasterRules(1, 1, 8))
-
-
 def _arrays(picture: Expected) -> list[Any]:
     ends = (*picture.targets, *picture.low, *picture.high)
     return [*ends, picture.covered, picture.undecided, picture.layers]
@@ -122,3 +95,70 @@ def test_how_many_numbers_there_are_of_an_invocation(value: str, least: int, mos
     )
     kernel = burnish.compile(text.format(value), ())["K"].shader
     assert least <= most_live([result.value for result in kernel.results]) <= most
+
+
+# --- many faces ----------------------------------------------------------------------------------
+
+OPAQUE = BLENDED.replace(" blend alpha", "").format(1)
+
+
+def _small(count: int) -> Geometry:
+    """Triangles that lie in one pixel, each behind the one before."""
+    corners = np.array([(-0.3, -0.3), (-0.1, -0.3), (-0.3, -0.1)])
+    depths = np.repeat(np.linspace(0.1, 0.9, count), 3)[:, None]
+    places = np.hstack([np.tile(corners, (count, 1)), depths, np.ones_like(depths)])
+    return geometry(np.arange(3 * count).reshape(count, 3), place=places)
+
+
+def test_tiles_look_only_at_the_faces_that_touch_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """There may be as many tiles as faces. What is looked at grows only with their logarithm."""
+    monkeypatch.setattr(tiles, "MOST", 64)
+    rules = RasterRules(64, 64, 8)
+    looked: list[int] = []
+    within = tiles._Around.within
+
+    def counted(around: Any, tile: tiles.Tile) -> Any:
+        looked[-1] += len(around.face)
+        return within(around, tile)
+
+    monkeypatch.setattr(tiles._Around, "within", counted)
+    for side in (16, 32):
+        looked.append(0)
+        ends = np.linspace(-1, 1, side + 1)[:-1]
+        x, y = (each.ravel()[:, None] for each in np.meshgrid(ends, ends))
+        step = 1 / side
+        corners = [np.hstack([x + a, y + b]) for a, b in ((0, 0), (step, 0), (0, step))]
+        places = np.stack(corners, axis=1).reshape(-1, 2)
+        places = np.hstack([places, np.full_like(places, 0.5)])
+        places[:, 3] = 1
+        faces = faces_of(places, np.arange(len(places)).reshape(-1, 3), rules)
+        given = list(tiles.tiles(faces, tiles.Tile.of(rules), rules))
+        assert len(given) > side
+        assert sum(len(each) for _tile, each in given) < 8 * len(faces.area)
+    assert looked[1] < 6 * looked[0], "four times as many faces"
+
+
+def test_faces_are_counted_before_they_are_made() -> None:
+    given = shader(OPAQUE, "P")
+    tracemalloc.start()
+    count = 10_000
+    of_geometry = _small(count)
+    tracemalloc.reset_peak()
+    before = tracemalloc.get_traced_memory()[0]
+    picture(given, of_geometry, RasterRules(4, 4, 8))
+    needed = tracemalloc.get_traced_memory()[1] - before
+    tracemalloc.stop()
+    with (
+        raised({"memory": 3 * needed // 4}),
+        pytest.raises(BudgetError, match=r"^what `M` draws needs "),
+    ):
+        picture(given, of_geometry, RasterRules(4, 4, 8))
+
+
+def test_what_nobody_waits_for_at_one_pixel_is_refused() -> None:
+    given = shader(BLENDED.format(1), "P")
+    with raised({"operations": 10**8}):
+        picture(given, _small(100), RasterRules(4, 4, 8))
+        picture(shader(OPAQUE, "P"), _small(1000), RasterRules(4, 4, 8))
+        with pytest.raises(BudgetError, match=r"^what 101 faces draw over each other takes"):
+            picture(given, _small(101), RasterRules(4, 4, 8))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...budget import check
 from ...ir.blending import REPLACES
 from ...ir.render_state import DepthState, StencilState
 from ...ir.shader import RenderTarget
@@ -36,6 +37,8 @@ _OF_A_SAMPLE = 80
 """Bytes of a canvas for each sample: depths, stencil values, and what is undecided."""
 _OF_A_TARGET = 200
 """Bytes for each sample of a target: four lanes with their ends, and again in the picture."""
+_OF_A_LAYER = 10**6
+"""Operations of drawing once at some samples, or at only one."""
 _AT_ONCE = 1 << 16
 """How many samples are drawn at once, so that a large picture needs no more memory than others."""
 
@@ -295,9 +298,18 @@ def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:
     return (*tuple(lanes)[:count], *_MISSING[count:])
 
 
+def check_layers(sample: Ints) -> None:
+    """Raise ``BudgetError`` if so many fragments are drawn over each other at one of these samples
+    that nobody would wait for it: each is blended with what is behind it."""
+    _, counts = np.unique(sample, return_counts=True)
+    most = int(counts.max(initial=0))
+    check("operations", most * _OF_A_LAYER, f"what {most:,} faces draw over each other takes")
+
+
 def in_layers(sample: Ints) -> Iterator[Ints]:
     """The numbers of fragments in the order of drawing, in portions with at most one of each
-    sample."""
+    sample. Raises ``BudgetError`` for too many."""
+    check_layers(sample)
     order = np.argsort(sample, kind="stable")
     starts = np.flatnonzero(np.diff(sample[order], prepend=-1))
     counts = np.diff(starts, append=len(sample))

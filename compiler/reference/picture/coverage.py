@@ -42,8 +42,8 @@ class Fragments:
         """Some of them."""
         return Fragments(self.face[which], self.sample[which])
 
-    def renumbered(self, faces: Ints) -> Fragments:
-        """The same, where each face has the number that ``faces`` has for it."""
+    def of(self, faces: Ints) -> Fragments:
+        """Those of some faces, as those of all faces, among which these have these numbers."""
         return Fragments(faces[self.face], self.sample)
 
 
@@ -64,11 +64,6 @@ class Coverage:
         order = np.argsort(every.face, kind="stable")
         certain: Bools = order < int(sure.sum())
         return every.only(order), certain
-
-    def renumbered(self, faces: Ints) -> Coverage:
-        """The same, where each face has the number that ``faces`` has for it."""
-        fragments, doubtful = self.fragments.renumbered(faces), self.doubtful.renumbered(faces)
-        return Coverage(fragments, self.certain, doubtful)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +93,14 @@ class _Spans:
 
     def part(self, begin: int, end: int) -> _Spans:
         return _Spans(*(getattr(self, name)[begin:end] for name in self.__slots__))
+
+
+def coverage_within(faces: Faces, some: Ints, rules: RasterRules, targets: int) -> Coverage:
+    """As ``coverage_of``, of only some faces, with these numbers in ascending order."""
+    if len(some) == len(faces.area):
+        return coverage_of(faces, rules, targets)
+    found = coverage_of(faces.only(some), rules, targets)
+    return Coverage(found.fragments.of(some), found.certain, found.doubtful.of(some))
 
 
 def coverage_of(faces: Faces, rules: RasterRules, targets: int = 1) -> Coverage:

@@ -9,15 +9,16 @@ from typing import Any
 import numpy as np
 
 from ...budget import holding
+from ...ir.node import reachable
 from ...ir.shader import RenderTarget, Shader
 from ...ir.stages import DISCARD
-from ...ir.types import Type, width
+from ...ir.types import Type, numbers, width
 from ..bounds import Errors, as_bounded
 from ..cost import check_operations
 from ..namespace import Lanes
 from .assembly import faces_of
-from .canvas import BLACK, Canvas, Shades, nearest, size_of, with_missing
-from .coverage import Coverage, Fragments, coverage_of, has_level_edges, joined
+from .canvas import BLACK, Canvas, Shades, check_layers, nearest, size_of, with_missing
+from .coverage import Coverage, Fragments, coverage_within, has_level_edges, joined
 from .faces import Faces
 from .hulls import Hulls
 from .lines import LineFaces
@@ -40,8 +41,12 @@ from .stage_evaluation import PIXELS_AT_ONCE, StageEvaluator, Vertices
 from .stencil import StencilTest
 from .tiles import Tile, tiles
 
-_BYTES_OF_FACE = 1000
-"""What is kept of each triangle or line while it is drawn, as measured."""
+_OF_A_FACE = 1200
+"""Bytes for each face: its corners, what they may be off by, and all of that again for a tile."""
+_OF_A_POSITION = 4
+"""The lanes of a position."""
+_OF_A_LANE = 32
+"""Bytes for each number of a vertex, with its ends."""
 
 Tell = Callable[[float], None]
 """Called with the part of the work that is done, from 0 to 1."""
@@ -100,10 +105,18 @@ def draw_onto(
     The canvas has as many samples as ``rules`` say, which are those of the pass. ``hulls`` gets
     what undecided ones may be. Returns the ids of the promises that were broken.
     """
-    with np.errstate(all="ignore"):
+    size = _size_of(shader, geometry)
+    with holding(size, f"what `{shader.name}` draws needs"), np.errstate(all="ignore"):
         drawing = _Drawing(canvas, shader, values, textures, geometry, rules, errors)
         drawing.draw(progress, hulls)
     return drawing.broken
+
+
+def _size_of(shader: Shader, geometry: Geometry) -> int:
+    """About how many bytes the vertices and the faces of a draw take."""
+    lanes = sum(numbers(node.type) for node in reachable(shader.roots) if node.op == "cross")
+    vertices = geometry.vertex_count * (_OF_A_POSITION + lanes) * _OF_A_LANE
+    return vertices + len(geometry.triangles) * _OF_A_FACE
 
 
 def written_by(shader: Shader) -> list[tuple[RenderTarget, Type]]:
@@ -125,9 +138,6 @@ class _Drawing:
         errors: Errors | None,
     ) -> None:
         self._rules = rules
-        size = len(geometry.triangles) * _BYTES_OF_FACE
-        with holding(size, f"what is drawn of `{shader.name}` needs"):
-            pass
         check_operations([result.value for result in shader.results], PIXELS_AT_ONCE, shader.name)
         self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
@@ -171,24 +181,21 @@ class _Drawing:
     def draw(self, progress: Tell | None, hulls: Hulls | None) -> None:
         """Draw all fragments on the canvas, those of one tile after those of another."""
         done, whole = 0, Tile.of(self._rules)
-        for tile, near in tiles(self._faces, whole, self._rules):
+        for tile, faces in tiles(self._faces, whole, self._rules):
             begin, share = done / whole.pixels, tile.pixels / whole.pixels
             tell = None if progress is None else _within(progress, begin, share)
-            self._draw_tile(tile.within(self._rules), near, tell, hulls)
+            self._draw_tile(tile.within(self._rules), faces, tell, hulls)
             done += tile.pixels
+            if progress is not None:
+                progress(done / whole.pixels)
 
     def _draw_tile(
-        self, rules: RasterRules, near: Ints, progress: Tell | None, hulls: Hulls | None
+        self, rules: RasterRules, faces: Ints, progress: Tell | None, hulls: Hulls | None
     ) -> None:
-        """Draw the fragments in a part of the picture, which is the scissor of these rules, and
-        which no faces cover but those that are ``near``."""
+        """Draw the fragments of some faces in a part of the picture, which is the scissor of these
+        rules."""
         canvas = self._canvas
-        is_whole = len(near) == len(self._faces.area)
-        coverage = (
-            coverage_of(self._faces, rules, len(self._lanes))
-            if is_whole
-            else coverage_of(self._faces.only(near), rules, len(self._lanes)).renumbered(near)
-        )
+        coverage = coverage_within(self._faces, faces, rules, len(self._lanes))
         fragments, sure = coverage.fragments, coverage.certain
         seen = self._let_through(fragments)
         fragments, sure = fragments.only(seen), sure[seen]
@@ -206,6 +213,7 @@ class _Drawing:
             fragments = fragments.only(winners)
             depth, off = depth[winners], off[winners]
         place = self._places[fragments.face]
+        check_layers(fragments.sample)
         shades = self._shaded(fragments, progress)
         canvas.doubt(doubtful.sample, self._depth, self._stencil)
         canvas.draw(

@@ -67,7 +67,7 @@ class Faces:
     """(faces,): by how much these two may differ on a device."""
 
     def only(self, kept: Bools | Ints) -> Faces:
-        """The faces for which ``kept`` is true, or which have these numbers."""
+        """The faces for which ``kept`` is true, or those with these numbers."""
         return replace(self, **{row.name: getattr(self, row.name)[kept] for row in fields(self)})
 
     def settled(

@@ -52,30 +52,45 @@ class Tile:
         return replace(self, right=middle), replace(self, left=middle)
 
 
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """The rectangles around some faces, wider by what rounding may add to them."""
+
+    face: Ints
+    """The numbers of the faces, in ascending order."""
+    ends: Floats
+    """(4, faces): of each its left and right end, and then its upper and lower one."""
+
+    @classmethod
+    def of(cls, faces: Faces) -> _Around:
+        """Those of all faces."""
+        slack = faces.unsure.max(axis=1, initial=0.0) + 1.0
+        ends = [
+            end
+            for places in (faces.x, faces.y)
+            for end in (places.min(axis=1) - slack, places.max(axis=1) + slack)
+        ]
+        return cls(np.arange(len(slack)), np.stack(ends))
+
+    def within(self, tile: Tile) -> tuple[_Around, float]:
+        """Those that touch a tile, and how many of its pixels all of them have together."""
+        left, right = np.clip(self.ends[:2], tile.left, tile.right)
+        upper, lower = np.clip(self.ends[2:], tile.top, tile.bottom)
+        pixels = (right - left) * (lower - upper)
+        some = pixels != 0  # Of a face about which nobody knows anything, it is NaN.
+        return _Around(self.face[some], self.ends[:, some]), float(np.nansum(pixels))
+
+
 def tiles(faces: Faces, whole: Tile, rules: RasterRules) -> Iterator[tuple[Tile, Ints]]:
-    """The tiles of a picture, from its top to its bottom, each with the numbers of the faces that
-    may cover something in it: of very many, a tile has few."""
-    pending = [(whole, np.arange(len(faces.area)))] if whole.pixels else []
+    """The tiles of a picture, from its top to its bottom, and the faces that may touch each.
+
+    Only these are looked at where a tile is halved, as there may be as many tiles as faces.
+    """
+    pending = [(whole, _Around.of(faces))] if whole.pixels else []
     while pending:
-        tile, near = pending.pop()
-        covered = _most_covered(faces, near, tile)
-        near = near[covered != 0]  # It is NaN where nobody knows.
-        if tile.pixels > 1 and np.nansum(covered) * rules.samples > MOST:
-            pending += [(half, near) for half in reversed(tile.halves())]
+        tile, around = pending.pop()
+        within, pixels = around.within(tile)
+        if tile.pixels > 1 and pixels * rules.samples > MOST:
+            pending += [(half, within) for half in reversed(tile.halves())]
         else:
-            yield tile, near
-
-
-def _most_covered(faces: Faces, near: Ints, tile: Tile) -> Floats:
-    """How many pixels of a tile each of some faces may cover: those of the rectangle around it."""
-    slack = faces.unsure[near].max(axis=1, initial=0.0) + 1.0
-    sides = []
-    for places, first, last in (
-        (faces.x[near], tile.left, tile.right),
-        (faces.y[near], tile.top, tile.bottom),
-    ):
-        begin = np.clip(places.min(axis=1) - slack, first, last)
-        end = np.clip(places.max(axis=1) + slack, first, last)
-        sides.append(end - begin)
-    most: Floats = sides[0] * sides[1]
-    return most
+            yield tile, within.face

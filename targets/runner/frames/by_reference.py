@@ -69,6 +69,8 @@ class ReferenceFrames:
     """By the name of the result."""
     counted: Counted = frozenset()
     """The rare rules on which it hangs what has been drawn so far."""
+    told: Progress | None = None
+    """What is told how much of the present step, layer and draw is done."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -92,6 +94,7 @@ class ReferenceFrames:
         steps = plan["steps"]
         for number, step in enumerate(steps):
             if is_first or not step.get("only_first", False):
+                self.told = _part_of(progress, number, len(steps))
                 self._step(step, is_first)
             if progress is not None:
                 progress((number + 1) / len(steps))
@@ -152,7 +155,9 @@ class ReferenceFrames:
             if targets[0]["layer"] is not None
             else (self.host.plan["textures"][targets[0]["texture"]]["layers"])
         )
+        whole = self.told
         for layer in range(layers):
+            self.told = _part_of(whole, layer, layers)
             self._draw_layer(step, draws, layer)
 
     def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
@@ -174,7 +179,9 @@ class ReferenceFrames:
         )  # fmt: skip
         hulls = Hulls(canvas)
         load(canvas, hulls, step, layer, self.textures)
-        for draw in draws:
+        whole = self.told
+        for number, draw in enumerate(draws):
+            self.told = _part_of(whole, number, len(draws))
             self._onto(canvas, hulls, draw, rules, layer)
         store(canvas, hulls, step, layer, rules, self.textures)
         self.counted |= canvas.counted
@@ -200,7 +207,7 @@ class ReferenceFrames:
         drawn = self._drawn_of(draw, layer)
         draw_onto(
             canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
-            hulls=None if self.errors is None else hulls,
+            self.told, hulls=None if self.errors is None else hulls,
         )  # fmt: skip
 
     def _drawn_of(self, draw: FrameDraw, layer: int) -> Inputs:
@@ -266,3 +273,10 @@ class ReferenceFrames:
             },
             [drawn], 0,
         )  # fmt: skip
+
+
+def _part_of(progress: Progress | None, number: int, total: int) -> Progress | None:
+    """What is told of one of several parts of the work, as what is told of all of it."""
+    if progress is None:
+        return None
+    return lambda share: progress((number + share) / total)

@@ -53,7 +53,7 @@ def _show(random: Random, base: Path) -> None:
     for each in files:
         source, problem = source_of(each.path, root)
         assert not problem and SECRET not in source
-        found = asked(source, each.path.name, root)
+        found = asked(source, each.path.name, root, 256)
         for _name, value in found.options.get("values", ()):
             assert private not in map(Path.resolve, files_of(value, root))
         entries[each.name] = {**failed(source, found.note), "names": [each.name]}
