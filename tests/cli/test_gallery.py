@@ -14,6 +14,7 @@ from burnish.commands.catalogue import catalogue, title_of
 from burnish.compiler.syntax.highlighting import pieces
 
 from ..suite import browsers
+from ..suite.processes import until
 from .kit import invoke, tree
 
 UP = """//! A colour for each direction.
@@ -131,7 +132,9 @@ def test_the_first_page_shows_all_files_as_the_readme_groups_them(page: Page) ->
     pictures = [each.get_attribute("src") for each in page.locator(".cards img").all()]
     assert pictures[0] == pictures[2], "what draws nothing itself is seen in what imports it"
     assert page.locator(".cards img").last.get_attribute("alt") == "as up.burnish uses it"
-    page.wait_for_function("[...document.images].every(i => i.naturalWidth)")  # loaded when seen
+    # Images are loaded when they are seen. The page's policy lets nothing in it wait for them.
+    loaded = "[...document.images].every(image => image.naturalWidth)"
+    until(lambda: page.evaluate(loaded), "the images", pause=0.1)
     assert page.evaluate("document.documentElement.scrollWidth") <= 500
     assert page.locator(".routes tbody tr").all_inner_texts()[0].startswith("llvmpipe:gl330\t")
 
