@@ -45,6 +45,6 @@ def test_the_main_thread_is_woken(line: str) -> None:
 
 def test_a_thread_that_was_just_being_started(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ctrl-C may come before it runs; ``threading.enumerate`` lists it all the same."""
-    threads = [threading.current_thread(), threading.Thread()]
+    threads = [threading.current_thread(), threading.Thread(daemon=False)]
     monkeypatch.setattr(threading, "enumerate", lambda: threads)
     cli._leave_threads(130)

@@ -7,12 +7,26 @@ import pytest
 from numpy.typing import NDArray
 
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
-from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.host import FrameHost, Row
 from burnish.targets.runner.frames.scenery import in_a_row
 
 from .kit import FOLDER, compiled
 
 Floats = NDArray[np.float64]
+
+
+class Steps(ReferenceFrames):
+    """A frame that keeps the first layer of each target as a step leaves it, before others draw
+    over it."""
+
+    def __init__(self, host: FrameHost) -> None:
+        super().__init__(host)
+        self.left: dict[str, Floats] = {}
+
+    def _step(self, step: Row, is_first: bool) -> None:
+        super()._step(step, is_first)
+        for row in step.get("targets", ()):
+            self.left[row["result"]] = self.textures[row["texture"]].levels[0][0, 0].copy()
 
 
 class Drawn:
@@ -25,16 +39,9 @@ class Drawn:
         self.host = FrameHost(frame, in_a_row(materials, tags, "sphere"), (size, size))
         for each, text in values.items():
             self.host.set_text(each.replace("__", "."), text)
-        self._drawing = ReferenceFrames(self.host)
-        self._left: dict[str, Floats] = {}
-        self._drawing.draw(self._keep)
-
-    def _keep(self, share: float) -> None:
-        """Copy what a step has left, before others draw over it."""
-        steps = self.host.plan["steps"]
-        for row in steps[round(share * len(steps)) - 1].get("targets", ()):
-            levels = self._drawing.textures[row["texture"]].levels
-            self._left[row["result"]] = levels[0][0, 0].copy()
+        steps = Steps(self.host)
+        steps.draw()
+        self._left = steps.left
 
     def left(self, result: str) -> Floats:
         """What a step has left: (height, width, lanes)."""
