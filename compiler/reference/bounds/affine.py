@@ -35,22 +35,26 @@ MANY = 4 * MOST
 have more of them in every turn."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False)
 class Form:
-    """The errors of one lane."""
+    """The errors of one lane. Forms do not change, and neither do their arrays."""
 
     errors: Errors
     terms: Array
     """(errors, …): how much each shared error contributes at most, with its sign."""
     rest: Array
     """The largest magnitude of all other errors together."""
+    _shared: Array | None = None
+    """The largest magnitude of the shared errors together, when it was asked for."""
 
     @property
     def radius(self) -> Array:
         """By how much the lane may differ from its value; NaN where the form says nothing."""
         if not self.errors:
             return self.rest
-        return np.add.reduce(np.abs(self.terms)) + self.rest
+        if self._shared is None:
+            self._shared = np.add.reduce(np.abs(self.terms))
+        return self._shared + self.rest
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
@@ -71,7 +75,7 @@ class Form:
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
-        return Form(self.errors, self.terms, self.rest + by)
+        return Form(self.errors, self.terms, self.rest + by, self._shared)
 
     def or_else(self, other: Form) -> Form | None:
         """The form of a lane that is one of two, if they share the same errors."""
