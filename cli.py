@@ -48,18 +48,19 @@ def _exit_code(arguments: list[str]) -> int:
         # A command makes far more objects than it drops: looking for circles of dropped ones often
         # takes a twentieth of a short compile.
         from .garbage import SELDOM
+        from .stack import with_room
 
         gc.set_threshold(*SELDOM)
         from .commands.waking import wake_on_signals
 
         _heed_termination()
         wake_on_signals()
-        succeeded = _compiled(arguments, question)
+        succeeded = with_room(_compiled, arguments, question)
         if succeeded is not None:
             return 0 if succeeded else FAILED
         from .commands.group import burnish
 
-        burnish.main(arguments, obj=question)
+        with_room(burnish.main, arguments, obj=question)
     except KeyboardInterrupt:
         return interrupted()
     except BrokenPipeError:

@@ -4,7 +4,7 @@ Python counts how many objects are made, and looks through them for circles of d
 every 700. A compile makes many objects, keeps most of them until it ends, and hardly ever drops a
 circle: a quarter of the time of a long compile would go into looking in vain. So the command line
 sets ``SELDOM`` for the whole process, and ``api.py`` and ``compiled.py`` mark the functions
-that users call with ``seldom_collected``.
+that users call with ``seldom_collected``, which also gives them room on Python's stack.
 
 That is too seldom for a server. A picture of many megabytes is one object for Python, and a circle
 that holds it, such as that of an exception and what it was raised in, stays for hours. So whoever
@@ -18,6 +18,8 @@ from collections.abc import Callable
 from functools import wraps
 from threading import Lock
 from typing import ParamSpec, TypeVar
+
+from .stack import with_room
 
 SELDOM = (100_000, 50, 100)
 """How many new objects there are when Python looks through these, and after how many such looks it
@@ -40,7 +42,7 @@ def seldom_collected(work: Callable[Arguments, Result]) -> Callable[Arguments, R
     def wrapped(*arguments: Arguments.args, **named: Arguments.kwargs) -> Result:
         _CALLS.begin()
         try:
-            return work(*arguments, **named)
+            return with_room(work, *arguments, **named)
         finally:
             _CALLS.end()
 

@@ -25,6 +25,7 @@ from .semantics.names.modules import Module, Symbol
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
 from .semantics.shading.kernels import kernel_shader
+from .semantics.shading.room import has_room
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import TOTAL_LIMIT, check_text, load_source
@@ -157,10 +158,15 @@ class Frontend:
             return []
         reached: set[Symbol] = set()
         parts = [Parts(symbol, rig_symbol, pass_symbol, module) for symbol in materials]
-        settings = [set_up(part, self._report.apart(), self._records) for part in parts]
-        found = [elaborate(setting, reached) for setting in settings]
-        for setting in settings:
+        settings: list[Setting] = []
+        found: list[Shader | None] = []
+        for part in parts:
+            if not has_room(part.material, self._records, self._report):
+                break
+            setting = set_up(part, self._report.apart(), self._records)
+            found.append(elaborate(setting, reached))
             self._report.extend(setting.ctx.report.since(0))
+            settings.append(setting)
         if material is None:
             rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
             drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))

@@ -1,12 +1,14 @@
 """Fixtures for all tests. Every test has its graphs verified after each pass.
 
-What the package is generated from may have changed since it was installed. Everything works all the
-same, but each of the many processes that tests start would compute it again.
+What the package is generated from may have changed since it was installed, and a new checkout has
+no bytecode; where ``PYTHONDONTWRITEBYTECODE`` is set, it never gets any. Everything works all the
+same, but each of the many processes that tests start would compute both again.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import signal
 import sys
 from collections.abc import Iterator
@@ -20,6 +22,10 @@ from burnish.compiler.passes.checkpoint import VARIABLE
 from burnish.targets.toolchain import places
 
 from .suite.processes import run
+
+ROOT = Path(__file__).parents[1]
+NOT_OURS = re.escape(str(ROOT)) + r"/(\.|build/|dist/|shared/)"
+"""A pattern of the folders of the checkout that are not Burnish's own code."""
 
 os.environ[VARIABLE] = "1"
 
@@ -39,6 +45,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):
         os.environ.setdefault("MALLOC_ARENA_MAX", "1")
         run([sys.executable, "-m", "burnish.generate"])
+        run([sys.executable, "-m", "compileall", "-q", "-x", NOT_OURS, str(ROOT)])
 
 
 @pytest.fixture

@@ -15,18 +15,30 @@ MOST_OPERATIONS = 500_000
 MOST_TOGETHER = 1_000_000
 """Those of all values of a compile. What is written in one place counts once: it is computed again
 for each material, say, that the compiler makes of it."""
+MOST_NODES = 500_000
+"""Nodes of the trees of all materials, kernels and frames, which take about twenty seconds. Each
+counts with all that it inherits and calls."""
 
 
 @record
 class Work:
     """What has been computed, by the places where it is written."""
 
+    nodes: int = 0
+    """How many nodes all trees have so far."""
+    is_told: bool = False
+    """Whether it has been reported that these are too many."""
     left: int = MOST_TOGETHER
     counted: set[Hashable] = fresh(factory=set)
     steps: int = 0
     """The steps of all frames so far."""
     refused: dict[Hashable, str] = fresh(factory=dict)
     """The places of values that take too long, and of what these take more than."""
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether there are so many nodes that nothing more may be elaborated."""
+        return self.nodes > MOST_NODES
 
     def allowed(self, place: Hashable) -> int:
         """How many operations the value at a place may take."""

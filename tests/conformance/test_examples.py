@@ -15,7 +15,7 @@ from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 from burnish.targets.conformance import kernels
-from burnish.targets.conformance.cases import IMAGE_CASES
+from burnish.targets.conformance.cases import IMAGE_CASES, SIZE
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.conformance.summary import details
@@ -24,6 +24,10 @@ from burnish.targets.runner.routes import ROUTES
 from ..examples.kit import EXAMPLES, VARIANTS, Variant
 from .kit import PROFILES, Studio, keeping_the_last
 
+HALF = (51, 40)
+"""Half as many pixels as ``burnish conform`` draws, since the reference takes most of the time."""
+WHOLE = {"normals", "particles", "threads"}
+"""Examples that are drawn in its usual size: in half of the pixels, some picture proves little."""
 LEAST_COVERED = 0.1
 """Of the pixels of all cases together."""
 LEAST_CASES = 4
@@ -81,7 +85,9 @@ def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
             )
         ]
         subjects = [(f"{variant}", material) for variant, material in compiled]
-        rows = conform(subjects, list(ROUTES.values()), studio.runner, studio.toolchain)
+        size = SIZE if path.stem in WHOLE else HALF
+        routes = list(ROUTES.values())
+        rows = conform(subjects, routes, studio.runner, studio.toolchain, size=size)
         keys = [(variant, m.name, route) for variant, m in compiled for route in ROUTES]
         return dict(zip(keys, rows, strict=True))
 

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
 import pytest
+from _pytest.mark import ParameterSet
 
 import burnish
 from burnish.compiler.diagnostics import rules
@@ -41,6 +43,11 @@ UNMARKED = ("no_material", "too_many")
 
 _PASS = re.compile(r"^pass (\w+)", re.MULTILINE)
 _MARK = re.compile(r"// (B\d{4})$")
+
+
+def grouped(names: Iterable[str]) -> list[ParameterSet]:
+    """A test for each source; one process runs all that ask for the same one."""
+    return [pytest.param(name, marks=pytest.mark.xdist_group(f"error {name}")) for name in names]
 
 
 @pytest.fixture(autouse=True)
@@ -76,7 +83,7 @@ def place(found: Diagnostic) -> tuple[int, str]:
     return line, found.rule.code
 
 
-@pytest.mark.parametrize("name", BROKEN)
+@pytest.mark.parametrize("name", grouped(BROKEN))
 def test_the_messages_are_the_expected_ones(name: str) -> None:
     rendered = render_all(told(name)) + "\n"
     expected = Path(f"{name}.txt")
@@ -85,7 +92,7 @@ def test_the_messages_are_the_expected_ones(name: str) -> None:
     assert rendered == expected.read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("name", [name for name in BROKEN if name not in UNMARKED])
+@pytest.mark.parametrize("name", grouped(name for name in BROKEN if name not in UNMARKED))
 def test_each_mistake_is_told_once_and_nothing_else(name: str) -> None:
     assert sorted(map(place, told(name))) == marked(name)
 
@@ -104,7 +111,7 @@ def test_checking_says_what_compiling_says(name: str) -> None:
     assert render_all(of_errors or checked) == render_all(compiled)
 
 
-@pytest.mark.parametrize("name", [name for name in BROKEN if not name.startswith("many_")])
+@pytest.mark.parametrize("name", grouped(name for name in BROKEN if not name.startswith("many_")))
 def test_a_rule_is_shown_alone(name: str) -> None:
     codes = {found.rule.code for found in told(name)}
     assert codes == {RULES[name].code} | ALSO.get(name, set())

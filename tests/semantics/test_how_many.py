@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import burnish
+from burnish import Diagnostic
 from burnish.compiler import frontend
+from burnish.compiler.semantics import work
 from burnish.compiler.semantics.frames import steps
-from burnish.compiler.semantics.shading import unused
+from burnish.compiler.semantics.shading import room, unused
 
 MANY = """import std.frames.{FullScreen}
 material A { }
@@ -102,3 +105,43 @@ def test_all_frames_have_only_so_many_steps(monkeypatch: pytest.MonkeyPatch) -> 
     assert complaint(f"{two}frame E {{ output o = Sky(screen).color }}\n") == (
         "<text>:8:7: B0828 `E` has more than 2 steps together with the frames before it"
     )
+
+
+SLOTS = "".join(f" a{number} = uv.x * {number}\n" for number in range(50))
+SUM = " + ".join(f"a{number}" for number in range(50))
+TOGETHER = {
+    "materials": lambda n: (
+        f"abstract material Base {{\n{SLOTS} color = vec3({SUM}) }}\n"
+        + "".join(f"material M{i} : Base {{ a1 = {i} }}\n" for i in range(n))
+    ),
+    "kernels": lambda n: (
+        f"fn f(x: float) = {SUM.replace('a', 'x * ')}\n"
+        + "".join(f"kernel M{i} {{ result r : float[4] = f(float(index)) }}\n" for i in range(n))
+    ),
+    "frames": lambda n: (
+        f"import std.frames.{{FullScreen}}\nfn f(x: float) = {SUM.replace('a', 'x * ')}\n"
+        "pass Sky : FullScreen { target color : rgba8 = vec4(f(uv.x)) }\n"
+        + "".join(f"frame M{i} {{ output o = Sky(screen).color }}\n" for i in range(n))
+    ),
+}
+
+
+@pytest.mark.parametrize("shape", TOGETHER.values(), ids=TOGETHER)
+def test_all_programs_together_have_only_so_many_nodes(
+    shape: Callable[[int], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first one is told that is too much, whatever the command; alone, it is not."""
+    monkeypatch.setattr(work, "MOST_NODES", 5000)
+    monkeypatch.setattr(room, "MOST_NODES", 5000)
+    assert burnish.check(shape(2)) == ()
+    text = shape(60)
+    compiled = []
+    for compile_ in (burnish.check, partial(burnish.compile, targets=())):
+        try:
+            found = [each for each in compile_(text) if isinstance(each, Diagnostic)]
+        except burnish.CompileError as error:
+            found = list(error.diagnostics)
+        compiled.append([each.message for each in found if each.severity == "error"])
+    for (message,) in compiled:
+        assert message.endswith(", what `<text>` declares has more than 5,000 operations")
+    assert burnish.compile(text, (), material="M59")

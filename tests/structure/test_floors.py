@@ -18,7 +18,8 @@ BACKENDS = registry.names()
 FLOORS: dict[str, str] = {
     "frozen": "",
     "arguments": "",
-    "garbage": "",
+    "stack": "",
+    "garbage": "stack",
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.budget": "",
@@ -54,8 +55,8 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen diagnostics syntax ir library types names inheritance state hints declarations "
-        "checking lowering"
+        "frozen diagnostics syntax ir library work types names inheritance state hints "
+        "declarations checking lowering"
     ),
     "compiler.semantics.frames": (
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
@@ -103,7 +104,7 @@ FLOORS: dict[str, str] = {
         "toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
-    "cli": "garbage commands",
+    "cli": "stack garbage commands",
     "__main__": "cli",
 }
 """What each folder or module may import of the others here, by their last names; lowest first.

@@ -203,8 +203,8 @@ ROLES: Mapping[str, Role] = {
     "host block": Role(_host_blocks, NAMES_OF_VALUES),
     "host member": Role(_host_members, NAMES_OF_VALUES),
     # What kernels read and write has numbers of bindings, of which a device has few.
-    "buffer": Role(_buffers, NAMES_IN_KERNELS, at_once=60),
-    "result": Role(_results, NAMES_IN_KERNELS, at_once=60),
-    "scatter": Role(_scatters, NAMES_IN_KERNELS, at_once=60),
+    "buffer": Role(_buffers, NAMES_IN_KERNELS, at_once=200),
+    "result": Role(_results, NAMES_IN_KERNELS, at_once=200),
+    "scatter": Role(_scatters, NAMES_IN_KERNELS, at_once=120),
     "index of a fold and state of an iteration": Role(_loops, frozenset({"uv"}), at_once=200),
 }

@@ -92,3 +92,9 @@ TOO_MUCH_UNUSED = error(
     "What no shader uses is checked by trying it, with a material and lights of the file, and with "
     "others until it is right; each try reads all that it extends. Divide the file.",
 )
+TOO_MUCH_TOGETHER = error(
+    "B0017",
+    "before `{name}`, what `{path}` declares has more than {most} operations",
+    "All materials, kernels and frames that are not abstract are compiled together, each with all "
+    "that it inherits and calls. Compile them one by one, by `--material`, or divide the file.",
+)

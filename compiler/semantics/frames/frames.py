@@ -25,6 +25,7 @@ from ..names.modules import Module, Symbol
 from ..shading.host_names import Entry, names_taken
 from ..shading.instances import instance_of
 from ..shading.rigs import entries_of
+from ..shading.room import has_room
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Instance
 from .around import Around, Owner
@@ -50,6 +51,8 @@ class Surroundings:
 
 def frame_of(symbol: Symbol, around: Surroundings) -> Frame | None:
     """The frame that a declaration says, or ``None`` after reporting why there is none."""
+    if not has_room(symbol, around.records, around.report):
+        return None
     return _Checking(symbol, around).frame()
 
 

@@ -18,6 +18,7 @@ from ..names.modules import Module, Symbol
 from ..shading.assembly import Parts, set_up
 from ..shading.elaborate import elaborate
 from ..shading.kernels import kernel_shader
+from ..shading.room import has_room
 
 Input = ParameterInfo | ResourceInfo | BufferInfo
 """What a host, or a frame, sets of a shader."""
@@ -74,6 +75,9 @@ class Shaders:
         return self.known[key]
 
     def _drawn(self, key: Key, light: ast.RigEntry | None) -> FrameShader | None:
+        symbol = key.material or key.step
+        if not has_room(symbol, self.records, self.report):
+            return None
         rig = self.rig if light is None else _alone(self.rig, light)
         parts = Parts(key.material or self.root, rig, key.step, self.module)
         setting = set_up(parts, self.report.apart(), self.records)

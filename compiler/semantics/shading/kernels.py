@@ -41,6 +41,7 @@ from .images import (
     report_other_image,
 )
 from .instances import instance_of
+from .room import has_room
 from .scattering import scattered
 from .slot_checks import check_instance
 from .stored_parts import is_writable, stores
@@ -72,6 +73,8 @@ def kernel_shader(
     symbol: Symbol, module: Module, report: Report, records: Records
 ) -> Shader | None:
     """The shader of a kernel, or ``None`` after reporting why there is none."""
+    if not has_room(symbol, records, report):
+        return None
     ctx = Context(report, records, RULES)
     record = records.of(symbol)
     leaves = leaves_of(ctx, record)

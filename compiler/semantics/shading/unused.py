@@ -42,6 +42,7 @@ from .expanding import expanded, expands
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
+from .room import has_room
 from .slot_checks import check_instance, check_rig
 
 MOST_EXAMPLES = 256
@@ -119,6 +120,8 @@ class UnusedDeclarations:
     def _check(self, *kinds: type) -> None:
         for symbol in self._declared:
             if isinstance(symbol.declaration, kinds) and symbol not in self._reached:
+                if not has_room(symbol, self._records, self._report):
+                    raise _TooMuchError
                 self._tell(self._counted(symbol))
 
     def _counted(self, symbol: Symbol) -> Iterator[Attempt]:

@@ -120,7 +120,7 @@ class Context:
         self.records = records
         self.rules = rules
         self.rig: tuple[RigEntry, ...] = ()
-        self.tree = Tree()
+        self.tree = Tree(records.work)
         self.notes = Notes()
         self.places = Places(self.notes.spans)
         self.crossings = Crossings(self.tree, report, self.follow, self.places)

@@ -13,6 +13,7 @@ from collections.abc import Hashable, Mapping
 from ....frozen import EMPTY
 from ...ir.node import Graph, Node, Op, key_of
 from ...ir.types import Type
+from ..work import Work
 
 
 class Tree(Graph):
@@ -22,8 +23,10 @@ class Tree(Graph):
     computed for it in between is known by these.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, work: Work) -> None:
+        """``work`` counts all nodes."""
         super().__init__()
+        self._work = work
         self.nodes: list[Node] = []
         """All that were made, in order."""
         self.again: Mapping[Hashable, Node] = EMPTY
@@ -40,6 +43,7 @@ class Tree(Graph):
             return known
         node = Node(op, type_, operands, data, len(self.nodes))
         self.nodes.append(node)
+        self._work.nodes += 1
         return node
 
     def made_since(self, first: int) -> dict[Hashable, Node]:
