@@ -19,7 +19,7 @@ from ..ir.shader import Notes
 from ..ir.types import Type
 from .path_conditions import PathRefinement
 from .remarks import Outcome, Remark
-from .rules.rule import Builder, Site
+from .rules.builder import Builder
 from .rules.table import rule_table
 
 _HEAD: Callable[[Node], Hashable] = attrgetter("head")
@@ -69,10 +69,8 @@ class Simplifier(Builder):
     ) -> Node:
         """The simplest node with the value of this operation."""
         head = HEADS.get(op, data)
-        candidates = self._candidates((head, *map(_HEAD, operands)))
-        for rule, is_swapped, closer in candidates:
-            site = Site(op, type_, operands[::-1] if is_swapped else operands, data)
-            found = rule.apply(self, site, closer)
+        for rule, apply in self._candidates((head, *map(_HEAD, operands))):
+            found = apply(self, op, type_, operands, data)
             if found is not None:
                 if rule.drops:
                     self.remark(str(data), operands, "dropped")

@@ -19,7 +19,8 @@ from burnish.compiler.passes import (
     split_stages,
 )
 from burnish.compiler.passes.rules import table
-from burnish.compiler.passes.rules.rule import operand
+from burnish.compiler.passes.rules.terms import Variable
+from burnish.compiler.passes.rules.vocabulary import a, x
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
@@ -148,11 +149,11 @@ PLANTED = [
     Planted("what crosses is never negative", "rules: Guarded", QUICKEST["glsl"],
             derived("cross", lambda _ranges, _node, _known: Fact(0.0))),
     Planted("a sum of constant terms without the second", "rules: Gathered", QUICKEST["glsl"],
-            rewriting("constants added", gives=operand(0))),
+            rewriting("constants added", right=Variable("s"))),
     Planted("a product of constant factors without the second", "rules: Gathered",
-            QUICKEST["hlsl"], rewriting("constant factors", gives=operand(0))),
+            QUICKEST["hlsl"], rewriting("constant factors", right=Variable("p"))),
     Planted("a common factor without the other one", "rules: Gathered", QUICKEST["wgsl"],
-            rewriting("common factor", gives=operand(0))),
+            rewriting("common factor", right=x * a)),
     Planted("columns of the next matrix", "buffers: Shapes", QUICKEST["glsl"],
             replaced(lower_reads, "stored_elements", lambda _element: 1)),
     Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
