@@ -47,12 +47,14 @@ class Simplifier(Builder):
         operands: tuple[Node, ...],
         outcome: Outcome,
         conditions: tuple[PathRefinement, ...] = (),
+        rule: str = "",
     ) -> None:
         """Remember what became of a builtin that stands in somebody's text."""
         if not self.expanding:
             key = builtin, operands, outcome
             if key not in self.remarks:
-                self.remarks[key] = Remark(builtin, operands, self.at, outcome, conditions)
+                remark = Remark(builtin, operands, self.at, outcome, conditions, rule)
+                self.remarks[key] = remark
 
     def simplified(self, roots: Roots) -> Roots:
         """The roots in their simplest form; what is in this form already is not looked at."""
@@ -73,7 +75,7 @@ class Simplifier(Builder):
             found = apply(self, op, type_, operands, data)
             if found is not None:
                 if rule.drops:
-                    self.remark(str(data), operands, "dropped")
+                    self.remark(str(data), operands, "dropped", rule=rule.name)
                 break
         else:
             found = self.graph.node(op, type_, operands, data)

@@ -45,7 +45,7 @@ def _reciprocal(builder: Builder, _type: Type, divisor: Node) -> Node | None:
     return builder.constant(divisor.type, 1 / number)
 
 
-@condition("{} is a whole number above 1, and not a large one")
+@condition(f"{{}} is a whole number in 2..{LARGEST_DIVISOR:g}")
 def _is_small_divisor(_builder: Builder, _type: Type, divisor: Node) -> bool:
     """Whether quotients by a constant are apart from whole numbers where they should be.
 

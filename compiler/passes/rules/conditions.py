@@ -20,7 +20,7 @@ def gives_vector(_builder: Builder, type_: Type) -> bool:
     return isinstance(type_, Vector)
 
 
-@condition("{} has the type of the result")
+@condition("{} is as wide as the result")
 def is_whole(_builder: Builder, type_: Type, value: Node) -> bool:
     """Whether a value has the type of the result: it is no scalar beside vectors."""
     return value.type == type_
@@ -44,13 +44,13 @@ def is_matrix(_builder: Builder, _type: Type, value: Node) -> bool:
     return isinstance(value.type, Matrix)
 
 
-@condition("there is no matrix among {}")
-def is_no_matrix(_builder: Builder, _type: Type, *values: Node) -> bool:
-    """Whether values are scalars and vectors."""
-    return not any(isinstance(value.type, Matrix) for value in values)
+@condition("{} is no matrix")
+def is_no_matrix(_builder: Builder, _type: Type, value: Node) -> bool:
+    """Whether a value is a scalar or a vector."""
+    return not isinstance(value.type, Matrix)
 
 
-@condition("there is no matrix among {}")
+@condition("none of {} is a matrix")
 def are_no_matrices(_builder: Builder, _type: Type, values: tuple[Node, ...]) -> bool:
     """Whether all of several values are scalars and vectors."""
     return not any(isinstance(value.type, Matrix) for value in values)

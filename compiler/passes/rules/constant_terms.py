@@ -109,8 +109,9 @@ def _quotient(builder: Builder, type_: Type, dividend: Node, divisor: Node) -> N
 
 
 _SUM, _PRODUCT = Variable("s"), Variable("p")
-_OF_TERMS = (is_whole(_SUM), is_no_matrix(x, c, d), _are_terms(c, d))
-_OF_FACTORS = (is_whole(_PRODUCT), is_no_matrix(x, c, d), _are_factors(c, d))
+_ARE_NO_MATRICES = tuple(map(is_no_matrix, (x, c, d)))
+_OF_TERMS = (is_whole(_SUM), *_ARE_NO_MATRICES, _are_terms(c, d))
+_OF_FACTORS = (is_whole(_PRODUCT), *_ARE_NO_MATRICES, _are_factors(c, d))
 
 CONSTANT_TERMS = (
     Rule("constants added", either(_SUM @ either(x + c) + d), _plus(_SUM, x, c + d),

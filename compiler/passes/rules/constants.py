@@ -37,7 +37,7 @@ _LANEWISE = (
 # --- operations whose operands are all constant --------------------------------------------------
 
 
-@condition("{} has no side effects, and there are no variables in {}")
+@condition("{} looks at no neighbours, and all of {} are constants, also in columns")
 def _is_foldable(_builder: Builder, type_: Type, name: str, operands: tuple[Node, ...]) -> bool:
     is_number = isinstance(type_, Scalar | Vector | Matrix)
     has_value = is_number and not BUILTINS[name].uniform_control_flow

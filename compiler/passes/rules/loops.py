@@ -13,8 +13,8 @@ from ..cost import cost, cost_of
 from .builder import Builder, uniform_lane
 from .constants import constant_of
 from .rule import Rule
-from .terms import Variable, computed, condition
-from .vocabulary import c, d, fold, iterate, loop, xs
+from .terms import Several, Variable, computed, condition
+from .vocabulary import c, d, fold, iterate, loop
 
 UNROLLED = 2
 """Loops of at most so many turns are written out, if they come to no more operations than
@@ -41,7 +41,7 @@ def _turns(count: Node, loop: Folding | Iterating) -> int | None:
     return max(min(count.data, loop.bound), 0)
 
 
-@condition("{1} never turns, or {0} is 0")
+@condition("{} or the bound of {} is 0")
 def _never_turns(_builder: Builder, _type: Type, count: Node, loop: Folding | Iterating) -> bool:
     return _turns(count, loop) == 0
 
@@ -69,7 +69,7 @@ def _is_closed(count: Node, loop: Folding | Iterating, parts: Iterable[Node]) ->
 # --- folds ---------------------------------------------------------------------------------------
 
 
-@condition("{0} changes nothing in {1}")
+@condition("{} is neutral in {}")
 def _is_neutral(_builder: Builder, _type: Type, term: Node, loop: Folding) -> bool:
     return _is_neutral_for(loop, term)
 
@@ -80,13 +80,13 @@ def _is_neutral_for(loop: Folding, operand: Node) -> bool:
     return uniform_lane(operand) == build.neutral(loop.operator, kind)
 
 
-@condition("{2} needs constants and the variable of {1} only, and {0} is small")
+@condition("{} is small, and of variables only that of {} is in {}")
 def _fold_is_closed(_builder: Builder, _type: Type, count: Node, loop: Folding, term: Node) -> bool:
     return _is_closed(count, loop, (term,))
 
 
 @computed
-def _sum(
+def _folded(
     builder: Builder, type_: Type, count: Node, start: Node, term: Node, loop: Folding
 ) -> Node:
     """What a fold comes to."""
@@ -94,7 +94,7 @@ def _sum(
     return constant_of(builder, type_, evaluate(folded))
 
 
-@condition("{0} is small, or {2} has few operations")
+@condition("{} is very small, or small in {}, with few operations in {}")
 def _fold_is_short(_builder: Builder, _type: Type, count: Node, loop: Folding, term: Node) -> bool:
     return _is_short(_turns(count, loop), (term,), frozenset(loop.variables))
 
@@ -141,18 +141,18 @@ def _start(builder: Builder, type_: Type, parts: Parts, loop: Iterating) -> Node
     return _states(builder, type_, _starts(loop, parts))
 
 
-@condition("{0} in {1} does not go on")
+@condition("among {}, {} has a condition that never holds")
 def _stops_at_once(_builder: Builder, _type: Type, parts: Parts, loop: Iterating) -> bool:
     return uniform_lane(_going(loop, parts)) is False
 
 
-@condition("{0} in {1} stay as they are")
+@condition("among {}, {} has one state, which stays as it is")
 def _changes_nothing(_builder: Builder, _type: Type, parts: Parts, loop: Iterating) -> bool:
     (_turn, *states), nexts = loop.variables, _nexts(loop, parts)
     return len(states) == 1 and nexts[0].data is states[0]
 
 
-@condition("{2} need constants and the variables of {1} only, and {0} is small")
+@condition("{} is small, and of variables only those of {} are in {}")
 def _loop_is_closed(
     _builder: Builder, _type: Type, count: Node, loop: Iterating, parts: Parts
 ) -> bool:
@@ -171,7 +171,7 @@ def _last(builder: Builder, type_: Type, count: Node, parts: Parts, loop: Iterat
     return _states(builder, type_, states)
 
 
-@condition("{2} never stop early, and {0} is small or they have few operations")
+@condition("{} is very small, or small in {}, with few operations and no early end in {}")
 def _loop_is_short(
     _builder: Builder, _type: Type, count: Node, loop: Iterating, parts: Parts
 ) -> bool:
@@ -217,6 +217,7 @@ def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Form
 
 
 _COUNT, _START, _TERM = Variable("n"), Variable("start"), Variable("term")
+_PARTS = Several("parts")
 
 LOOP_RULES = (
     Rule("fold of nothing", fold[loop](_COUNT, _START, _TERM), _START,
@@ -224,26 +225,26 @@ LOOP_RULES = (
     Rule("fold of neutral terms", fold[loop](_COUNT, _START, _TERM), _START,
          "Terms that change nothing leave what a fold starts with.",
          where=_is_neutral(_TERM, loop)),
-    Rule("fold of constants", fold[loop](c, d, _TERM), _sum(c, d, _TERM, loop),
+    Rule("fold of constants", fold[loop](c, d, _TERM), _folded(c, d, _TERM, loop),
          "A fold of constants is computed when compiling, if it is short.",
          where=_fold_is_closed(c, loop, _TERM)),
     Rule("fold written out", fold[loop](_COUNT, _START, _TERM),
          _written_out(_COUNT, _START, _TERM, loop),
          "A fold of few turns, or of few operations, is written out.",
          where=_fold_is_short(_COUNT, loop, _TERM)),
-    Rule("loop of no turns", iterate[loop](_COUNT, xs), _start(xs, loop),
+    Rule("loop of no turns", iterate[loop](_COUNT, _PARTS), _start(_PARTS, loop),
          "A loop that never turns leaves its states as they are.",
          where=_never_turns(_COUNT, loop)),
-    Rule("loop that stops at once", iterate[loop](_COUNT, xs), _start(xs, loop),
+    Rule("loop that stops at once", iterate[loop](_COUNT, _PARTS), _start(_PARTS, loop),
          "A loop that does not go on leaves its states as they are.",
-         where=_stops_at_once(xs, loop)),
-    Rule("loop that changes nothing", iterate[loop](_COUNT, xs), _start(xs, loop),
+         where=_stops_at_once(_PARTS, loop)),
+    Rule("loop that changes nothing", iterate[loop](_COUNT, _PARTS), _start(_PARTS, loop),
          "A state that stays as it is, is what it starts with.",
-         where=_changes_nothing(xs, loop)),
-    Rule("loop of constants", iterate[loop](_COUNT, xs), _last(_COUNT, xs, loop),
+         where=_changes_nothing(_PARTS, loop)),
+    Rule("loop of constants", iterate[loop](_COUNT, _PARTS), _last(_COUNT, _PARTS, loop),
          "A loop of constants is computed when compiling, if it is short.",
-         where=_loop_is_closed(_COUNT, loop, xs)),
-    Rule("loop written out", iterate[loop](_COUNT, xs), _turned(_COUNT, xs, loop),
+         where=_loop_is_closed(_COUNT, loop, _PARTS)),
+    Rule("loop written out", iterate[loop](_COUNT, _PARTS), _turned(_COUNT, _PARTS, loop),
          "A loop of few turns, or of few operations, that never stops early is written out.",
-         where=_loop_is_short(_COUNT, loop, xs)),
+         where=_loop_is_short(_COUNT, loop, _PARTS)),
 )  # fmt: skip
