@@ -121,32 +121,28 @@ class _Matching:
 
     def applying(self, right: Term, where: tuple[Condition, ...]) -> Apply:
         """What replaces an operation by the right side."""
-        begin, steps = self._begin, tuple(self._steps)
+        begin, steps, of_calls = self._begin, tuple(self._steps), self._of_calls
+        are_operands = self._are_operands and not steps
         conditions, make = tuple(map(self._made, where)), self._result(right)
 
-        def made(builder: Builder, type_: Type, values: Values) -> Node | None:
+        def apply(
+            builder: Builder, op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable
+        ) -> Node | None:
+            if of_calls and op != "call":
+                return None
+            values: Values = operands
+            if not are_operands:
+                values = found = begin(operands, data)
+                for matches in steps:
+                    if not matches(found):
+                        return None
             for holds in conditions:
                 if not holds(builder, type_, values):
                     return None
-            found: Node | None = make(builder, type_, values)
-            return found
+            made: Node | None = make(builder, type_, values)
+            return made
 
-        def apply(
-            builder: Builder, _op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable
-        ) -> Node | None:
-            values = begin(operands, data)
-            for matches in steps:
-                if not matches(values):
-                    return None
-            return made(builder, type_, values)
-
-        def apply_to_operands(
-            builder: Builder, _op: Op, type_: Type, operands: tuple[Node, ...], _data: Hashable
-        ) -> Node | None:
-            return made(builder, type_, operands)
-
-        found = apply if steps or not self._are_operands else apply_to_operands
-        return _for_calls(found) if self._of_calls else found
+        return apply
 
     # --- the left side ---------------------------------------------------------------------------
 
@@ -300,10 +296,6 @@ class _Matching:
             return builder.call(head, type_, *operands)
 
         return made
-
-
-def _for_calls(apply: Apply) -> Apply:
-    return lambda builder, op, *operation: apply(builder, op, *operation) if op == "call" else None
 
 
 def _ends_in_several(terms: tuple[Term, ...]) -> bool:
