@@ -78,15 +78,16 @@ class Case:
         return _Matching(self.left, self.of_calls).applying(self.right, self.where)
 
 
-def orders(term: Term) -> Iterator[Any]:
-    """The term in each order of its operands, without any choice between orders."""
-    if not isinstance(term, Operation):
-        yield term
-        return
-    for operands in product(*map(orders, term.operands)):
-        yield changed(term, operands=operands, is_either=False)
-        if term.is_either:
-            yield changed(term, operands=operands[::-1], is_either=False)
+def orders(operation: Operation) -> Iterator[Operation]:
+    """The operation in each order of operands, without any choice between orders."""
+    choices = (
+        tuple(orders(term)) if isinstance(term, Operation) else (term,)
+        for term in operation.operands
+    )
+    for operands in product(*choices):
+        yield changed(operation, operands=operands, is_either=False)
+        if operation.is_either:
+            yield changed(operation, operands=operands[::-1], is_either=False)
 
 
 def heads_of(term: Term) -> Heads | None:
@@ -265,35 +266,57 @@ class _Matching:
         return made
 
     def _operation(self, term: Operation, is_whole: bool = False) -> Maker:
-        """What makes an operation, of the type of the result or of that which follows."""
-        head_of = self._value(changed(term.function, data=None))
-        data_of = None if term.function.data is None else self._value(term.function.data)
-        parts = [
-            (term.value, None) if isinstance(term, Uniform) else (0, self._value(term))
-            for term in term.operands
-        ]
+        """What makes an operation: a builtin, or another one, which has the type of the result."""
+        operands_of, function = self._operands(term.operands), term.function
+        if function.heads[0] not in _OPS:
+            return self._call(self._value(function), operands_of, is_whole)
+        op = _OPS[function.heads[0]]
+        data_of = None if function.data is None else self._value(function.data)
 
         def made(builder: Builder, type_: Type, values: Values) -> Node | None:
+            operands = operands_of(builder, type_, values)
+            data = None if data_of is None else data_of(builder, type_, values)
+            return None if operands is None else builder.make(op, type_, operands, data)
+
+        return made
+
+    def _call(self, name_of: Maker, operands_of: Maker, is_whole: bool) -> Maker:
+        """What makes a call: of the type of the result, or within that, of the one that follows."""
+
+        def made(builder: Builder, type_: Type, values: Values) -> Node | None:
+            operands = operands_of(builder, type_, values)
+            if operands is None:
+                return None
+            name = name_of(builder, type_, values)
+            if not is_whole:
+                follows = result_type(name, tuple(operand.type for operand in operands))
+                assert follows is not None
+                type_ = follows
+            elif len(operands) == 1:
+                operands = (builder.fitted(operands[0], type_),)
+            return builder.call(name, type_, *operands)
+
+        return made
+
+    def _operands(self, terms: tuple[Term, ...]) -> Maker:
+        """What makes operands; a number is as wide as the operand before it."""
+        parts = [
+            (term.value, None) if isinstance(term, Uniform) else (0, self._value(term))
+            for term in terms
+        ]
+
+        def made(builder: Builder, type_: Type, values: Values) -> tuple[Node, ...] | None:
             operands: list[Node] = []
             for number, make in parts:
-                if make is None:  # A number is as wide as the operand before it.
-                    operands.append(builder.constant(operands[0].type, number))
-                elif (operand := make(builder, type_, values)) is not None:
-                    operands.append(operand)
-                else:
+                operand = (
+                    builder.constant(operands[0].type, number)
+                    if make is None
+                    else make(builder, type_, values)
+                )
+                if operand is None:
                     return None
-            head = head_of(builder, type_, values)
-            op = _OPS.get(head, "call")
-            if op != "call":
-                data = None if data_of is None else data_of(builder, type_, values)
-                return builder.make(op, type_, tuple(operands), data)
-            if not is_whole:
-                type_of = result_type(head, tuple(operand.type for operand in operands))
-                assert type_of is not None
-                return builder.call(head, type_of, *operands)
-            if len(operands) == 1:
-                operands[0] = builder.fitted(operands[0], type_)
-            return builder.call(head, type_, *operands)
+                operands.append(operand)
+            return tuple(operands)
 
         return made
 
