@@ -79,15 +79,15 @@ class Case:
 
 
 def orders(operation: Operation) -> Iterator[Operation]:
-    """The operation in each order of operands, without any choice between orders."""
+    """The operation with its operands in each order that they may have."""
     choices = (
         tuple(orders(term)) if isinstance(term, Operation) else (term,)
         for term in operation.operands
     )
     for operands in product(*choices):
-        yield changed(operation, operands=operands, is_either=False)
+        yield operation if operands == operation.operands else changed(operation, operands=operands)
         if operation.is_either:
-            yield changed(operation, operands=operands[::-1], is_either=False)
+            yield changed(operation, operands=operands[::-1])
 
 
 def heads_of(term: Term) -> Heads | None:
