@@ -21,19 +21,19 @@ LONGEST = 60
 
 _INDEX = "i"
 """The variable of a closed body."""
-_WORDS = {"and": "and", "or": "or", "not": "not ", "mod": "mod"}
+WORDS = {"and": "and", "or": "or", "not": "not ", "mod": "mod"}
 _FOLDS = {"add": "sum", "mul": "product"}
 _CONVERSION = "to_"
 """The prefix of conversions, which are printed as their type: ``to_int`` as ``int``."""
 _LANES = "xyzw"
 _IN_BITS = 1_000_000
 """Larger whole numbers are printed in hexadecimal, because they probably are bit patterns."""
-_TIGHTNESS = {
+TIGHTNESS = {
     "or": 1, "and": 2, "eq": 3, "ne": 3, "lt": 3, "le": 3, "gt": 3, "ge": 3,
     "bit_or": 4, "bit_xor": 5, "bit_and": 6, "shift_left": 7, "shift_right": 7,
     "add": 8, "sub": 8, "mul": 9, "div": 9, "mod": 9,
 }  # fmt: skip
-_SIGN, _TIGHTEST = 10, 13
+SIGN, _TIGHTEST = 10, 13
 
 
 class Formulas:
@@ -70,7 +70,7 @@ class Formulas:
             return "…"
         text = self._formula(node, depth, named)
         builtin = builtin_of(node)
-        loose = builtin is not None and _TIGHTNESS.get(builtin, _TIGHTEST) < tightness
+        loose = builtin is not None and TIGHTNESS.get(builtin, _TIGHTEST) < tightness
         return f"({text})" if loose or (tightness and node.op in ("select", "fold")) else text
 
     def _formula(self, node: Node, depth: int, named: Callable[[Node], str | None]) -> str:
@@ -113,14 +113,14 @@ class Formulas:
     def _call(
         self, name: str, operands: Sequence[Node], depth: int, named: Callable[[Node], str | None]
     ) -> str:
-        tightness = _TIGHTNESS.get(name)
-        sign = _WORDS.get(name) or BUILTINS[name].operator
+        tightness = TIGHTNESS.get(name)
+        sign = WORDS.get(name) or BUILTINS[name].operator
         if tightness and len(operands) == 2:
             left = self._inner(operands[0], depth, named, tightness)
             right = self._inner(operands[1], depth, named, tightness + 1)
             return f"{left} {sign} {right}"
         if sign and len(operands) == 1:
-            return f"{sign}{self._inner(operands[0], depth, named, _SIGN)}"
+            return f"{sign}{self._inner(operands[0], depth, named, SIGN)}"
         texts = [self._inner(operand, depth, named) for operand in operands]
         if name == "sample":
             return f"{texts[0]}({', '.join(texts[1:])})"

@@ -48,6 +48,8 @@ def _proof(proof: Proof) -> Iterator[str]:
         yield f"    needed: {proof.needs}"
     elif proof.outcome == "native":
         yield f"    shown: {proof.needs}"
+    elif proof.equation:
+        yield f"    rule: {proof.equation}  [{proof.rule}]"
     for step in proof.steps:
         yield _step(step, proof.span)
     if proof.omitted:

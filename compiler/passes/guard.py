@@ -97,13 +97,14 @@ class Guarding(Expanding):
         operands: tuple[Node, ...],
         outcome: Outcome,
         conditions: tuple[PathRefinement, ...] = (),
+        rule: str = "",
     ) -> None:
         """As in any simplifier; but what is left away by now was part of an expansion.
 
         Nobody has to hear of a builtin that is expanded whatever is known of its operands.
         """
         if outcome != "dropped" and BUILTINS[builtin].needs:
-            super().remark(builtin, operands, outcome, conditions)
+            super().remark(builtin, operands, outcome, conditions, rule)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """As ``Simplifier.rule``, with what is known on the path to ``node``.

@@ -21,6 +21,8 @@ from ..ir.ranges import Ranges
 from ..ir.shader import Notes
 from .path_conditions import PathRefinement
 from .remarks import Outcome, Remark
+from .rules.notation import conditions, equations
+from .rules.table import RULES
 
 LONGEST = 16
 """Steps of one proof that are shown."""
@@ -61,6 +63,10 @@ class Proof:
     """What is not known and would have to be, of a guard that stays."""
     otherwise: str = ""
     """The defined result that the guard is for."""
+    rule: str = ""
+    """The simplification rule that has removed it."""
+    equation: str = ""
+    """What that rule says."""
 
 
 class Proofs:
@@ -100,6 +106,8 @@ class Proofs:
             omitted=max(0, len(steps) - LONGEST),
             missing=tuple(self._unknown(remark.operands)) if guarded else (),
             otherwise=row.outside if guarded else "",
+            rule=remark.rule,
+            equation=_equation(remark.rule),
         )
 
     def _decisive(self, remark: Remark) -> list[Node]:
@@ -186,6 +194,15 @@ class Proofs:
                 return f"`{name}` may hold anything"
             case _:
                 return ""
+
+
+def _equation(name: str) -> str:
+    """What a simplification rule says, with its conditions."""
+    for rule in RULES:
+        if rule.name == name:
+            where = conditions(rule)
+            return " and ".join(equations(rule)) + (f", where {where}" if where else "")
+    return ""
 
 
 def _tells(fact: Fact) -> bool:

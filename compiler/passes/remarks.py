@@ -27,3 +27,5 @@ class Remark:
     outcome: Outcome
     conditions: tuple[PathRefinement, ...] = ()
     """The conditions around it that the decision rests on, where ranges alone do not decide."""
+    rule: str = ""
+    """The name of the simplification rule that has removed it."""

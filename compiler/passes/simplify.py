@@ -19,7 +19,7 @@ from ..ir.shader import Notes
 from ..ir.types import Type
 from .path_conditions import PathRefinement
 from .remarks import Outcome, Remark
-from .rules.rule import Builder, Site
+from .rules.builder import Builder
 from .rules.table import rule_table
 
 _HEAD: Callable[[Node], Hashable] = attrgetter("head")
@@ -47,12 +47,14 @@ class Simplifier(Builder):
         operands: tuple[Node, ...],
         outcome: Outcome,
         conditions: tuple[PathRefinement, ...] = (),
+        rule: str = "",
     ) -> None:
         """Remember what became of a builtin that stands in somebody's text."""
         if not self.expanding:
             key = builtin, operands, outcome
             if key not in self.remarks:
-                self.remarks[key] = Remark(builtin, operands, self.at, outcome, conditions)
+                remark = Remark(builtin, operands, self.at, outcome, conditions, rule)
+                self.remarks[key] = remark
 
     def simplified(self, roots: Roots) -> Roots:
         """The roots in their simplest form; what is in this form already is not looked at."""
@@ -69,13 +71,11 @@ class Simplifier(Builder):
     ) -> Node:
         """The simplest node with the value of this operation."""
         head = HEADS.get(op, data)
-        candidates = self._candidates((head, *map(_HEAD, operands)))
-        for rule, is_swapped, closer in candidates:
-            site = Site(op, type_, operands[::-1] if is_swapped else operands, data)
-            found = rule.apply(self, site, closer)
+        for rule, apply in self._candidates((head, *map(_HEAD, operands))):
+            found = apply(self, op, type_, operands, data)
             if found is not None:
                 if rule.drops:
-                    self.remark(str(data), operands, "dropped")
+                    self.remark(str(data), operands, "dropped", rule=rule.name)
                 break
         else:
             found = self.graph.node(op, type_, operands, data)

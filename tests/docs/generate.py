@@ -1,7 +1,7 @@
 """``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
 
-Run it after changing the grammar, a builtin, a diagnostic, a profile, a capability, a limit, a
-route or a driver's row. A test fails if a page is not up to date.
+Run it after changing the grammar, a builtin, a diagnostic, a simplification rule, a profile, a
+capability, a limit, a route or a driver's row. A test fails if a page is not up to date.
 """
 
 from __future__ import annotations
@@ -15,13 +15,15 @@ from burnish.compiler.budget import LIMITS, amount_with_unit
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.compiler.ir.rulebook import RULES
+from burnish.compiler.passes.rules.notation import conditions, equations
+from burnish.compiler.passes.rules.table import RULES as SIMPLIFICATIONS
 from burnish.compiler.syntax.ast import KINDS
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.runner.routes import EVERY_ROUTE
 from burnish.targets.toolchain.limits import EVERY_LIMIT, in_words
 
 from .builtins_page import builtins_page
-from .tables import DOCS, NOTE, spliced, table
+from .tables import DOCS, NOTE, cell, codes, spliced, table
 from .targets_page import targets_page
 
 ROOT = Path(__file__).parents[2]
@@ -160,6 +162,16 @@ def graph_page() -> str:
     return spliced(page, "rules", table(("rule", "what it says"), rows))
 
 
+def passes_page() -> str:
+    """The page on passes with its table of simplification rules brought up to date."""
+    page = (DOCS / "passes.md").read_text(encoding="utf-8")
+    rows = (
+        (rule.name, codes(equations(rule), "<br>"), cell(conditions(rule)), rule.says)
+        for rule in SIMPLIFICATIONS
+    )
+    return spliced(page, "rules", table(("rule", "equation", "where", "why"), rows))
+
+
 def security_page() -> str:
     """The page on security with its table of limits brought up to date."""
     page = (DOCS / "security.md").read_text(encoding="utf-8")
@@ -178,6 +190,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "builtins.md": builtins_page,
     "diagnostics.md": diagnostics_page,
     "conformance.md": conformance_page,
+    "passes.md": passes_page,
     "security.md": security_page,
     "targets.md": targets_page,
 }

@@ -47,7 +47,7 @@ from burnish.stdlib.builtins.row import anything
 
 TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)
 LARGEST_INT = 2**31 - 1
-INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), LARGEST_INT)
+INT_TRAPS = (0, 1, -1, 2, 31, 50_000, -(2**31), LARGEST_INT)
 
 
 def range_rules() -> tuple[str, ...]:

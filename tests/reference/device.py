@@ -62,6 +62,7 @@ class Device(OwnFunctions):
     def __init__(self, errors: Errors, habits: Habits, seed: int) -> None:
         self._errors = errors
         self._habits = habits
+        self._seed = seed
         self._chance = np.random.default_rng(seed)
 
     def lane(self, value: Any) -> Chosen:
@@ -72,13 +73,17 @@ class Device(OwnFunctions):
             return Chosen(self, value if self._does(self._habits.folds) else _nearest(value))
         return Chosen(self, value)
 
-    def given(self, value: Array, error: float) -> Chosen:
-        """A leaf, with any error within the relative one."""
+    def given(self, value: Array, error: float, place: str) -> Chosen:
+        """A leaf, with any error within the relative one: that depends on its place only.
+
+        So it is the same whatever else the graph computes.
+        """
         if not error:
             return self.lane(value)
-        return Chosen(
-            self, value * (1.0 + error * self._chance.uniform(-1.0, 1.0, np.shape(value)))
-        )
+        chance = np.random.default_rng([self._seed, *place.encode()])
+        allowed = error * np.abs(value)
+        found = _nearest(value + allowed * chance.uniform(-1.0, 1.0, np.shape(value)))
+        return Chosen(self, _within(found, value, allowed))
 
     # --- choices of the device --------------------------------------------------------------------
 
@@ -106,8 +111,7 @@ class Device(OwnFunctions):
         allowed = self._errors(name, np.abs(operand), np.abs(exact))
         part = self._chance.uniform(*self._habits.error, np.shape(exact))
         found = _nearest(np.where(exact == 0, 0.0, exact + part * allowed))
-        inward = np.where(found > exact, -np.inf, np.inf)
-        found = np.where(np.abs(found - exact) > allowed, _next(found, inward), found)
+        found = _within(found, exact, allowed)
         # Where no float32 number is that close, the correctly rounded one is right.
         found = np.where(np.abs(found - exact) > allowed, _nearest(exact), found)
         return Chosen(self, self._flushed(np.where(np.isfinite(exact), found, exact)))
@@ -327,6 +331,12 @@ def _parts(x: Chosen, parts: tuple[Array, ...]) -> tuple[Array, ...]:
 
 def _nearest(x: Array) -> Array:
     return np.asarray(x, np.float32).astype(np.float64)
+
+
+def _within(x: Array, exact: Array, allowed: Array) -> Array:
+    """Float32 numbers, or where these are farther off than is allowed, the next ones inward."""
+    inward = np.where(x > exact, -np.inf, np.inf)
+    return np.where(np.abs(x - exact) > allowed, _next(x, inward), x)
 
 
 def _next(x: Array, towards: Array) -> Array:

@@ -250,11 +250,13 @@ class Values:
         return np.where(is_special, chance.choice(WHOLE, self._count), ordinary)
 
 
-def leaves(values: Values, made: Callable[[Any, float], Any]) -> Callable[[Node], Lanes | None]:
+def leaves(
+    values: Values, made: Callable[[Any, float, str], Any]
+) -> Callable[[Node], Lanes | None]:
     """What the evaluator asks for the values of leaves.
 
-    ``made`` makes a lane of an array, and of the relative error that it may have: some parameters
-    are like interpolated values, which no device has exactly.
+    ``made`` makes a lane of an array, of the relative error that it may have, and of the name of
+    its place. Some parameters are like interpolated values, which no device has exactly.
     """
 
     def lanes(node: Node) -> Lanes | None:
@@ -263,16 +265,17 @@ def leaves(values: Values, made: Callable[[Any, float], Any]) -> Callable[[Node]
         name = node.data.name
         is_float = scalar_kind(node.type) == "float"
         error = 2.0**-18 if is_float and name.encode()[-1] % 3 == 0 else 0.0
-        found: Lanes = _mapped(values.lanes(name, node.type), lambda array: made(array, error))
+        given = values.lanes(name, node.type)
+        found: Lanes = _mapped(given, name, lambda array, place: made(array, error, place))
         return found
 
     return lanes
 
 
-def _mapped(value: Any, made: Callable[[Any], Any]) -> Any:
+def _mapped(value: Any, place: str, made: Callable[[Any, str], Any]) -> Any:
     if isinstance(value, tuple):
-        return tuple(_mapped(part, made) for part in value)
-    return made(value)
+        return tuple(_mapped(part, f"{place}.{i}", made) for i, part in enumerate(value))
+    return made(value, place)
 
 
 def flat(value: Any) -> Iterator[Any]:

@@ -104,8 +104,9 @@ def test_bounds_of_loops_grow_like_errors(name: str) -> None:
         def lanes(node: Node) -> Any:
             if not isinstance(node.data, Parameter):
                 return None
-            arrays = _arrays(node.data.name, width(node.type))
-            return tuple(made(np.asarray(array, np.float64), ERROR) for array in arrays)
+            name = node.data.name
+            arrays = enumerate(_arrays(name, width(node.type)))
+            return tuple(made(np.asarray(a, np.float64), ERROR, f"{name}.{i}") for i, a in arrays)
 
         return lanes
 

@@ -65,7 +65,7 @@ class Seen:
         return f"{self.node}: {got} is not in [{low}, {high}] around {value}"
 
 
-def _bounds_of(array: Any, error: float) -> Bounded:
+def _bounds_of(array: Any, error: float, _place: str) -> Bounded:
     """A leaf, with the relative error that it may have."""
     if not error:
         return given(array)

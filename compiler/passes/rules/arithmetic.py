@@ -3,29 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 from ...ir import build
-from ...ir.node import Node
-from ...ir.types import Matrix, Scalar, Vector, scalar_kind
-from .rule import (
-    ANY,
-    CONSTANT,
-    Builder,
-    Rule,
-    Site,
-    are_same,
-    builtin,
-    constant,
-    inner,
-    is_float,
-    is_numeric,
-    lanes,
-    made,
-    operand,
-    uniform_lane,
+from ...ir.node import HEADS, Node
+from ...ir.types import Scalar, Type, Vector, scalar_kind
+from .builder import Builder, uniform_lane
+from .conditions import (
+    are_no_matrices,
+    gives_float,
+    gives_vector,
+    is_matrix,
+    is_no_matrix,
+    is_scalar,
+    is_signed,
+    is_whole,
 )
-from .whole_numbers import MAY_BE_WHOLE, is_whole
+from .rule import Rule
+from .terms import CONSTANT, NEG, Several, Variable, computed, condition, either, function
+from .vocabulary import a, abs_, b, c, floor, max_, mix, pow_, sqrt, transpose, x, y
+from .whole_numbers import MAY_BE_WHOLE, is_whole_number
 
 LARGEST_EXPONENT = 100
 """Of powers of two: neither these nor their reciprocals come near the subnormal numbers."""
@@ -34,56 +30,37 @@ LARGEST_DIVISOR = 512.0
 has no quotients by these either that are closer to a whole number than to the next float64."""
 
 
-def _negated(b: Builder, at: Site) -> Node:
-    return b.call("neg", at.type, b.fitted(at.operands[1], at.type))
+# --- quotients -----------------------------------------------------------------------------------
 
 
-def _is_whole_negation(_b: Builder, at: Site) -> bool:
-    return at.operands[1].type == at.type
-
-
-def _is_signed(_b: Builder, at: Site) -> bool:
-    return scalar_kind(at.type) != "uint"
-
-
-def _is_no_matrix_and_same(b: Builder, at: Site) -> bool:
-    return are_same(b, at) and not isinstance(at.type, Matrix)
-
-
-# --- a factor that two products share ------------------------------------------------------------
-
-
-def _factored(b: Builder, at: Site) -> Node | None:
-    """The factor has the type of the sum: no scalar part of a product is parted from it."""
-    left, right = at.operands
-    if at.op != "call" or not is_float(b, at) or _has_matrix(left) or _has_matrix(right):
+@computed
+def _reciprocal(builder: Builder, _type: Type, divisor: Node) -> Node | None:
+    """Of a power of two, which has an exact one."""
+    number = uniform_lane(divisor)
+    if number is None:
         return None
-    common = [o for o in left.operands if o in right.operands and o.type == at.type]
-    if not common:
+    fraction, exponent = math.frexp(abs(number))
+    if fraction != 0.5 or abs(exponent) > LARGEST_EXPONENT:
         return None
-    rests = [_other(product, common[0]) for product in (left, right)]
-    if not all(rest.type == at.type for rest in rests):
-        return None
-    return b.call("mul", at.type, b.call("add", at.type, *rests), common[0])
+    return builder.constant(divisor.type, 1 / number)
 
 
-def _other(product: Node, factor: Node) -> Node:
-    left, right = product.operands
-    return right if left is factor else left
+@condition(f"{{}} is a whole number in 2..{LARGEST_DIVISOR:g}")
+def _is_small_divisor(_builder: Builder, _type: Type, divisor: Node) -> bool:
+    """Whether quotients by a constant are apart from whole numbers where they should be.
 
-
-def _has_matrix(node: Node) -> bool:
-    return any(isinstance(each.type, Matrix) for each in node.operands)
+    With a quarter more, no error of 2.5 ulp reaches a whole number where the dividend is below
+    2^22 / 5. From 2^23 on, float32 has neither quarters nor halves, and the sum is rounded to the
+    dividend: nothing changes there.
+    """
+    number = uniform_lane(divisor)
+    return number is not None and number == int(number) and 1 < number <= LARGEST_DIVISOR
 
 
 # --- equal lanes ---------------------------------------------------------------------------------
 
 
-def _is_vector_call(b: Builder, at: Site) -> bool:
-    return at.op == "call" and isinstance(at.type, Vector) and is_numeric(b, at)
-
-
-def _equal_lane(b: Builder, node: Node) -> Node | None:
+def _equal_lane(builder: Builder, node: Node) -> Node | None:
     """The scalar that fills every lane of ``node``, if one does."""
     if isinstance(node.type, Scalar):
         return node
@@ -92,49 +69,39 @@ def _equal_lane(b: Builder, node: Node) -> Node | None:
     value, kind = uniform_lane(node), scalar_kind(node.type)
     if value is None or kind is None:
         return None
-    return build.constant(b.graph, Scalar(kind), value)
+    return build.constant(builder.graph, Scalar(kind), value)
 
 
-def _of_scalars(b: Builder, at: Site) -> Node | None:
+@computed
+def _filled(builder: Builder, type_: Type, name: str, operands: tuple[Node, ...]) -> Node | None:
     """The operation of the scalars, in every lane, where all operands have equal lanes."""
-    found = [_equal_lane(b, each) for each in at.operands]
+    found = [_equal_lane(builder, each) for each in operands]
     scalars = [lane for lane in found if lane is not None]
-    if len(scalars) < len(found) or not isinstance(at.type, Vector):
+    if len(scalars) < len(found) or not isinstance(type_, Vector):
         return None
-    return b.make("splat", at.type, (b.call(str(at.data), Scalar(at.type.kind), *scalars),))
+    return builder.make("splat", type_, (builder.call(name, Scalar(type_.kind), *scalars),))
 
 
-def _with_scalar(b: Builder, at: Site) -> Node | None:
+@computed
+def _with_scalar(
+    builder: Builder, type_: Type, name: str, operands: tuple[Node, ...]
+) -> Node | None:
     """The operation with each vector of equal lanes as a scalar; one vector has to be left."""
     changed = []
-    for each in at.operands:
-        lane = _equal_lane(b, each) if isinstance(each.type, Vector) else None
+    for each in operands:
+        lane = _equal_lane(builder, each) if isinstance(each.type, Vector) else None
         changed.append(each if lane is None else lane)
-    if tuple(changed) == at.operands or not any(isinstance(o.type, Vector) for o in changed):
+    if tuple(changed) == operands or not any(isinstance(o.type, Vector) for o in changed):
         return None
-    return b.call(str(at.data), at.type, *changed)
+    return builder.call(name, type_, *changed)
 
 
-_EQUAL_LANES = made("splat", "constant")
+# --- matrices ------------------------------------------------------------------------------------
 
 
-def _is_transposed_product(_b: Builder, at: Site) -> bool:
-    return isinstance(at.operands[0].operands[1].type, Scalar)
-
-
-def _untransposed(b: Builder, at: Site) -> Node:
-    matrix, factor = at.operands[0].operands
-    return b.call("mul", at.type, matrix.operands[0], factor)
-
-
-def _is_moved(_b: Builder, at: Site) -> bool:
-    """Whether a matrix is multiplied by a vector."""
-    return isinstance(at.operands[0].type, Matrix) and isinstance(at.type, Vector)
-
-
-def _is_moved_by_identity(_b: Builder, at: Site) -> bool:
-    matrix, moved = at.operands
-    return moved.type == at.type and all(
+@condition("{} is the identity")
+def _is_identity(_builder: Builder, _type: Type, matrix: Node) -> bool:
+    return all(
         column.op == "constant" and column.data == tuple(map(float, unit))
         for column, unit in zip(matrix.operands, _units(len(matrix.operands)), strict=True)
     )
@@ -145,134 +112,79 @@ def _units(size: int) -> list[tuple[int, ...]]:
     return [tuple(int(row == column) for row in range(size)) for column in range(size)]
 
 
-# --- powers and mixtures -------------------------------------------------------------------------
-
-
-def _has_exponent(exponent: float) -> Callable[[Builder, Site], bool]:
-    return lambda _b, at: uniform_lane(at.operands[1]) == exponent
-
-
-def _squared(b: Builder, at: Site) -> Node:
-    base = b.call("max", at.type, at.operands[0], b.constant(at.type, 0))
-    return b.call("mul", at.type, base, base)
-
-
-def _ends_are_same(b: Builder, at: Site) -> bool:
-    """Whether both ends are one value, which no weight is so large as to lose by rounding."""
-    first, last, weight = at.operands
-    return first is last and b.ranges.of(weight).within(-1024.0, 1024.0)
-
-
-def _is_square(_b: Builder, at: Site) -> bool:
-    left, right = at.operands[0].operands
-    return left is right
-
-
-def _of_exact_quotient(b: Builder, at: Site) -> Node | None:
-    """The rounding of a product, in place of that of a quotient by a power of two."""
-    (quotient,) = at.operands
-    value, divisor = quotient.operands
-    number = uniform_lane(divisor)
-    if number is None:
-        return None
-    fraction, exponent = math.frexp(abs(number))
-    if fraction != 0.5 or abs(exponent) > LARGEST_EXPONENT:
-        return None
-    reciprocal = b.constant(divisor.type, 1 / number)
-    return b.call(str(at.data), at.type, b.call("mul", at.type, value, reciprocal))
-
-
-def _of_middle(b: Builder, at: Site) -> Node | None:
-    """The quotient of a quarter more, which is away from whole numbers.
-
-    No error of 2.5 ulp reaches them where ``value`` is below 2^22 / 5. From 2^23 on, float32 has
-    neither quarters nor halves, and the sum is rounded to ``value``: nothing changes there.
-    """
-    (quotient,) = at.operands
-    value, divisor = quotient.operands
-    number = uniform_lane(divisor)
-    if number is None or number != int(number) or not 1 < number <= LARGEST_DIVISOR:
-        return None
-    if not is_whole(value):
-        return None
-    middle = b.call("add", value.type, value, b.constant(value.type, 0.25))
-    return b.call("floor", at.type, b.make(quotient.op, quotient.type, (middle, divisor), "div"))
-
+_ROUNDING = function("floor", "ceil", "round", "trunc", "fract")
+_LINEAR = function("add", "sub", "mul", "div")
+_PRODUCT = function("dot", "cross")
+_WHOLE = Variable("n", MAY_BE_WHOLE)
+_MATRIX = Variable("m", frozenset({HEADS["matrix"]}))
+_EQUAL_LANES = Several("xs", some=CONSTANT | {HEADS["splat"]})
 
 ARITHMETIC = (
-    Rule("zero added", "Adding zero changes nothing.",
-         ("add",), (lanes(0), ANY), operand(1), either=True),
-    Rule("negation added", "Adding what is negated is subtracting it.",
-         ("add",), (ANY, builtin("neg")),
-         lambda b, at: b.call("sub", at.type, at.operands[0], at.operands[1].operands[0]),
-         _is_whole_negation),
-    Rule("common factor", "The sum a * x + b * x is (a + b) * x, which is one product less.",
-         ("add",), (builtin("mul"), builtin("mul")), _factored),
-    Rule("zero subtracted", "Subtracting zero changes nothing.",
-         ("sub",), (ANY, lanes(0)), operand(0)),
-    Rule("subtracted from zero", "Zero minus a value is its negation.",
-         ("sub",), (lanes(0), ANY), _negated, _is_signed),
-    Rule("subtracted from itself", "A value minus itself is zero.",
-         ("sub",), (ANY, ANY), constant(0), _is_no_matrix_and_same),
-    Rule("times zero", "Zero times any finite value is zero.",
-         ("mul",), (lanes(0), ANY), constant(0), is_numeric, either=True),
-    Rule("times one", "A product with one is the other factor.",
-         ("mul",), (lanes(1), ANY), operand(1), is_numeric, either=True),
-    Rule("times minus one", "A product with minus one is the other factor, negated.",
-         ("mul",), (lanes(-1), ANY), _negated, is_numeric, either=True),
-    Rule("magnitude squared", "The square of a magnitude is the square of the value.",
-         ("mul",), (builtin("abs"), builtin("abs")),
-         lambda b, at: b.call("mul", at.type, *at.operands[0].operands * 2), are_same),
-    Rule("divided by one", "Dividing by one changes nothing.",
-         ("div",), (ANY, lanes(1)), operand(0), is_numeric),
-    Rule("rounded quotient", "A product with a power of two is exact on every device, but a"
-         " quotient may be less than the whole number that it is: x mod 2.0 would be 2.",
-         ("floor", "ceil", "round", "trunc", "fract"), (builtin("div", parts=(ANY, CONSTANT)),),
-         _of_exact_quotient),
-    Rule("quotient of whole numbers", "The quotient of a whole number, rounded down, is that of a"
+    Rule("zero added", either(x + 0), x, "Adding zero changes nothing."),
+    Rule("negation added", x + -y, x - y,
+         "Adding what is negated is subtracting it.", where=is_whole(y)),
+    Rule("common factor", either(x * a) + either(x * b), (a + b) * x,
+         "The sum a * x + b * x is (a + b) * x, which is one product less.",
+         where=(gives_float(), is_whole(x), is_whole(a), is_whole(b)), of_calls=True),
+    Rule("zero subtracted", x - 0, x, "Subtracting zero changes nothing."),
+    Rule("subtracted from zero", 0 - x, -x,
+         "Zero minus a value is its negation.", where=is_signed(x)),
+    Rule("subtracted from itself", x - x, 0,
+         "A value minus itself is zero.", where=is_no_matrix(x)),
+    Rule("times zero", either(x * 0), 0,
+         "Zero times any finite value is zero.", where=is_no_matrix(x)),
+    Rule("times one", either(x * 1), x,
+         "A product with one is the other factor.", where=is_no_matrix(x)),
+    Rule("times minus one", either(x * -1), -x,
+         "A product with minus one is the other factor, negated.", where=is_no_matrix(x)),
+    Rule("magnitude squared", abs_(x) * abs_(x), x * x,
+         "The square of a magnitude is the square of the value."),
+    Rule("divided by one", x / 1, x, "Dividing by one changes nothing.", where=is_no_matrix(x)),
+    Rule("rounded quotient", _ROUNDING(x / c), _ROUNDING(x * _reciprocal(c)),
+         "A product with a power of two is exact on every device, but a"
+         " quotient may be less than the whole number that it is: x mod 2.0 would be 2."),
+    Rule("quotient of whole numbers", floor(_WHOLE / c), floor((_WHOLE + 0.25) / c),
+         "The quotient of a whole number, rounded down, is that of a"
          " quarter more, but a rounded one may be less than the whole number that it is: floor(x)"
          " mod 3.0 would be 3.",
-         ("floor",), (builtin("div", parts=(MAY_BE_WHOLE, CONSTANT)),), _of_middle, is_float),
-    Rule("zero divided", "Zero divided by anything is zero: so is 0 / 0 by definition.",
-         ("div",), (lanes(0), ANY), constant(0), is_float),
-    Rule("equal lanes", "Arithmetic with equal lanes in all operands is that of scalars, once.",
-         ("add", "sub", "mul", "div"), ANY, _of_scalars, _is_vector_call, some=_EQUAL_LANES),
-    Rule("scalar operand", "A vector of equal lanes is the scalar, which arithmetic takes as well.",
-         ("add", "sub", "mul", "div"), ANY, _with_scalar, _is_vector_call, some=_EQUAL_LANES),
-    Rule("negated twice", "The negation of a negation is the value.",
-         ("neg",), (builtin("neg"),), inner),
-    Rule("to the power of one", "The power of one is the value, but zero for negative values.",
-         ("pow",), (ANY, lanes(1)),
-         lambda b, at: b.call("max", at.type, at.operands[0], b.constant(at.type, 0))),
-    Rule("to the power of zero", "Everything to the power of zero is one, by definition.",
-         ("pow",), (ANY, lanes(0)), constant(1)),
-    Rule("squared", "The power of two is a product, but zero for negative values.",
-         ("pow",), (ANY, CONSTANT), _squared, _has_exponent(2)),
-    Rule("root as a power", "The power of a half is the root, which is zero for negative values.",
-         ("pow",), (ANY, CONSTANT), lambda b, at: b.call("sqrt", at.type, at.operands[0]),
-         _has_exponent(0.5)),
-    Rule("root of a square", "The root of a value times itself is its magnitude.",
-         ("sqrt",), (builtin("mul"),),
-         lambda b, at: b.call("abs", at.type, at.operands[0].operands[0]), _is_square),
-    Rule("one to a power", "One to any power is one.",
-         ("pow",), (lanes(1), ANY), constant(1)),
-    Rule("mixed with weight zero", "With weight zero, only the first value counts.",
-         ("mix",), (ANY, ANY, lanes(0)), operand(0)),
-    Rule("mixed with weight one", "With weight one, only the second value counts.",
-         ("mix",), (ANY, ANY, lanes(1)), operand(1)),
-    Rule("mixed with itself", "A mixture of a value and itself is that value.",
-         ("mix",), (ANY, ANY, ANY), operand(0), _ends_are_same),
-    Rule("mixed from zero to one", "Between zero and one, the mixture is the weight.",
-         ("mix",), (lanes(0), lanes(1), ANY), operand(2)),
-    Rule("product of zeros", "With a vector of zeros, every dot product and every cross is zero.",
-         ("dot", "cross"), (lanes(0), ANY), constant(0), either=True),
-    Rule("zero moved", "A matrix of finite numbers leaves zero where it is.",
-         ("mul",), (ANY, lanes(0)), constant(0), _is_moved),
-    Rule("identity moves", "The identity matrix changes nothing.",
-         ("mul",), (made("matrix"), ANY), operand(1), _is_moved_by_identity, either=True),
-    Rule("transposed twice", "The transpose of a transpose is the matrix.",
-         ("transpose",), (builtin("transpose"),), inner),
-    Rule("transposed around a factor", "Two transposes cancel, with a scalar factor between them.",
-         ("transpose",), (builtin("mul", parts=(builtin("transpose"), ANY)),),
-         _untransposed, _is_transposed_product),
+         where=(gives_float(), _is_small_divisor(c), is_whole_number(_WHOLE))),
+    Rule("zero divided", 0 / x, 0,
+         "Zero divided by anything is zero: so is 0 / 0 by definition.", where=gives_float()),
+    Rule("equal lanes", _LINEAR(_EQUAL_LANES), _filled(_LINEAR, _EQUAL_LANES),
+         "Arithmetic with equal lanes in all operands is that of scalars, once.",
+         where=(gives_vector(), are_no_matrices(_EQUAL_LANES)), of_calls=True),
+    Rule("scalar operand", _LINEAR(_EQUAL_LANES), _with_scalar(_LINEAR, _EQUAL_LANES),
+         "A vector of equal lanes is the scalar, which arithmetic takes as well.",
+         where=(gives_vector(), are_no_matrices(_EQUAL_LANES)), of_calls=True),
+    Rule("negated twice", NEG(NEG(x)), x, "The negation of a negation is the value."),
+    Rule("to the power of one", pow_(x, 1), max_(x, 0),
+         "The power of one is the value, but zero for negative values."),
+    Rule("to the power of zero", pow_(x, 0), 1,
+         "Everything to the power of zero is one, by definition."),
+    Rule("squared", pow_(x, 2), max_(x, 0) * max_(x, 0),
+         "The power of two is a product, but zero for negative values."),
+    Rule("root as a power", pow_(x, 0.5), sqrt(x),
+         "The power of a half is the root, which is zero for negative values."),
+    Rule("root of a square", sqrt(x * x), abs_(x),
+         "The root of a value times itself is its magnitude."),
+    Rule("one to a power", pow_(1, x), 1, "One to any power is one."),
+    Rule("mixed with weight zero", mix(x, y, 0), x,
+         "With weight zero, only the first value counts."),
+    Rule("mixed with weight one", mix(x, y, 1), y,
+         "With weight one, only the second value counts."),
+    # No weight is so large that the mixture loses the value by rounding.
+    Rule("mixed with itself", mix(x, x, a), x,
+         "A mixture of a value and itself is that value.", where=(a >= -1024, a <= 1024)),
+    Rule("mixed from zero to one", mix(0, 1, x), x,
+         "Between zero and one, the mixture is the weight."),
+    Rule("product of zeros", either(_PRODUCT(0, x)), 0,
+         "With a vector of zeros, every dot product and every cross is zero."),
+    Rule("zero moved", x * 0, 0, "A matrix of finite numbers leaves zero where it is.",
+         where=(is_matrix(x), gives_vector())),
+    Rule("identity moves", either(_MATRIX * x), x, "The identity matrix changes nothing.",
+         where=(is_whole(x), _is_identity(_MATRIX))),
+    Rule("transposed twice", transpose(transpose(x)), x,
+         "The transpose of a transpose is the matrix."),
+    Rule("transposed around a factor", transpose(transpose(x) * a), x * a,
+         "Two transposes cancel, with a scalar factor between them.", where=is_scalar(a)),
 )  # fmt: skip

@@ -2,105 +2,85 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-from ...ir.comparisons import HOLDS
 from ...ir.node import Node
-from ...ir.operations import CALL
 from ...ir.refinements import OPPOSITES
-from .rule import (
-    ANY,
-    Builder,
-    Rule,
-    Site,
-    are_same,
-    builtin,
-    constant,
-    inner,
-    is_float,
-    is_whole_bool,
-    lanes,
-    operand,
-)
+from ...ir.types import Type
+from .builder import Builder
+from .conditions import gives_float, is_whole
+from .rule import Rule
+from .terms import computed, condition, either, function, proven
+from .vocabulary import abs_, clamp, max_, min_, normalize, not_, saturate, x, y, z
 
 
-def _holds(comparison: str) -> Callable[[Builder, Site], bool]:
-    """Whether ranges show that a comparison of the two operands always holds."""
-    decision = HOLDS[comparison]
-    return lambda b, at: decision(*map(b.ranges.of, at.operands))
+@condition("{} is of length one")
+def _is_unit(builder: Builder, _type: Type, value: Node) -> bool:
+    return builder.ranges.of(value).unit
 
 
-def _within_limits(b: Builder, at: Site) -> bool:
-    value, low, high = map(b.ranges.of, at.operands)
-    return value.within(low.hi, high.lo)
-
-
-def _is_whole_float(b: Builder, at: Site) -> bool:
-    return is_float(b, at) and at.operands[0].type == at.type
+@computed
+def _opposite(builder: Builder, type_: Type, comparison: str, left: Node, right: Node) -> Node:
+    return builder.call(OPPOSITES[comparison], type_, left, right)
 
 
 def _comparison(name: str, words: str) -> tuple[Rule, Rule]:
+    compared = function(name)
     return (
-        Rule(f"{name} holds", f"Ranges show that the left value is always {words} the right one.",
-             (name,), (ANY, ANY), constant(True), _holds(name), drops=True),
-        Rule(f"{name} fails", f"Ranges show that the left value is never {words} the right one.",
-             (name,), (ANY, ANY), constant(False), _holds(OPPOSITES[name]), drops=True),
+        Rule(f"{name} holds", compared(x, y), True,
+             f"Ranges show that the left value is always {words} the right one.",
+             where=proven(name, x, y), drops=True),
+        Rule(f"{name} fails", compared(x, y), False,
+             f"Ranges show that the left value is never {words} the right one.",
+             where=proven(OPPOSITES[name], x, y), drops=True),
     )  # fmt: skip
 
 
 def _equality(name: str, equal: bool) -> tuple[Rule, ...]:
     """``==`` (``equal``) and ``!=``."""
+    compared = function(name)
     return (
-        Rule(f"{name} a bool", "A bool compared with true or false is the bool itself.",
-             (name,), (lanes(equal), ANY), operand(1), is_whole_bool(1), either=True, drops=True),
-        Rule(f"{name} the other bool", "A bool compared with true or false is its opposite.",
-             (name,), (lanes(not equal), ANY),
-             lambda b, at: b.make(at.op, at.type, at.operands[1:], "not"),
-             is_whole_bool(1), either=True, drops=True),
-        Rule(f"{name} itself", "A value equals itself.",
-             (name,), (ANY, ANY), constant(equal), are_same, drops=True),
-        Rule(f"{name} apart", "Ranges without a common value show that two values differ.",
-             (name,), (ANY, ANY), constant(not equal), _holds("ne"), drops=True),
+        Rule(f"{name} a bool", either(compared(equal, x)), x,
+             "A bool compared with true or false is the bool itself.",
+             where=is_whole(x), drops=True),
+        Rule(f"{name} the other bool", either(compared(not equal, x)), not_(x),
+             "A bool compared with true or false is its opposite.",
+             where=is_whole(x), drops=True),
+        Rule(f"{name} itself", compared(x, x), equal, "A value equals itself.", drops=True),
+        Rule(f"{name} apart", compared(x, y), not equal,
+             "Ranges without a common value show that two values differ.",
+             where=proven("ne", x, y), drops=True),
     )  # fmt: skip
 
 
-def _opposite(b: Builder, at: Site) -> Node:
-    (comparison,) = at.operands
-    return b.make(at.op, at.type, comparison.operands, OPPOSITES[CALL.data(comparison)])
-
+_COMPARISON = function(*OPPOSITES)
 
 BOUNDS = (
-    Rule("least is left", "Ranges show which value is the least.",
-         ("min",), (ANY, ANY), operand(0), _holds("le"), drops=True),
-    Rule("least is right", "Ranges show which value is the least.",
-         ("min",), (ANY, ANY), operand(1), _holds("ge"), drops=True),
-    Rule("greatest is left", "Ranges show which value is the greatest.",
-         ("max",), (ANY, ANY), operand(0), _holds("ge"), drops=True),
-    Rule("greatest is right", "Ranges show which value is the greatest.",
-         ("max",), (ANY, ANY), operand(1), _holds("le"), drops=True),
-    Rule("within limits", "A value that stays between the limits is not changed by `clamp`.",
-         ("clamp",), (ANY, ANY, ANY), operand(0), _within_limits, drops=True),
-    Rule("limits of zero and one", "To clamp between zero and one is to saturate.",
-         ("clamp",), (ANY, lanes(0), lanes(1)),
-         lambda b, at: b.call("saturate", at.type, at.operands[0]), _is_whole_float),
-    Rule("saturated already", "A value between zero and one is not changed by `saturate`.",
-         ("saturate",), (ANY,), operand(0),
-         lambda b, at: b.ranges.of(at.operands[0]).within(0.0, 1.0), drops=True),
-    Rule("not negative", "A value that is not negative is its own magnitude.",
-         ("abs",), (ANY,), operand(0),
-         lambda b, at: b.ranges.of(at.operands[0]).lo >= 0, drops=True),
-    Rule("of length one", "A vector of length one is normalized already.",
-         ("normalize",), (ANY,), operand(0),
-         lambda b, at: b.ranges.of(at.operands[0]).unit, drops=True),
+    Rule("least is left", min_(x, y), x,
+         "Ranges show which value is the least.", where=x <= y, drops=True),
+    Rule("least is right", min_(x, y), y,
+         "Ranges show which value is the least.", where=x >= y, drops=True),
+    Rule("greatest is left", max_(x, y), x,
+         "Ranges show which value is the greatest.", where=x >= y, drops=True),
+    Rule("greatest is right", max_(x, y), y,
+         "Ranges show which value is the greatest.", where=x <= y, drops=True),
+    Rule("within limits", clamp(x, y, z), x,
+         "A value that stays between the limits is not changed by `clamp`.",
+         where=(y <= x, x <= z), drops=True),
+    Rule("limits of zero and one", clamp(x, 0, 1), saturate(x),
+         "To clamp between zero and one is to saturate.", where=(gives_float(), is_whole(x))),
+    Rule("saturated already", saturate(x), x,
+         "A value between zero and one is not changed by `saturate`.",
+         where=(x >= 0, x <= 1), drops=True),
+    Rule("not negative", abs_(x), x,
+         "A value that is not negative is its own magnitude.", where=x >= 0, drops=True),
+    Rule("of length one", normalize(x), x,
+         "A vector of length one is normalized already.", where=_is_unit(x), drops=True),
     *_comparison("lt", "below"),
     *_comparison("ge", "at least"),
     *_comparison("le", "at most"),
     *_comparison("gt", "above"),
     *_equality("eq", True),
     *_equality("ne", False),
-    Rule("not twice", "The opposite of the opposite is the bool itself.",
-         ("not",), (builtin("not"),), inner),
-    Rule("comparison negated", "The opposite of a comparison is the opposite comparison.",
-         ("not",), (builtin(*OPPOSITES),), _opposite,
-         lambda _b, at: at.operands[0].op == at.op),
+    Rule("not twice", not_(not_(x)), x, "The opposite of the opposite is the bool itself."),
+    Rule("comparison negated", not_(_COMPARISON(x, y)), _opposite(_COMPARISON, x, y),
+         "The opposite of a comparison is the opposite comparison."),
 )  # fmt: skip

@@ -8,11 +8,16 @@ one beside it, so its constant is only gathered if this leaves nothing to comput
 
 from __future__ import annotations
 
-from ....frozen import frozen
+from collections.abc import Iterator
+
 from ...ir.node import Node
-from ...ir.types import Matrix, Vector, scalar_kind
+from ...ir.types import Type, Vector, scalar_kind
 from ...reference.operations import constant_lanes
-from .rule import CONSTANT, Builder, Rule, Site, builtin, uniform_lane
+from .builder import Builder, uniform_lane
+from .conditions import gives_float, is_no_matrix, is_whole
+from .rule import Rule
+from .terms import Variable, computed, condition, either
+from .vocabulary import c, d, x
 
 LARGEST_TERM = 1024.0
 """Larger constants are left alone: adding one and subtracting it again may be there to round."""
@@ -20,117 +25,122 @@ LARGEST_FACTOR = 1e15
 """With factors up to this, and not below its inverse, no product of two of them leaves float32."""
 
 
-@frozen
-class _Chain:
-    """An operation of a constant and of another operation, of a constant and a value."""
-
-    outer: Node
-    inner: Node
-    within: Node
-    value: Node
-
-    @property
-    def constants(self) -> tuple[Node, Node]:
-        """The inner constant and the outer one."""
-        return self.within, self.outer
+def _magnitudes(*constants: Node) -> Iterator[float]:
+    return (abs(float(v)) for each in constants for v in constant_lanes(each.type, each.data))
 
 
-def _chain(at: Site) -> _Chain | None:
-    """The parts of a chain of scalars and vectors in which both operations have one width."""
-    outer, inner = at.operands if at.operands[0].op == "constant" else at.operands[::-1]
-    if at.op != "call" or inner.op != "call" or inner.type != at.type:
-        return None
-    if any(isinstance(each.type, Matrix) for each in (outer, *inner.operands)):
-        return None
-    left, right = inner.operands
-    if right.op == "constant":
-        return _Chain(outer, inner, right, left)
-    return _Chain(outer, inner, left, right) if left.op == "constant" else None
+@condition("{} and {} are no large floats")
+def _are_terms(_builder: Builder, type_: Type, one: Node, other: Node) -> bool:
+    is_float = scalar_kind(type_) == "float"
+    return not is_float or all(each <= LARGEST_TERM for each in _magnitudes(one, other))
 
 
-def _magnitudes(chain: _Chain) -> list[float]:
-    return [abs(float(v)) for c in chain.constants for v in constant_lanes(c.type, c.data)]
-
-
-def _joined(b: Builder, name: str, left: Node, right: Node) -> Node:
-    """An operation of two constants, of which one may be a scalar."""
-    wide = left.type if isinstance(left.type, Vector) else right.type
-    return b.call(name, wide, left, right)
+@condition("{} and {} are neither large nor small floats")
+def _are_factors(_builder: Builder, type_: Type, one: Node, other: Node) -> bool:
+    is_float = scalar_kind(type_) == "float"
+    return not is_float or all(
+        1 / LARGEST_FACTOR <= each <= LARGEST_FACTOR for each in _magnitudes(one, other)
+    )
 
 
 # --- sums ----------------------------------------------------------------------------------------
 
 
-def _gathered_terms(b: Builder, at: Site) -> Node | None:
-    chain = _chain(at)
-    if chain is None:
+@computed
+def _plus(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -> Node | None:
+    """A value plus a constant, in place of a chain with ``inner``."""
+    if uniform_lane(term) == 0:
+        return builder.fitted(value, type_)
+    if inner.id in builder.notes.names:
         return None
-    is_float = scalar_kind(at.type) == "float"
-    if is_float and any(each > LARGEST_TERM for each in _magnitudes(chain)):
+    lanes = constant_lanes(term.type, term.data)
+    if scalar_kind(term.type) != "uint" and all(lane < 0 for lane in lanes):
+        return builder.call("sub", type_, value, builder.call("neg", term.type, term))
+    return builder.call("add", type_, value, term)
+
+
+@computed
+def _minus(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -> Node | None:
+    """A value minus a constant, in place of a chain with ``inner``."""
+    if uniform_lane(term) == 0:
+        return builder.fitted(value, type_)
+    if inner.id in builder.notes.names:
         return None
-    inner, outer, within = chain.inner, chain.outer, chain.within
-    is_subtracted = inner.data == "sub" and inner.operands[1] is chain.value
-    if inner.data == "sub" and not is_subtracted:
-        within = b.call("neg", within.type, within)
-    if at.data == "add":
-        term = _joined(b, "add", within, outer)
-    elif at.operands[1] is outer:
-        term = _joined(b, "sub", within, outer)
-    else:
-        term, is_subtracted = _joined(b, "sub", outer, within), not is_subtracted
-    if not is_subtracted and uniform_lane(term) == 0:
-        return b.fitted(chain.value, at.type)
-    if inner.id in b.notes.names:
+    lanes = constant_lanes(term.type, term.data)
+    if scalar_kind(term.type) == "uint" or all(lane > 0 for lane in lanes):
+        return builder.call("sub", type_, value, term)
+    return builder.call("add", type_, value, builder.call("neg", term.type, term))
+
+
+@computed
+def _from(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -> Node | None:
+    """A constant minus a value, in place of a chain with ``inner``."""
+    if inner.id in builder.notes.names:
         return None
-    if is_subtracted:
-        return b.call("sub", at.type, term, chain.value)
-    if all(value < 0 for value in constant_lanes(term.type, term.data)):
-        return b.call("sub", at.type, chain.value, b.call("neg", term.type, term))
-    return b.call("add", at.type, chain.value, term)
+    return builder.call("sub", type_, term, value)
 
 
 # --- products ------------------------------------------------------------------------------------
 
 
-def _gathered_factors(b: Builder, at: Site) -> Node | None:
-    chain = _chain(at)
-    if chain is None or (chain.within is chain.inner.operands[0] and chain.inner.data == "div"):
+@computed
+def _times(builder: Builder, type_: Type, inner: Node, value: Node, factor: Node) -> Node | None:
+    """A value times a constant, in place of a chain with ``inner``."""
+    if inner.id in builder.notes.names and uniform_lane(factor) != 1:
         return None
-    outer, within = chain.outer, chain.within
-    divisions = chain.inner.data == "div", at.data == "div"
-    if scalar_kind(at.type) != "float":
-        if any(divisions):
-            return None
-    elif not all(1 / LARGEST_FACTOR <= each <= LARGEST_FACTOR for each in _magnitudes(chain)):
-        return None
-    is_named = chain.inner.id in b.notes.names
-    match divisions:
-        case (True, True):
-            divisor = _joined(b, "mul", within, outer)
-            return None if is_named else b.call("div", at.type, chain.value, divisor)
-        case (True, False):
-            factor = _joined(b, "div", outer, within)
-        case (False, True):
-            factor = _joined(b, "div", within, outer)
-        case _:
-            factor = _joined(b, "mul", within, outer)
-    if is_named and uniform_lane(factor) != 1:
-        return None
-    return b.call("mul", at.type, chain.value, factor)
+    return builder.call("mul", type_, value, factor)
 
 
-_SUM = builtin("add", "sub")
-_PRODUCT = builtin("mul", "div")
+@computed
+def _over(builder: Builder, type_: Type, inner: Node, value: Node, divisor: Node) -> Node | None:
+    """A value over a constant, in place of a chain with ``inner``."""
+    if inner.id in builder.notes.names:
+        return None
+    return builder.call("div", type_, value, divisor)
+
+
+@computed
+def _quotient(builder: Builder, type_: Type, dividend: Node, divisor: Node) -> Node | None:
+    """A constant over another one, of floats only: whole numbers would lose what remains."""
+    if scalar_kind(type_) != "float":
+        return None
+    wide = dividend.type if isinstance(dividend.type, Vector) else divisor.type
+    return builder.call("div", wide, dividend, divisor)
+
+
+_SUM, _PRODUCT = Variable("s"), Variable("p")
+_ARE_NO_MATRICES = tuple(map(is_no_matrix, (x, c, d)))
+_OF_TERMS = (is_whole(_SUM), *_ARE_NO_MATRICES, _are_terms(c, d))
+_OF_FACTORS = (is_whole(_PRODUCT), *_ARE_NO_MATRICES, _are_factors(c, d))
 
 CONSTANT_TERMS = (
-    Rule("constants added", "Of two constants that are added, one after the other, one is enough.",
-         ("add",), (_SUM, CONSTANT), _gathered_terms, either=True),
-    Rule("constants subtracted", "The constants of a sum and of a difference are one constant.",
-         ("sub",), (_SUM, CONSTANT), _gathered_terms),
-    Rule("sum subtracted", "A constant minus a sum with another one is a difference with one.",
-         ("sub",), (CONSTANT, _SUM), _gathered_terms),
-    Rule("constant factors", "Of two constant factors, one after the other, one is enough.",
-         ("mul",), (_PRODUCT, CONSTANT), _gathered_factors, either=True),
-    Rule("constant divisors", "Dividing by a constant joins a factor or divisor before it.",
-         ("div",), (_PRODUCT, CONSTANT), _gathered_factors),
+    Rule("constants added", either(_SUM @ either(x + c) + d), _plus(_SUM, x, c + d),
+         "Of two constants that are added, one after the other, one is enough.",
+         also=(
+             (either(_SUM @ (x - c) + d), _plus(_SUM, x, d - c)),
+             (either(_SUM @ (c - x) + d), _from(_SUM, x, c + d)),
+         ),
+         where=_OF_TERMS, of_calls=True),
+    Rule("constants subtracted", _SUM @ either(x + c) - d, _plus(_SUM, x, c - d),
+         "The constants of a sum and of a difference are one constant.",
+         also=(
+             (_SUM @ (x - c) - d, _minus(_SUM, x, c + d)),
+             (_SUM @ (c - x) - d, _from(_SUM, x, c - d)),
+         ),
+         where=_OF_TERMS, of_calls=True),
+    Rule("sum subtracted", d - _SUM @ either(x + c), _from(_SUM, x, d - c),
+         "A constant minus a sum with another one is a difference with one.",
+         also=(
+             (d - _SUM @ (x - c), _from(_SUM, x, c + d)),
+             (d - _SUM @ (c - x), _plus(_SUM, x, d - c)),
+         ),
+         where=_OF_TERMS, of_calls=True),
+    Rule("constant factors", either(_PRODUCT @ either(x * c) * d), _times(_PRODUCT, x, c * d),
+         "Of two constant factors, one after the other, one is enough.",
+         also=((either(_PRODUCT @ (x / c) * d), _times(_PRODUCT, x, _quotient(d, c))),),
+         where=_OF_FACTORS, of_calls=True),
+    Rule("constant divisors", _PRODUCT @ either(x * c) / d, _times(_PRODUCT, x, _quotient(c, d)),
+         "Dividing by a constant joins a factor or divisor before it.",
+         also=((_PRODUCT @ (x / c) / d, _over(_PRODUCT, x, c * d)),),
+         where=(*_OF_FACTORS, gives_float()), of_calls=True),
 )  # fmt: skip

@@ -14,22 +14,15 @@ from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.facts import LARGEST_FLOAT
 from ...ir import build
 from ...ir.build import Number
-from ...ir.node import Node
+from ...ir.node import HEADS, Node
 from ...ir.operations import CALL, SWIZZLE
 from ...ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width
 from ...reference.namespace import Lanes
 from ...reference.operations import apply, constant_lanes
-from .rule import (
-    ANY,
-    CONSTANT,
-    Builder,
-    Rule,
-    Site,
-    builtin,
-    made,
-    swizzled_lanes,
-    uniform_lane,
-)
+from .builder import Builder, uniform_lane
+from .rule import Rule
+from .terms import CONSTANT, Several, Variable, computed, condition, function
+from .vocabulary import c, cs, lanes, splat, swizzle, vector
 
 DEEPEST = 4
 """So many operations are looked through for the value of a single lane."""
@@ -44,10 +37,11 @@ _LANEWISE = (
 # --- operations whose operands are all constant --------------------------------------------------
 
 
-def _is_foldable(_b: Builder, at: Site) -> bool:
-    row = BUILTINS[str(at.data)]
-    is_number = isinstance(at.type, Scalar | Vector | Matrix)
-    return is_number and not row.uniform_control_flow and all(map(_is_constant, at.operands))
+@condition("{} looks at no neighbours, and all of {} are constants, also in columns")
+def _is_foldable(_builder: Builder, type_: Type, name: str, operands: tuple[Node, ...]) -> bool:
+    is_number = isinstance(type_, Scalar | Vector | Matrix)
+    has_value = is_number and not BUILTINS[name].uniform_control_flow
+    return has_value and all(map(_is_constant, operands))
 
 
 def _is_constant(node: Node) -> bool:
@@ -55,10 +49,11 @@ def _is_constant(node: Node) -> bool:
     return node.op == "constant" or all(column.op == "constant" for column in node.operands)
 
 
-def _folded(b: Builder, at: Site) -> Node:
+@computed
+def _value(builder: Builder, type_: Type, name: str, operands: tuple[Node, ...]) -> Node:
     """The value of a builtin of constants."""
-    call = b.graph.node("call", at.type, at.operands, at.data)
-    return constant_of(b, at.type, apply(call, list(map(_lanes_of, at.operands))))
+    call = builder.graph.node("call", type_, operands, name)
+    return constant_of(builder, type_, apply(call, list(map(_lanes_of, operands))))
 
 
 def _lanes_of(node: Node) -> Lanes:
@@ -91,20 +86,22 @@ def _contained(value: Number) -> Number:
 # --- joining constants, and taking parts of them -------------------------------------------------
 
 
-def _picked_constant(b: Builder, at: Site) -> Node:
-    (source,) = at.operands
+@computed
+def _picked(builder: Builder, type_: Type, source: Node, picked: tuple[int, ...]) -> Node:
     values = constant_lanes(source.type, source.data)
-    return constant_of(b, at.type, tuple(values[lane] for lane in swizzled_lanes(at)))
+    return constant_of(builder, type_, tuple(values[lane] for lane in picked))
 
 
-def _joined_constants(b: Builder, at: Site) -> Node:
-    values = (constant_lanes(each.type, each.data) for each in at.operands)
-    return constant_of(b, at.type, tuple(lane for part in values for lane in part))
+@computed
+def _joined(builder: Builder, type_: Type, parts: tuple[Node, ...]) -> Node:
+    values = (constant_lanes(each.type, each.data) for each in parts)
+    return constant_of(builder, type_, tuple(lane for part in values for lane in part))
 
 
-def _filled_constant(b: Builder, at: Site) -> Node:
-    (value,) = constant_lanes(at.operands[0].type, at.operands[0].data)
-    return constant_of(b, at.type, (value,) * width(at.type))
+@computed
+def _filled(builder: Builder, type_: Type, lane: Node) -> Node:
+    (value,) = constant_lanes(lane.type, lane.data)
+    return constant_of(builder, type_, (value,) * width(type_))
 
 
 def _is_split(node: Node) -> bool:
@@ -114,13 +111,15 @@ def _is_split(node: Node) -> bool:
     return node.type.size == 2 or uniform_lane(node) is None
 
 
-def _has_split(_b: Builder, at: Site) -> bool:
-    return any(map(_is_split, at.operands))
+@condition("some constant among {} is joined lane by lane")
+def _has_split(_builder: Builder, _type: Type, parts: tuple[Node, ...]) -> bool:
+    return any(map(_is_split, parts))
 
 
-def _joined_by_lanes(b: Builder, at: Site) -> Node:
-    parts = tuple(part for operand in at.operands for part in _scalars(b, operand))
-    return b.make("vector", at.type, parts)
+@computed
+def _joined_by_lanes(builder: Builder, type_: Type, parts: tuple[Node, ...]) -> Node:
+    scalars = tuple(scalar for part in parts for scalar in _scalars(builder, part))
+    return builder.make("vector", type_, scalars)
 
 
 def _scalars(b: Builder, node: Node) -> Iterable[Node]:
@@ -133,16 +132,18 @@ def _scalars(b: Builder, node: Node) -> Iterable[Node]:
 # --- constant lanes of vectors that are not constant as a whole ----------------------------------
 
 
-def _computed_lanes(b: Builder, at: Site) -> Node | None:
+@computed
+def _computed_lanes(
+    builder: Builder, type_: Type, source: Node, picked: tuple[int, ...]
+) -> Node | None:
     """Lanes of an operation whose operands are constant in these lanes."""
-    (source,) = at.operands
     values: list[Number] = []
-    for lane in swizzled_lanes(at):
+    for lane in picked:
         value = _lane(source, lane, DEEPEST)
         if value is None:
             return None
         values.append(value)
-    return constant_of(b, at.type, tuple(values))
+    return constant_of(builder, type_, tuple(values))
 
 
 def _lane(node: Node, lane: int, depth: int) -> Number | None:
@@ -187,17 +188,22 @@ def _lane_of_call(node: Node, lane: int, depth: int) -> Number | None:
     return result
 
 
+_BUILTIN = function(*BUILTINS)
+_CONSTANTS = Several("cs", every=CONSTANT | {HEADS["matrix"]})
+_LANEWISE_VALUE = Variable("x", frozenset(_LANEWISE))
+_PARTS = Several("xs", some=CONSTANT)
+
 FOLDING = (
-    Rule("constants", "A builtin of constants is the constant that the reference computes.",
-         ("*",), made("constant", "matrix"), _folded, _is_foldable),
-    Rule("lanes of a constant", "Lanes of a constant are a constant.",
-         (".swizzle",), (CONSTANT,), _picked_constant),
-    Rule("constant lanes", "Lanes of an operation are constant if they are so in all operands.",
-         (".swizzle",), (builtin(*_LANEWISE),), _computed_lanes),
-    Rule("constants joined", "Constants, joined, are a constant.",
-         (".vector",), CONSTANT, _joined_constants),
-    Rule("constants one by one", "Constant lanes are joined one by one, as they are written.",
-         (".vector",), ANY, _joined_by_lanes, _has_split, some=CONSTANT),
-    Rule("constant filled in", "A vector filled with a constant is a constant.",
-         (".splat",), (CONSTANT,), _filled_constant),
+    Rule("constants", _BUILTIN(_CONSTANTS), _value(_BUILTIN, _CONSTANTS),
+         "A builtin of constants is the constant that the reference computes.",
+         where=_is_foldable(_BUILTIN, _CONSTANTS)),
+    Rule("lanes of a constant", swizzle[lanes](c), _picked(c, lanes),
+         "Lanes of a constant are a constant."),
+    Rule("constant lanes", swizzle[lanes](_LANEWISE_VALUE), _computed_lanes(_LANEWISE_VALUE, lanes),
+         "Lanes of an operation are constant if they are so in all operands."),
+    Rule("constants joined", vector(cs), _joined(cs), "Constants, joined, are a constant."),
+    Rule("constants one by one", vector(_PARTS), _joined_by_lanes(_PARTS),
+         "Constant lanes are joined one by one, as they are written.", where=_has_split(_PARTS)),
+    Rule("constant filled in", splat(c), _filled(c),
+         "A vector filled with a constant is a constant."),
 )  # fmt: skip

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+from ...ir.node import Node
 from ...ir.operations import CROSS
-from .rule import ANY, Builder, Rule, Site, constant
+from ...ir.types import Type
+from .builder import Builder
+from .rule import Rule
+from .terms import condition, function
+from .vocabulary import x
 
 _VARYING = frozenset({"input", "attribute", "formal", "bound"})
 """What may be different for the next pixel, besides what is interpolated."""
 
 
-def _is_steady(b: Builder, at: Site) -> bool:
+@condition("{} is the same for all pixels of a triangle")
+def _is_steady(builder: Builder, _type: Type, value: Node) -> bool:
     """Whether a value is the same for all pixels of a triangle.
 
     Each node is looked at once, however many differences are taken of what needs it.
     """
-    (root,) = at.operands
-    steady = b.steady
-    pending = [root]
+    steady = builder.steady
+    pending = [value]
     while pending:
         node = pending[-1]
         if node in steady:
@@ -27,11 +32,11 @@ def _is_steady(b: Builder, at: Site) -> bool:
             pending += missing
         else:
             steady[node] = all(steady[operand] for operand in node.operands)
-    return steady[root]
+    return steady[value]
 
 
 DIFFERENCES = (
-    Rule("difference of what is steady",
+    Rule("difference of what is steady", function("ddx", "ddy")(x), 0,
          "Constants, parameters and flat values are the same at the next pixel.",
-         ("ddx", "ddy"), (ANY,), constant(0), _is_steady),
+         where=_is_steady(x)),
 )  # fmt: skip

@@ -7,11 +7,14 @@ from collections.abc import Iterable
 from ...ir import build
 from ...ir.node import Folding, Formal, Iterating, Node
 from ...ir.operations import FORMAL, LOOPS, joins_group, with_role
-from ...ir.types import INT, scalar_kind
+from ...ir.types import INT, Type, scalar_kind
 from ...reference.evaluate import evaluate
 from ..cost import cost, cost_of
+from .builder import Builder, uniform_lane
 from .constants import constant_of
-from .rule import ANY, CONSTANT, Builder, Rule, Site, uniform_lane
+from .rule import Rule
+from .terms import Several, Variable, computed, condition
+from .vocabulary import c, d, fold, iterate, loop
 
 UNROLLED = 2
 """Loops of at most so many turns are written out, if they come to no more operations than
@@ -29,52 +32,27 @@ _COMPUTED = with_role("constant", "join", "part", "choice") | {"call"}
 """What the reference computes for constants."""
 
 
-def _folding(at: Site) -> Folding:
-    assert isinstance(at.data, Folding)
-    return at.data
-
-
-def _iterating(at: Site) -> Iterating:
-    assert isinstance(at.data, Iterating)
-    return at.data
-
-
-def _turns(at: Site) -> int | None:
+def _turns(count: Node, loop: Folding | Iterating) -> int | None:
     """How often a loop turns, where that is known; no count may be above its bound."""
-    assert isinstance(at.data, Folding | Iterating)
-    count, bound = at.operands[0], at.data.bound
-    if bound == 0:
+    if loop.bound == 0:
         return 0
     if count.op != "constant" or not isinstance(count.data, int):
         return None
-    return max(min(count.data, bound), 0)
+    return max(min(count.data, loop.bound), 0)
 
 
-def _never_turns(_b: Builder, at: Site) -> bool:
-    return _turns(at) == 0
+@condition("{} or the bound of {} is 0")
+def _never_turns(_builder: Builder, _type: Type, count: Node, loop: Folding | Iterating) -> bool:
+    return _turns(count, loop) == 0
 
 
-# --- folds ---------------------------------------------------------------------------------------
-
-
-def _adds_nothing(_b: Builder, at: Site) -> bool:
-    return _is_neutral(at, at.operands[2])
-
-
-def _is_neutral(at: Site, operand: Node) -> bool:
-    kind = scalar_kind(at.type)
-    assert kind is not None
-    return uniform_lane(operand) == build.neutral(_folding(at).operator, kind)
-
-
-def _is_fixed(_b: Builder, at: Site) -> bool:
+def _is_closed(count: Node, loop: Folding | Iterating, parts: Iterable[Node]) -> bool:
     """Whether a loop computes with constants and its own variables, and not for too long."""
-    assert isinstance(at.data, Folding | Iterating)
-    turns, variables = _turns(at), at.data.variables
-    if turns is None or at.operands[0].op != "constant":
+    turns, variables = _turns(count, loop), loop.variables
+    if turns is None or count.op != "constant":
         return False
     seen: set[int] = set()
-    pending = list(at.operands[1:])
+    pending = list(parts)
     while pending:
         node = pending.pop()
         if node.id in seen:
@@ -88,79 +66,129 @@ def _is_fixed(_b: Builder, at: Site) -> bool:
     return True
 
 
-def _evaluated(b: Builder, at: Site) -> Node:
-    loop = b.graph.node("fold", at.type, at.operands, at.data)
-    return constant_of(b, at.type, evaluate(loop))
+# --- folds ---------------------------------------------------------------------------------------
 
 
-def _fold_is_short(_b: Builder, at: Site) -> bool:
-    return _is_short(_turns(at), at.operands[2:], frozenset(_folding(at).variables))
+@condition("{} is neutral in {}")
+def _is_neutral(_builder: Builder, _type: Type, term: Node, loop: Folding) -> bool:
+    return _is_neutral_for(loop, term)
 
 
-def _fold_unrolled(b: Builder, at: Site) -> Node:
-    (index,) = _folding(at).variables
-    _count, result, body = at.operands
-    is_first = _is_neutral(at, result)
-    for i in range(_turns(at) or 0):
-        term = b.substituted(body, {index: build.constant(b.graph, INT, i)})
-        result = term if is_first else b.call(_folding(at).operator, at.type, result, term)
+def _is_neutral_for(loop: Folding, operand: Node) -> bool:
+    kind = scalar_kind(operand.type)
+    assert kind is not None
+    return uniform_lane(operand) == build.neutral(loop.operator, kind)
+
+
+@condition("{} is small, and of variables only that of {} is in {}")
+def _fold_is_closed(_builder: Builder, _type: Type, count: Node, loop: Folding, term: Node) -> bool:
+    return _is_closed(count, loop, (term,))
+
+
+@computed
+def _folded(
+    builder: Builder, type_: Type, count: Node, start: Node, term: Node, loop: Folding
+) -> Node:
+    """What a fold comes to."""
+    folded = builder.graph.node("fold", type_, (count, start, term), loop)
+    return constant_of(builder, type_, evaluate(folded))
+
+
+@condition("{} is very small, or small in {}, with few operations in {}")
+def _fold_is_short(_builder: Builder, _type: Type, count: Node, loop: Folding, term: Node) -> bool:
+    return _is_short(_turns(count, loop), (term,), frozenset(loop.variables))
+
+
+@computed
+def _written_out(
+    builder: Builder, type_: Type, count: Node, start: Node, term: Node, loop: Folding
+) -> Node:
+    """The terms of all turns, one after the other."""
+    (variable,) = loop.variables
+    result, is_first = start, _is_neutral_for(loop, start)
+    for i in range(_turns(count, loop) or 0):
+        here = builder.substituted(term, {variable: build.constant(builder.graph, INT, i)})
+        result = here if is_first else builder.call(loop.operator, type_, result, here)
         is_first = False
     return result
 
 
 # --- loops over states ---------------------------------------------------------------------------
 
-
-def _starts(at: Site) -> tuple[Node, ...]:
-    return at.operands[1 : 1 + _iterating(at).states]
-
-
-def _going(at: Site) -> Node:
-    return at.operands[1 + _iterating(at).states]
+Parts = tuple[Node, ...]
+"""Of a loop over states: what they start with, whether it goes on, and what becomes of them."""
 
 
-def _nexts(at: Site) -> tuple[Node, ...]:
-    return at.operands[2 + _iterating(at).states :]
+def _starts(loop: Iterating, parts: Parts) -> Parts:
+    return parts[: loop.states]
 
 
-def _unchanged(b: Builder, at: Site) -> Node:
-    return _states(b, at, _starts(at))
+def _going(loop: Iterating, parts: Parts) -> Node:
+    return parts[loop.states]
 
 
-def _states(b: Builder, at: Site, states: tuple[Node, ...]) -> Node:
-    return states[0] if len(states) == 1 else b.graph.node("struct", at.type, states)
+def _nexts(loop: Iterating, parts: Parts) -> Parts:
+    return parts[loop.states + 1 :]
 
 
-def _evaluated_states(b: Builder, at: Site) -> Node:
-    loop = b.graph.node("iterate", at.type, at.operands, at.data)
-    values, starts = evaluate(loop), _starts(at)
-    if len(starts) == 1:
-        return constant_of(b, at.type, values)
-    pairs = zip(starts, values, strict=True)
-    return _states(b, at, tuple(constant_of(b, start.type, value) for start, value in pairs))
+def _states(builder: Builder, type_: Type, states: Parts) -> Node:
+    return states[0] if len(states) == 1 else builder.graph.node("struct", type_, states)
 
 
-def _stops_at_once(_b: Builder, at: Site) -> bool:
-    return uniform_lane(_going(at)) is False
+@computed
+def _start(builder: Builder, type_: Type, parts: Parts, loop: Iterating) -> Node:
+    """The states that a loop starts with."""
+    return _states(builder, type_, _starts(loop, parts))
 
 
-def _changes_nothing(_b: Builder, at: Site) -> bool:
-    (_turn, *states), nexts = _iterating(at).variables, _nexts(at)
+@condition("among {}, {} has a condition that never holds")
+def _stops_at_once(_builder: Builder, _type: Type, parts: Parts, loop: Iterating) -> bool:
+    return uniform_lane(_going(loop, parts)) is False
+
+
+@condition("among {}, {} has one state, which stays as it is")
+def _changes_nothing(_builder: Builder, _type: Type, parts: Parts, loop: Iterating) -> bool:
+    (_turn, *states), nexts = loop.variables, _nexts(loop, parts)
     return len(states) == 1 and nexts[0].data is states[0]
 
 
-def _loop_is_short(_b: Builder, at: Site) -> bool:
-    never_stops = uniform_lane(_going(at)) is True
-    return never_stops and _is_short(_turns(at), _nexts(at), frozenset(_iterating(at).variables))
+@condition("{} is small, and of variables only those of {} are in {}")
+def _loop_is_closed(
+    _builder: Builder, _type: Type, count: Node, loop: Iterating, parts: Parts
+) -> bool:
+    return _is_closed(count, loop, parts)
 
 
-def _loop_unrolled(b: Builder, at: Site) -> Node:
-    states = _starts(at)
-    for i in range(_turns(at) or 0):
-        given = (build.constant(b.graph, INT, i), *states)
-        here = dict(zip(_iterating(at).variables, given, strict=True))
-        states = tuple(b.substituted(following, here) for following in _nexts(at))
-    return _states(b, at, states)
+@computed
+def _last(builder: Builder, type_: Type, count: Node, parts: Parts, loop: Iterating) -> Node:
+    """The states that a loop of constants comes to."""
+    node = builder.graph.node("iterate", type_, (count, *parts), loop)
+    values, starts = evaluate(node), _starts(loop, parts)
+    if len(starts) == 1:
+        return constant_of(builder, type_, values)
+    pairs = zip(starts, values, strict=True)
+    states = tuple(constant_of(builder, start.type, value) for start, value in pairs)
+    return _states(builder, type_, states)
+
+
+@condition("{} is very small, or small in {}, with few operations and no early end in {}")
+def _loop_is_short(
+    _builder: Builder, _type: Type, count: Node, loop: Iterating, parts: Parts
+) -> bool:
+    never_stops = uniform_lane(_going(loop, parts)) is True
+    formals = frozenset(loop.variables)
+    return never_stops and _is_short(_turns(count, loop), _nexts(loop, parts), formals)
+
+
+@computed
+def _turned(builder: Builder, type_: Type, count: Node, parts: Parts, loop: Iterating) -> Node:
+    """The states after all turns, one after the other."""
+    states = _starts(loop, parts)
+    for i in range(_turns(count, loop) or 0):
+        given = (build.constant(builder.graph, INT, i), *states)
+        here = dict(zip(loop.variables, given, strict=True))
+        states = tuple(builder.substituted(each, here) for each in _nexts(loop, parts))
+    return _states(builder, type_, states)
 
 
 def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Formal]) -> bool:
@@ -188,24 +216,35 @@ def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Form
     return True
 
 
+_COUNT, _START, _TERM = Variable("n"), Variable("start"), Variable("term")
+_PARTS = Several("parts")
+
 LOOP_RULES = (
-    Rule("fold of nothing", "A fold that never turns is what it starts with.",
-         (".fold",), (ANY, ANY, ANY), lambda _b, at: at.operands[1], _never_turns),
-    Rule("fold of neutral terms", "Terms that change nothing leave what a fold starts with.",
-         (".fold",), (ANY, ANY, ANY), lambda _b, at: at.operands[1], _adds_nothing),
-    Rule("fold of constants", "A fold of constants is computed when compiling, if it is short.",
-         (".fold",), (CONSTANT, CONSTANT, ANY), _evaluated, _is_fixed),
-    Rule("fold written out", "A fold of few turns, or of few operations, is written out.",
-         (".fold",), (ANY, ANY, ANY), _fold_unrolled, _fold_is_short),
-    Rule("loop of no turns", "A loop that never turns leaves its states as they are.",
-         (".iterate",), ANY, _unchanged, _never_turns),
-    Rule("loop that stops at once", "A loop that does not go on leaves its states as they are.",
-         (".iterate",), ANY, _unchanged, _stops_at_once),
-    Rule("loop that changes nothing", "A state that stays as it is, is what it starts with.",
-         (".iterate",), ANY, _unchanged, _changes_nothing),
-    Rule("loop of constants", "A loop of constants is computed when compiling, if it is short.",
-         (".iterate",), ANY, _evaluated_states, _is_fixed),
-    Rule("loop written out", "A loop of few turns, or of few operations, that never stops early "
-         "is written out.",
-         (".iterate",), ANY, _loop_unrolled, _loop_is_short),
+    Rule("fold of nothing", fold[loop](_COUNT, _START, _TERM), _START,
+         "A fold that never turns is what it starts with.", where=_never_turns(_COUNT, loop)),
+    Rule("fold of neutral terms", fold[loop](_COUNT, _START, _TERM), _START,
+         "Terms that change nothing leave what a fold starts with.",
+         where=_is_neutral(_TERM, loop)),
+    Rule("fold of constants", fold[loop](c, d, _TERM), _folded(c, d, _TERM, loop),
+         "A fold of constants is computed when compiling, if it is short.",
+         where=_fold_is_closed(c, loop, _TERM)),
+    Rule("fold written out", fold[loop](_COUNT, _START, _TERM),
+         _written_out(_COUNT, _START, _TERM, loop),
+         "A fold of few turns, or of few operations, is written out.",
+         where=_fold_is_short(_COUNT, loop, _TERM)),
+    Rule("loop of no turns", iterate[loop](_COUNT, _PARTS), _start(_PARTS, loop),
+         "A loop that never turns leaves its states as they are.",
+         where=_never_turns(_COUNT, loop)),
+    Rule("loop that stops at once", iterate[loop](_COUNT, _PARTS), _start(_PARTS, loop),
+         "A loop that does not go on leaves its states as they are.",
+         where=_stops_at_once(_PARTS, loop)),
+    Rule("loop that changes nothing", iterate[loop](_COUNT, _PARTS), _start(_PARTS, loop),
+         "A state that stays as it is, is what it starts with.",
+         where=_changes_nothing(_PARTS, loop)),
+    Rule("loop of constants", iterate[loop](_COUNT, _PARTS), _last(_COUNT, _PARTS, loop),
+         "A loop of constants is computed when compiling, if it is short.",
+         where=_loop_is_closed(_COUNT, loop, _PARTS)),
+    Rule("loop written out", iterate[loop](_COUNT, _PARTS), _turned(_COUNT, _PARTS, loop),
+         "A loop of few turns, or of few operations, that never stops early is written out.",
+         where=_loop_is_short(_COUNT, loop, _PARTS)),
 )  # fmt: skip

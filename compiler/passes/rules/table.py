@@ -7,9 +7,8 @@ operation and of its operands.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Hashable, Iterable, Iterator
 
-from ....stdlib.builtins import BUILTINS
 from .arithmetic import ARITHMETIC
 from .bits import BIT_RULES
 from .bounds import BOUNDS
@@ -17,7 +16,8 @@ from .constant_terms import CONSTANT_TERMS
 from .constants import FOLDING
 from .differences import DIFFERENCES
 from .loops import LOOP_RULES
-from .rule import Pattern, Rule
+from .matching import Apply
+from .rule import Rule
 from .structure import STRUCTURE
 
 RULES: tuple[Rule, ...] = (
@@ -28,18 +28,18 @@ RULES: tuple[Rule, ...] = (
 MOST_KEPT = 20_000
 """Combinations of heads that are kept; a program has some hundreds."""
 
-Candidate = tuple[Rule, bool, tuple[tuple[int, Pattern], ...]]
-"""A rule, whether it looks at the operands the other way round, and ``Rule.closer``."""
+Candidate = tuple[Rule, Apply]
+"""A rule, with what applies one of its cases."""
 
 
 class RuleTable:
     """Rules by what they are for."""
 
     def __init__(self, rules: Iterable[Rule]) -> None:
-        self._on: dict[Hashable, list[Rule]] = {}
+        self._for: dict[Hashable, list[Rule]] = {}
         for rule in rules:
-            for head in BUILTINS if rule.on == ("*",) else rule.on:
-                self._on.setdefault(head, []).append(rule)
+            for head in rule.heads:
+                self._for.setdefault(head, []).append(rule)
         self._found: dict[tuple[Hashable, ...], tuple[Candidate, ...]] = {}
 
     def candidates(self, heads: tuple[Hashable, ...]) -> tuple[Candidate, ...]:
@@ -51,18 +51,19 @@ class RuleTable:
             self._found[heads] = found = tuple(self._search(heads[0], heads[1:]))
         return found
 
-    def _search(self, head: Hashable, operands: tuple[Hashable, ...]) -> Iterable[Candidate]:
-        for rule in self._on.get(head, ()):
-            for is_swapped in rule.orders:
-                if rule.admits(operands[::-1] if is_swapped else operands):
-                    yield rule, is_swapped, rule.closer
+    def _search(self, head: Hashable, operands: tuple[Hashable, ...]) -> Iterator[Candidate]:
+        for rule in self._for.get(head, ()):
+            for case in rule.cases:
+                if case.admits(operands):
+                    yield rule, case.apply
 
 
 ALL = RuleTable(RULES)
+_NAMES = frozenset(rule.name for rule in RULES)
 
 
 def rule_table(without: frozenset[str]) -> RuleTable:
     """The table without some rules, by name: tests take each away to see what it is good for."""
-    if without.isdisjoint(rule.name for rule in RULES):
+    if without.isdisjoint(_NAMES):
         return ALL
     return RuleTable(rule for rule in RULES if rule.name not in without)

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from ...ir.node import Node
 from ...ir.operations import builtin_of
-from .rule import builtin, uniform_lane
+from ...ir.types import Type
+from .builder import Builder, uniform_lane
+from .terms import Heads, condition
 
 _ROUNDED = frozenset({"floor", "ceil", "round", "trunc", "sign", "step", "to_float"})
 """Builtins whose results are whole; conversions to floats are of integers and bools."""
 _KEEPING = frozenset({"add", "sub", "mul", "neg", "abs", "min", "max"})
 """Builtins that make whole numbers of whole numbers."""
-MAY_BE_WHOLE = builtin(*sorted(_ROUNDED | _KEEPING))
-"""What an operand looks like that is worth a closer look by ``is_whole``."""
+MAY_BE_WHOLE: Heads = _ROUNDED | _KEEPING
+"""The heads of values that are worth a closer look by ``is_whole_number``."""
 _MOVING = frozenset({"splat", "swizzle", "vector"})
 """Operations that only move lanes."""
 _MOST = 16
 """Values that are looked at."""
 
 
-def is_whole(value: Node) -> bool:
+@condition("{} is a whole number")
+def is_whole_number(_builder: Builder, _type: Type, value: Node) -> bool:
     """Whether every lane of a float is certainly a whole number."""
     pending, seen = [value], set[int]()
     while pending:

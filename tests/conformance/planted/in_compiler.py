@@ -19,7 +19,9 @@ from burnish.compiler.passes import (
     split_stages,
 )
 from burnish.compiler.passes.rules import table
-from burnish.compiler.passes.rules.rule import operand
+from burnish.compiler.passes.rules.rule import Rule
+from burnish.compiler.passes.rules.terms import Term, Variable
+from burnish.compiler.passes.rules.vocabulary import a, x
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
@@ -68,12 +70,15 @@ def turning(analysis: Any, node: Node, known: Known) -> Fact:
     return range_rules.RULES["fold"].derive(analysis, node, (at_least, start, body))
 
 
-def rewriting(name: str, **changes: Any) -> Plant:
-    """Make a rule of ``simplify`` wrong."""
+def rewriting(name: str, right: Term) -> Plant:
+    """Give all equations of a rule of ``simplify`` a right side that is wrong."""
+
+    def wrong(rule: Rule) -> Rule:
+        return changed(rule, right=right, also=tuple((left, right) for left, _ in rule.also))
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         assert any(rule.name == name for rule in table.RULES)
-        rules = [changed(r, **changes) if r.name == name else r for r in table.RULES]
+        rules = [wrong(rule) if rule.name == name else rule for rule in table.RULES]
         patch.setattr(table, "ALL", table.RuleTable(rules))
 
     return plant
@@ -148,11 +153,11 @@ PLANTED = [
     Planted("what crosses is never negative", "rules: Guarded", QUICKEST["glsl"],
             derived("cross", lambda _ranges, _node, _known: Fact(0.0))),
     Planted("a sum of constant terms without the second", "rules: Gathered", QUICKEST["glsl"],
-            rewriting("constants added", gives=operand(0))),
+            rewriting("constants added", Variable("s"))),
     Planted("a product of constant factors without the second", "rules: Gathered",
-            QUICKEST["hlsl"], rewriting("constant factors", gives=operand(0))),
+            QUICKEST["hlsl"], rewriting("constant factors", Variable("p"))),
     Planted("a common factor without the other one", "rules: Gathered", QUICKEST["wgsl"],
-            rewriting("common factor", gives=operand(0))),
+            rewriting("common factor", x * a)),
     Planted("columns of the next matrix", "buffers: Shapes", QUICKEST["glsl"],
             replaced(lower_reads, "stored_elements", lambda _element: 1)),
     Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
