@@ -46,9 +46,8 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     from ..targets.toolchain import Toolchain
     from .lacking import tell_lacking_tools
 
-    routes = _those_that_draw(chosen, request)
-    frame = _planned(request, routes)
-    routes = those_that_have_all(frame, routes)
+    frame = _planned(request, chosen)
+    routes = those_that_have_all(frame, chosen)
     outputs = frame_outputs(frame, request.target)
     with told_contradictions(frame):
         made = host_maker(frame, request)
@@ -126,19 +125,6 @@ def draw_by(
     if route is None:
         return _by_reference(made(), request, progress)
     return draw_frames(made(), route, runner, toolchain, request.frames)
-
-
-def _those_that_draw(routes: Sequence[Route | None], request: Request) -> Sequence[Route | None]:
-    """The routes without those whose drivers draw no frames; ends the command if one was named."""
-    from ..targets.runner.routes import EVERY_DRIVER
-
-    others = [r for r in routes if r is not None and not EVERY_DRIVER[r.driver].draws_frames]
-    if others:
-        said = f"frames are not drawn by {', '.join(route.name for route in others)}"
-        if not request.draws_everything:
-            fail(said)
-        remark("note", said)
-    return [route for route in routes if route not in others]
 
 
 def those_that_have_all(

@@ -39,11 +39,6 @@ class DriverRow:
     """What the worker may take."""
 
     @property
-    def draws_frames(self) -> bool:
-        """Whether it executes whole frames, and not single draws only."""
-        return self.module in _FRAME_MODULES or self.draws_packages
-
-    @property
     def draws_packages(self) -> bool:
         """Whether it executes frames in a web page, by their packages."""
         return self.name in _PACKAGE_DRIVERS
@@ -57,8 +52,6 @@ class DriverRow:
         return python_worker(f"{_PACKAGE}.drivers.{self.module}", *arguments)
 
 
-_FRAME_MODULES = ("vulkan", "opengl")
-"""The workers that take frame jobs."""
 _PACKAGE_DRIVERS = ("webgpu", "webgl2")
 """The drivers that take packages of frames."""
 

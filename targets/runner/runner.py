@@ -20,7 +20,7 @@ from ..toolchain.workers import Pool, Worker
 from .drivers.capture_job import Captured, CaptureJob
 from .drivers.device import Device, DriverError
 from .drivers.draw_job import Job, Picture
-from .drivers.frame_job import FrameJob, FrameTexels
+from .drivers.frame_job import Found, FrameJob, FrameTexels
 from .drivers.kernel_job import KernelJob, Written
 from .drivers.wire import from_json, to_json
 from .job_sizes import check_captures, check_dispatches, check_draws
@@ -127,10 +127,10 @@ class Runner(Closing):
         answer = self._ask(route.driver, {"capture": to_json(job)})
         return tuple(from_json(Captured, captured) for captured in answer["captured"])
 
-    def draw_frame(self, route: Route, job: FrameJob) -> tuple[FrameTexels, ...]:
-        """What a frame job keeps of its textures. Raises ``DriverError``."""
+    def draw_frame(self, route: Route, job: FrameJob) -> Found:
+        """What a frame job reads back. Raises ``DriverError``."""
         answer = self._ask(route.driver, {"frame": to_json(job)})
-        return tuple(from_json(FrameTexels, texels) for texels in answer["texels"])
+        return from_json(Found, answer["found"])
 
     def draw_package(
         self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int

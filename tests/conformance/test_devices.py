@@ -11,6 +11,7 @@ import pytest
 import burnish
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
+from burnish.targets.conformance.summary import details
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.device import DriverError
@@ -54,6 +55,23 @@ def test_wgpu_agrees(file: str, toolchain: Toolchain) -> None:
     for row in rows(["wgpu:wgsl"], [file], SOFTWARE, toolchain):
         assert row.status == "agrees", row.material
         assert row.device is not None and SOFTWARE in row.device.name
+
+
+FRAMES = (
+    "cascades", "deferred", "glow", "image_based", "outline", "ripples", "planar_mirror",
+    "smooth_edges",
+)  # fmt: skip
+"""Frames with layers, kernels over buffers and images, several targets, stencil values, frames
+that go on from the last one, and samples. lavapipe crashes on `shadow_volumes` (docs/drivers.md)."""
+
+
+@pytest.mark.parametrize("name", FRAMES)
+def test_wgpu_draws_frames(name: str, toolchain: Toolchain) -> None:
+    route = DEVICE_ROUTES["wgpu:wgsl"]
+    (frame,) = burnish.compile(ROOT / f"examples/frames/{name}.burnish", "wgsl").frames
+    with Runner([route], device=SOFTWARE) as runner:
+        (row,) = conform([(name, frame)], [route], runner, toolchain, size=(48, 40))
+    assert row.status == "agrees", list(details(row))
 
 
 def test_wgpu_draws_nothing_of_patches_of_level_0(toolchain: Toolchain) -> None:

@@ -15,17 +15,13 @@ import pytest
 import burnish
 from burnish.targets.conformance.conform import Planned, planned, rows_of
 from burnish.targets.conformance.summary import details
-from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
+from burnish.targets.runner.routes import ROUTES
 
 from ..frames.kit import EXAMPLES, LACKING
 from .kit import Studio, keeping_the_last
 
 ALWAYS = ("lavapipe:glsl", "llvmpipe:gl450", "chromium:webgpu", "chromium:webgl2")
-OTHERS = [
-    name
-    for name, route in ROUTES.items()
-    if EVERY_DRIVER[route.driver].draws_frames and name not in ALWAYS
-]
+OTHERS = [name for name in ROUTES if name not in ALWAYS]
 IN_TURN = 2
 SIZE = (48, 40)
 """Not square, so that an exchange of x and y is visible."""

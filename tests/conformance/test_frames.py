@@ -15,13 +15,12 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
-from burnish.targets.runner.routes import EVERY_DRIVER, ROUTES
+from burnish.targets.runner.routes import ROUTES
 from burnish.targets.web_host.drawing import draw_frames
 
 from ..targets.standings import routes
 from .kit import PROFILES, REFERENCE, Floats, Studio
 
-FRAME_ROUTES = {n: r for n, r in ROUTES.items() if EVERY_DRIVER[r.driver].draws_frames}
 SIZE = (8, 4)
 
 
@@ -67,9 +66,9 @@ def _host(frame: CompiledFrame) -> FrameHost:
     return FrameHost(frame, in_a_row([], {}, "sphere"), SIZE)
 
 
-EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
+EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *ROUTES])
 _WITHOUT_BUFFERS = routes("absent", "kernels over buffers")
-WITH_BUFFERS = [REFERENCE, *(name for name in FRAME_ROUTES if name not in _WITHOUT_BUFFERS)]
+WITH_BUFFERS = [REFERENCE, *(name for name in ROUTES if name not in _WITHOUT_BUFFERS)]
 
 
 @EVERYWHERE
@@ -590,7 +589,7 @@ frame F {
 """A triangle whose upper edge goes through the middle of the pixels of the second row."""
 
 
-@pytest.mark.parametrize("route", FRAME_ROUTES)
+@pytest.mark.parametrize("route", ROUTES)
 def test_faces_own_the_pixels_on_a_level_edge_as_the_reference_says(
     studio: Studio, route: str
 ) -> None:

@@ -87,7 +87,7 @@ class Driver:
         assert answer.ending == "ended", answer.log
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return [_array(from_json(FrameTexels, each)) for each in answer.reply["texels"]]
+        return [_array(from_json(FrameTexels, each)) for each in answer.reply["found"]["texels"]]
 
     def pipeline(
         self,

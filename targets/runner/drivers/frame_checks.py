@@ -11,13 +11,10 @@ from dataclasses import replace
 
 from .checks import check_dispatch, check_draw
 from .device import DriverError
-from .frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexture
+from .frame_job import OWN, Attachment, FrameDraw, FrameJob, FrameStep, FrameTexture
 from .frame_order import check_order
 from .pipeline import Pipeline
 from .slots import TextureSlot
-
-OWN = -1
-"""In place of a number: a texture or a buffer that the draw brings along."""
 
 
 def check_frame(job: FrameJob) -> None:
@@ -40,7 +37,8 @@ def _check_numbers(job: FrameJob, step: FrameStep) -> None:
     drawn_to += [each.resolve.texture for each in step.targets if each.resolve is not None]
     named = [*(each.texture for each in step.barriers), *drawn_to, *step.images, *step.copied]
     _all_in("texture", [*named, *step.read], job.textures)
-    _all_in("buffer", [each.buffer for each in step.buffer_barriers], job.buffers)
+    waiting = [each.buffer for each in step.buffer_barriers]
+    _all_in("buffer", [*waiting, *step.read_buffers], job.buffers)
     for draw in step.draws:
         _all_in("pipeline", [draw.pipeline], job.pipelines)
         _all_in("texture", [each for each in draw.textures if each != OWN], job.textures)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from .capture_job import Captured
 from .draw_job import Draw
 from .kernel_job import Dispatch, KernelJob, Sides
 from .pipeline import Pipeline
@@ -25,6 +26,9 @@ Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
 
 BLACK = (0.0, 0.0, 0.0, 0.0)
+
+OWN = -1
+"""In place of the number of a texture or a buffer: one that the draw brings along."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +117,8 @@ class FrameDraw:
 
     pipeline: int
     textures: tuple[int, ...]
-    """For each texture of the pipeline the number of one of the frame's; -1 for the next one of
-    the draw's own."""
+    """For each texture of the pipeline the number of one of the frame's; ``OWN`` for the next one
+    of the draw's own."""
     buffers: tuple[int, ...]
     """Likewise for its storage buffers, and those of the frame."""
     draw: Draw | None = None
@@ -147,6 +151,10 @@ class FrameStep:
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
     buffer_barriers: tuple[BufferBarrier, ...] = ()
+    read_buffers: tuple[int, ...] = ()
+    """The buffers that are read back."""
+    captures: int | None = None
+    """How many vertices its draw captures at most, which has a stream output and no targets."""
 
     @property
     def drawn_to(self) -> tuple[Attachment, ...]:
@@ -178,6 +186,13 @@ class FrameBuffer:
     """How many words of four bytes it has."""
     initial: int = 0
     """What each of them is at first."""
+    data: bytes = b""
+    """What all of them are at first, if that is not ``initial``."""
+
+    @property
+    def contents(self) -> bytes:
+        """What it holds at first."""
+        return self.data or self.initial.to_bytes(4, "little") * self.words
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,6 +215,15 @@ class FrameTexels:
     texels: bytes
     """float32 RGBA, layer by layer and row by row from the top; lanes that the format lacks are 0,
     0, 1. Depths are in the first lane."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What a frame job has read back, step by step."""
+
+    texels: tuple[FrameTexels, ...] = ()
+    buffers: tuple[bytes, ...] = ()
+    captured: tuple[Captured, ...] = ()
 
 
 def groups_of(pipeline: Pipeline, dispatch: Dispatch, work_group: Sides) -> Sides:

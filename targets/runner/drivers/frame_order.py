@@ -68,6 +68,8 @@ def _check_buffers(job: FrameJob, buffers: list[_Buffer], step: FrameStep) -> No
         for slot, number in zip(slots, draw.buffers, strict=True):
             if number >= 0:
                 buffers[number].be_used("written" if slot.written else "read")
+    for number in step.read_buffers:
+        buffers[number].be_used("read")
 
 
 class _Buffer:

@@ -17,7 +17,7 @@ from .capture_job import Captured, CaptureJob
 from .device import Device, DriverError
 from .draw_job import Job, Picture
 from .frame_checks import check_frame
-from .frame_job import FrameJob, FrameTexels
+from .frame_job import Found, FrameJob, FrameTexels
 from .kernel_job import KernelJob, Written
 from .wire import from_json, to_json
 
@@ -46,8 +46,8 @@ class Driver(Protocol):
 class FrameDriver(Protocol):
     """A driver that draws frames, too."""
 
-    def draw_frame(self, job: FrameJob) -> Sequence[FrameTexels]:
-        """What the job keeps. Raises ``DriverError``."""
+    def draw_frame(self, job: FrameJob) -> Found:
+        """What the job reads back. Raises ``DriverError``."""
 
 
 @runtime_checkable
@@ -72,15 +72,15 @@ def serve(driver: Driver) -> None:
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
     """The answer to ``{"job": …}`` has ``pictures``, that to ``{"kernel": …}`` has ``written``,
-    that to ``{"capture": …}`` has ``captured``, those to ``{"frame": …}`` and to
-    ``{"package": …}`` have ``texels``, and that to ``{}`` has ``device``; or it has ``error``."""
+    that to ``{"capture": …}`` has ``captured``, that to ``{"frame": …}`` has ``found``, that to
+    ``{"package": …}`` has ``texels``, and that to ``{}`` has ``device``; or it has ``error``."""
     try:
         if "frame" in request:
             if not isinstance(driver, FrameDriver):
                 return {"error": "this driver draws no frames"}
             frame = from_json(FrameJob, request["frame"])
             check_frame(frame)
-            return {"texels": to_json(tuple(driver.draw_frame(frame)))}
+            return {"found": to_json(driver.draw_frame(frame))}
         if "package" in request:
             if not isinstance(driver, PackageDriver):
                 return {"error": "this driver draws no packages of frames"}

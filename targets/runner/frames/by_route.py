@@ -18,6 +18,7 @@ from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
 from ..codes import Codes, compile_one
 from ..drivers.frame_job import (
+    OWN,
     Attachment,
     Barrier,
     BufferBarrier,
@@ -34,7 +35,7 @@ from ..drivers.frame_job import (
 from ..drivers.kernel_job import Dispatch
 from ..drivers.pipeline import Pipeline
 from ..kernels import dispatch_of, full_screen_state, has_images
-from ..routes import EVERY_DRIVER, Route
+from ..routes import Route
 from ..runner import Runner
 from .host import FrameDraw as HostDraw
 from .host import FrameHost, FrameSubject, Row
@@ -45,14 +46,10 @@ Floats = NDArray[np.float64]
 DEPTH_FORMATS = {"depth32f": "depth32float", "depth32f_stencil8": "depth32float-stencil8"}
 WORD = 4
 """Bytes."""
-NEW = -1
-"""A texture, or a buffer, that a draw brings along."""
 
 
 def lacking(subject: FrameSubject, route: Route) -> str | None:
     """What a route lacks to draw a frame, or ``None``."""
-    if not EVERY_DRIVER[route.driver].draws_frames:
-        return f"{route.driver} draws no frames"
     every = (shader.lacking.get(route.profile) for shader in subject.shaders)
     return next(filter(None, every), None)
 
@@ -66,7 +63,7 @@ def draw_frames(
     """
     codes = [compile_one(route, shader.files, toolchain) for shader in host.shaders]
     names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
-    found = iter(runner.draw_frame(route, frame_job(host, route, codes, names, count)))
+    found = iter(runner.draw_frame(route, frame_job(host, route, codes, names, count)).texels)
     return [{name: array_of(next(found)) for name in names} for _ in range(count)]
 
 
@@ -297,11 +294,11 @@ class _Job:
         given = replace(state.draw(), layers=())
         rows = self._rows(draw.shader, "textures")
         own = tuple(
-            image for image, number in zip(given.textures, textures, strict=True) if number == NEW
+            image for image, number in zip(given.textures, textures, strict=True) if number == OWN
         )
         assert len(rows) == len(textures)
         contents = tuple(
-            data for data, number in zip(given.buffers, buffers, strict=True) if number == NEW
+            data for data, number in zip(given.buffers, buffers, strict=True) if number == OWN
         )
         return FrameDraw(
             draw.shader, textures, buffers, replace(given, textures=own, buffers=contents)
@@ -322,11 +319,11 @@ class _Job:
     def _bound(self, draw: HostDraw) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """For each texture and buffer that a shader reads, the job's own one or a new one."""
         textures = tuple(
-            self._texture(read.texture) if read is not None and read.texture is not None else NEW
+            self._texture(read.texture) if read is not None and read.texture is not None else OWN
             for read in (draw.reads.get(row["name"]) for row in self._rows(draw.shader, "textures"))
         )
         buffers = tuple(
-            NEW if read is None else self._buffer_of[read.result]
+            OWN if read is None else self._buffer_of[read.result]
             for read in (draw.reads.get(row["name"]) for row in self._rows(draw.shader, "buffers"))
         )
         return textures, buffers
@@ -357,10 +354,10 @@ class _Job:
         own = tuple(
             image
             for image, number in zip(dispatch.textures, textures, strict=True)
-            if number == NEW
+            if number == OWN
         )
         contents = tuple(
-            data for data, number in zip(dispatch.buffers, buffers, strict=True) if number == NEW
+            data for data, number in zip(dispatch.buffers, buffers, strict=True) if number == OWN
         )
         groups = groups_of(described, dispatch, (x, y, z))
         return FrameStep(

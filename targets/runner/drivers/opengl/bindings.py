@@ -8,8 +8,6 @@ from typing import Protocol
 
 import moderngl
 
-from ..draw_job import Draw
-from ..kernel_job import Dispatch
 from ..pipeline import Pipeline
 from ..slots import Place, TextureSlot
 from ..texels import Image
@@ -22,16 +20,6 @@ class Bindable(Protocol):
 
     def bind(self, slot: TextureSlot, unit: int) -> None:
         """Bind it to a unit, with the state of a slot's sampler."""
-
-
-@contextmanager
-def all_bound(
-    context: moderngl.Context, functions: Functions, pipeline: Pipeline, values: Draw | Dispatch
-) -> Iterator[list[moderngl.Buffer]]:
-    """Bind blocks, storage buffers and textures for a while; yields the storage buffers."""
-    storage = [context.buffer(data) for data in values.buffers]
-    with bound(context, functions, pipeline, values.blocks, values.textures, storage):
-        yield storage
 
 
 @contextmanager

@@ -7,13 +7,12 @@ from contextlib import contextmanager
 
 import moderngl
 
-from ..capture_job import Captured, CaptureJob
+from ..capture_job import Captured
 from ..device import DriverError
 from ..draw_job import Draw
 from ..pipeline import CORNERS, Pipeline, StreamOutput
 from .context import Functions
-from .program import link
-from .vertices import MODES, bound_vertices
+from .vertices import MODES
 
 GL_TRANSFORM_FEEDBACK_BUFFER = 0x8C8E
 GL_RASTERIZER_DISCARD = 0x8C89
@@ -22,39 +21,24 @@ GL_UNSIGNED_INT = 0x1405
 INDEX_SIZE = 4
 
 
-def capture_job(context: moderngl.Context, functions: Functions, job: CaptureJob) -> list[Captured]:
-    """What each draw captures. Raises ``DriverError``."""
-    program = link(context, functions, job.pipeline)
-    try:
-        return [
-            _captured(context, functions, program, job.pipeline, draw, most)
-            for draw, most in zip(job.draws, job.most, strict=True)
-        ]
-    except moderngl.Error as error:
-        raise DriverError(f"OpenGL: {error}") from None
-    finally:
-        program.release()
-
-
-def _captured(
+def captured(
     context: moderngl.Context,
     functions: Functions,
-    program: moderngl.Program,
     pipeline: Pipeline,
     draw: Draw,
+    made: tuple[moderngl.Program, moderngl.VertexArray],
     most: int,
 ) -> Captured:
-    """What one draw captures into a buffer for so many vertices at most."""
-    stream = pipeline.stream_output
+    """What a draw captures into a buffer for so many vertices at most, by its program and its
+    vertices. Raises ``DriverError``."""
+    stream, (program, array) = pipeline.stream_output, made
     assert stream is not None
-    if not draw.indices:  # a buffer of no bytes cannot be made
-        return Captured(0, b"")
     context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
     buffer = context.buffer(reserve=max(most, 1) * stream.stride)
     counting = context.query(primitives=True)
     if pipeline.patch_points:
         context.patch_vertices = pipeline.patch_points
-    with bound_vertices(context, functions, program, pipeline, draw) as array, counting:
+    with counting:
         functions.glUseProgram(program.glo)
         functions.glBindVertexArray(array.glo)
         with _recording(functions, stream, buffer):

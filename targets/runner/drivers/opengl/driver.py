@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
-from ..capture_job import Captured, CaptureJob
-from ..checks import check, check_capture, check_kernel, check_names
+from ..by_frames import DrawsByFrames
+from ..checks import check_groups, check_names
 from ..device import Device, DriverError
-from ..draw_job import Job, Picture
-from ..frame_job import FrameJob, FrameTexels
-from ..kernel_job import KernelJob, Written
+from ..draw_job import Job
+from ..frame_job import Found, FrameJob
+from ..kernel_job import KernelJob
 
 if TYPE_CHECKING:
     from .renderer import Renderer
 
 
-class OpenGL:
+class OpenGL(DrawsByFrames):
     """Draws with a ``Renderer``; if moderngl is missing, an error says what to install."""
 
     def __init__(self) -> None:
@@ -27,24 +26,15 @@ class OpenGL:
         """The OpenGL driver's description of itself."""
         return self._start().device()
 
-    def draw(self, job: Job) -> Sequence[Picture]:
-        """A picture for each draw of the job. Raises ``DriverError``."""
-        check(job)
+    def accept_job(self, job: Job) -> None:
+        """Raise ``DriverError`` if a name by which a job binds is not in its text."""
         check_names(job.pipeline)
-        return self._start().draw(job)
 
-    def compute(self, job: KernelJob) -> Sequence[Written]:
-        """What each dispatch of the job writes. Raises ``DriverError``."""
-        check_kernel(job)
-        return self._start().compute(job)
+    def accept_kernel(self, job: KernelJob) -> None:
+        """Raise ``DriverError`` if the device does not run so many work groups at once."""
+        check_groups(job, self._start().most_groups())
 
-    def capture(self, job: CaptureJob) -> Sequence[Captured]:
-        """The vertices that each draw of the job captures. Raises ``DriverError``."""
-        check_capture(job)
-        check_names(job.pipeline)
-        return self._start().capture(job)
-
-    def draw_frame(self, job: FrameJob) -> Sequence[FrameTexels]:
+    def draw_frame(self, job: FrameJob) -> Found:
         """What a frame job reads back. Raises ``DriverError``."""
         return self._start().draw_frame(job)
 

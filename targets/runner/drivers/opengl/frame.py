@@ -9,13 +9,15 @@ from typing import Any
 
 import moderngl
 
+from ..capture_job import Captured
 from ..device import DriverError
 from ..draw_job import Draw
-from ..frame_job import Attachment, FrameDraw, FrameJob, FrameStep, FrameTexels
+from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..kernel_job import Dispatch
 from ..pipeline import Pipeline
 from .bindings import bound, bound_at
 from .blending import set_blending, write_all_lanes
+from .capture import captured
 from .context import (
     GL_COLOR,
     GL_COLOR_ATTACHMENT0,
@@ -26,18 +28,18 @@ from .context import (
     GL_SCISSOR_TEST,
     Functions,
 )
+from .formats import clear_depths
 from .frame_textures import make_frame_texture
 from .program import link, link_kernel
-from .screen import clear_depths
 from .state import set_state
 from .vertices import MODES, vertices
 
 
-def draw_frame(context: moderngl.Context, functions: Functions, job: FrameJob) -> list[FrameTexels]:
+def draw_frame(context: moderngl.Context, functions: Functions, job: FrameJob) -> Found:
     """What is read back, step by step. Raises ``DriverError``."""
     with ExitStack() as owned:
         try:
-            found = _Frame(owned, context, functions, job).texels()
+            found = _Frame(owned, context, functions, job).found()
         except moderngl.Error as error:
             raise DriverError(f"OpenGL: {error}") from None
     if (reported := context.error) != "GL_NO_ERROR":
@@ -58,27 +60,31 @@ class _Frame:
         self._textures = [make_frame_texture(functions, texture) for texture in job.textures]
         for texture in self._textures:
             owned.callback(texture.release)
-        self._buffers = [
-            context.buffer(each.initial.to_bytes(4, "little") * each.words) for each in job.buffers
-        ]
+        self._buffers = [context.buffer(each.contents) for each in job.buffers]
         self._programs: dict[int, Any] = {}
 
-    def texels(self) -> list[FrameTexels]:
+    def found(self) -> Found:
         """Do all steps."""
         for texture in self._textures:
             if texture.description.is_black:
                 texture.clear()
-        found = []
+        texels: list[FrameTexels] = []
+        contents: list[bytes] = []
+        captured: list[Captured] = []
         for step in self._job.steps:
-            self._do(step)
-            found += [self._textures[number].read() for number in step.read]
-        return found
+            if step.captures is not None:
+                captured.append(self._captured(step.draws[0], step.captures))
+            else:
+                self._do(step)
+            texels += (self._textures[number].read() for number in step.read)
+            contents += (self._buffers[number].read() for number in step.read_buffers)
+        return Found(tuple(texels), tuple(contents), tuple(captured))
 
     def _do(self, step: FrameStep) -> None:
         if step.copied:
             source, target = (self._textures[number] for number in step.copied)
             source.copy_to(target)
-        elif step.targets or step.depth is not None:
+        elif step.drawn_to:
             self._draw(step)
         elif step.draws:
             self._run(step)
@@ -170,7 +176,7 @@ class _Frame:
     def _draw_one(self, step: FrameStep, drawn: FrameDraw) -> None:
         draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]
         assert draw is not None
-        if not draw.indices:
+        if not draw.indices:  # A buffer of no bytes cannot be made.
             return
         set_state(self._context, self._functions, pipeline, has_depth=step.depth is not None)
         set_blending(self._functions, pipeline.targets, step.blend_constant)
@@ -180,6 +186,19 @@ class _Frame:
             self._bound(pipeline, drawn, draw),
         ):
             array.render(MODES[pipeline.primitive], instances=draw.instance_count)
+
+    def _captured(self, drawn: FrameDraw, most: int) -> Captured:
+        """What a draw captures, of so many vertices at most."""
+        draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]
+        assert draw is not None
+        if not draw.indices:  # A buffer of no bytes cannot be made.
+            return Captured(0, b"")
+        program = self._program(drawn)
+        with (
+            vertices(self._context, program, pipeline, draw) as array,
+            self._bound(pipeline, drawn, draw),
+        ):
+            return captured(self._context, self._functions, pipeline, draw, (program, array), most)
 
     def _run(self, step: FrameStep) -> None:
         (drawn,) = step.draws
@@ -200,10 +219,10 @@ class _Frame:
         """Bind what a draw brings along, and what the frame has."""
         images, contents = iter(values.textures), iter(values.buffers)
         textures: list[Any] = [
-            next(images) if number < 0 else self._textures[number] for number in drawn.textures
+            next(images) if number == OWN else self._textures[number] for number in drawn.textures
         ]
         buffers = [
-            self._context.buffer(next(contents)) if number < 0 else self._buffers[number]
+            self._context.buffer(next(contents)) if number == OWN else self._buffers[number]
             for number in drawn.buffers
         ]
         with bound(self._context, self._functions, pipeline, values.blocks, textures, buffers):

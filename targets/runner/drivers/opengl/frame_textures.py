@@ -14,7 +14,7 @@ from .context import (
     GL_TEXTURE_2D_MULTISAMPLE,
     Functions,
 )
-from .screen import DEPTHS, STORAGE, widened_format
+from .formats import DEPTHS, STORAGE, widened_format
 from .texture_units import (
     GL_DEPTH_COMPONENT,
     GL_FLOAT,
@@ -64,9 +64,10 @@ class MadeTexture:
                 return GL_COLOR_ATTACHMENT0 + number
 
     def attach(self, at: Attachment | Resolve, number: int, to: int = GL_FRAMEBUFFER) -> None:
-        """Attach it to the framebuffer that is bound: as a target, or as the depths."""
+        """Attach it to the framebuffer that is bound: as a target, or as the depths. Of several
+        layers, a geometry stage chooses among all that there are."""
         point = self.point(number)
-        if self.description.dimension == "2d":
+        if self.description.dimension == "2d" or (isinstance(at, Attachment) and at.layers > 1):
             self.functions.glFramebufferTexture(to, point, self.name, at.level)
         else:
             self.functions.glFramebufferTextureLayer(to, point, self.name, at.level, at.layer)
@@ -151,7 +152,7 @@ def make_frame_texture(functions: Functions, wanted: FrameTexture) -> MadeTextur
         case "depth32float" | "depth32float-stencil8" as depths:
             internal = DEPTHS[depths][0]
         case colours:
-            internal = STORAGE[colours][2]
+            internal = STORAGE[colours]
     made = MadeTexture(functions, wanted, name, internal)
     functions.glBindTexture(made.target, name)
     size = wanted.width, wanted.height

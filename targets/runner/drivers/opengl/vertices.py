@@ -1,4 +1,4 @@
-"""Binds the vertices of a draw, and everything else that its program reads."""
+"""Binds the vertices of a draw."""
 
 from __future__ import annotations
 
@@ -9,8 +9,6 @@ import moderngl
 
 from ..draw_job import Draw
 from ..pipeline import Pipeline, Primitive, StepMode
-from .bindings import all_bound
-from .context import Functions
 from .program import attribute_layout
 
 RATES: Mapping[StepMode, str] = {"vertex": "/v", "instance": "/i"}
@@ -24,22 +22,6 @@ MODES: Mapping[Primitive, int] = {
     "triangle_adjacency": moderngl.TRIANGLES_ADJACENCY,
     "patch": moderngl.PATCHES,
 }
-
-
-@contextmanager
-def bound_vertices(
-    context: moderngl.Context,
-    functions: Functions,
-    program: moderngl.Program,
-    pipeline: Pipeline,
-    draw: Draw,
-) -> Iterator[moderngl.VertexArray]:
-    """The vertices of a draw, while everything is bound that the program reads."""
-    with (
-        vertices(context, program, pipeline, draw) as array,
-        all_bound(context, functions, pipeline, draw),
-    ):
-        yield array
 
 
 @contextmanager

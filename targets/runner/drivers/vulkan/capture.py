@@ -10,14 +10,10 @@ from typing import Any
 
 import vulkan as vk
 
-from ..capture_job import Captured, CaptureJob
-from ..checks import check_capture
+from ..capture_job import Captured
 from ..device import DriverError
-from ..draw_job import Job
 from ..pipeline import Code, Pipeline
 from .device import Gpu
-from .job import Painter
-from .limits import check_limits
 from .memory import Buffer, make_buffer
 from .stream_decorations import decorated
 
@@ -27,33 +23,13 @@ COUNTS = vk.VK_BUFFER_USAGE_TRANSFORM_FEEDBACK_COUNTER_BUFFER_BIT_EXT
 COUNTER_SIZE = 4
 
 
-def capture_job(gpu: Gpu, job: CaptureJob) -> list[Captured]:
-    """What each draw captures. Raises ``DriverError``, and ``VkError`` for calls that fail."""
-    check_capture(job)
-    if not gpu.transform_feedback:
-        raise DriverError("the device has no transform feedback (VK_EXT_transform_feedback)")
-    drawn = Job(_saying_places(job.pipeline), job.draws)
-    check_limits(gpu, drawn)
-    with ExitStack() as owned:
-        painter = Painter(owned, gpu, drawn)
-        stream = drawn.pipeline.stream_output
-        assert stream is not None
-        found = []
-        for draw, most in zip(job.draws, job.most, strict=True):
-            target = _Target.of(owned, gpu, max(most, 1) * stream.stride)
-            painter.render(draw, target.recording, target.read_back)
-            found.append(target.captured(stream.stride))
-        return found
-
-
-def _saying_places(pipeline: Pipeline) -> Pipeline:
-    """The pipeline with a last stage whose module says where its outputs go.
+def saying_places(pipeline: Pipeline) -> Pipeline:
+    """The pipeline with a last stage whose module says where its outputs go, if it captures any.
 
     A text in HLSL cannot say that, as Direct3D is told beside it.
     """
     stream = pipeline.stream_output
-    assert stream is not None
-    if stream.in_text:
+    if stream is None or stream.in_text:
         return pipeline
     name, last = list(pipeline.stages.items())[-1]
     code = Code(last.entry, spirv=decorated(last.spirv, stream))
@@ -61,19 +37,24 @@ def _saying_places(pipeline: Pipeline) -> Pipeline:
 
 
 @dataclass(frozen=True, slots=True)
-class _Target:
-    """The buffer that gets the vertices, and the one that gets the number of bytes."""
+class Captures:
+    """The buffer that gets the vertices of a draw, and the one that gets the number of bytes."""
 
     gpu: Gpu
+    stride: int
     vertices: Buffer
     counter: Buffer
 
     @classmethod
-    def of(cls, owned: ExitStack, gpu: Gpu, size: int) -> _Target:
-        """Room for so many bytes."""
+    def of(cls, owned: ExitStack, gpu: Gpu, most: int, stride: int) -> Captures:
+        """Room for so many vertices of so many bytes. Raises ``DriverError`` if the device does not
+        capture any."""
+        if not gpu.transform_feedback:
+            raise DriverError("the device has no transform feedback (VK_EXT_transform_feedback)")
         return cls(
             gpu,
-            make_buffer(owned, gpu, CAPTURES, size),
+            stride,
+            make_buffer(owned, gpu, CAPTURES, max(most, 1) * stride),
             make_buffer(owned, gpu, COUNTS, COUNTER_SIZE),
         )
 
@@ -93,7 +74,7 @@ class _Target:
         yield
         end(commands, 0, 1, [self.counter.handle], [0])
 
-    def read_back(self, commands: Any) -> None:
+    def wait_for_host(self, commands: Any) -> None:
         """Let the host read the vertices and their number when the commands have been run."""
         barrier = vk.VkMemoryBarrier(
             srcAccessMask=vk.VK_ACCESS_TRANSFORM_FEEDBACK_WRITE_BIT_EXT
@@ -107,9 +88,9 @@ class _Target:
             0, 1, [barrier], 0, None, 0, None,
         )  # fmt: skip
 
-    def captured(self, stride: int) -> Captured:
-        """What was captured, after the commands were run."""
+    def captured(self) -> Captured:
+        """What was captured, after the commands were run. Raises ``DriverError``."""
         (written,) = struct.unpack("<I", bytes(self.counter.mapped[0:COUNTER_SIZE]))
-        if written > self.vertices.size or written % stride:
+        if written > self.vertices.size or written % self.stride:
             raise DriverError(f"{written} bytes were captured, into {self.vertices.size}")
-        return Captured(written // stride, bytes(self.vertices.mapped[0:written]))
+        return Captured(written // self.stride, bytes(self.vertices.mapped[0:written]))

@@ -5,23 +5,22 @@ The first request opens the device, and so does the first one after the device w
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....closing import Closing
-from ..capture_job import Captured, CaptureJob
+from ..by_frames import DrawsByFrames
 from ..device import Device, DriverError
-from ..draw_job import Job, Picture
-from ..frame_job import FrameJob, FrameTexels
-from ..kernel_job import KernelJob, Written
+from ..draw_job import Job
+from ..frame_job import Found, FrameJob
+from ..kernel_job import KernelJob
 
 if TYPE_CHECKING:
     from .device import Gpu
 
 
-class VulkanDriver(Closing):
+class VulkanDriver(DrawsByFrames, Closing):
     """Draws with the driver that a file announces, or with any of the machine's; a context manager.
 
     Vulkan's loader chooses the driver by the environment of the process: ``VK_DRIVER_FILES`` must
@@ -53,48 +52,23 @@ class VulkanDriver(Closing):
 
         return describe(gpu)
 
-    def draw(self, job: Job) -> Sequence[Picture]:
-        """A picture for each draw. Raises ``DriverError``, also for any message of the validation
-        layer."""
+    def accept_job(self, job: Job) -> None:
+        """Raise ``DriverError`` if the device cannot draw a job."""
         gpu = self._opened()
-        from . import errors
-        from .job import draw_job
+        from .limits import check_limits
 
-        try:
-            with errors.explained(gpu.messages):
-                return draw_job(gpu, job)
-        except errors.DeviceLostError:
-            self.close()
-            raise
+        check_limits(gpu, job)
 
-    def compute(self, job: KernelJob) -> Sequence[Written]:
-        """What each dispatch writes. Raises ``DriverError`` as ``draw`` does."""
+    def accept_kernel(self, job: KernelJob) -> None:
+        """The same of a job that runs a kernel."""
         gpu = self._opened()
-        from . import errors
-        from .compute import compute_job
+        from .limits import check_dispatches
 
-        try:
-            with errors.explained(gpu.messages):
-                return compute_job(gpu, job)
-        except errors.DeviceLostError:
-            self.close()
-            raise
+        check_dispatches(gpu, job)
 
-    def capture(self, job: CaptureJob) -> Sequence[Captured]:
-        """The vertices that each draw captures. Raises ``DriverError`` as ``draw`` does."""
-        gpu = self._opened()
-        from . import errors
-        from .capture import capture_job
-
-        try:
-            with errors.explained(gpu.messages):
-                return capture_job(gpu, job)
-        except errors.DeviceLostError:
-            self.close()
-            raise
-
-    def draw_frame(self, job: FrameJob) -> Sequence[FrameTexels]:
-        """What a frame job keeps. Raises ``DriverError`` as ``draw`` does."""
+    def draw_frame(self, job: FrameJob) -> Found:
+        """What a frame job reads back. Raises ``DriverError``, also for any message of the
+        validation layer."""
         gpu = self._opened()
         from . import errors
         from .frame import draw_frame

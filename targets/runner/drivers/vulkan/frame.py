@@ -1,19 +1,21 @@
-"""Executes a frame job: all of its steps in one submission, and then reads back what is wanted."""
+"""Executes a frame job: its steps up to one that reads something back are one submission."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from typing import Any
 
 import vulkan as vk
 
+from ..capture_job import Captured
 from ..draw_job import Draw
 from ..frame_job import (
     Area,
     Attachment,
     Barrier,
     BufferBarrier,
+    Found,
     FrameDraw,
     FrameJob,
     FrameStep,
@@ -22,28 +24,25 @@ from ..frame_job import (
     TextureUse,
 )
 from ..readback import TEXEL_LANES, depths_to_float, to_float
-from ..texels import Image
+from .capture import Captures, saying_places
 from .compute import COMPUTE, make_compute_pipeline
-from .descriptor_sets import DescriptorSets, make_descriptor_sets
+from .descriptor_sets import DescriptorSets
 from .device import Gpu, recording
 from .formats import DEPTHS
 from .frame_textures import BUFFER_USES, USES, MadeTexture, make_frame_textures, record
 from .graphics_pipeline import make_layout, make_pipeline, viewport
-from .job import GRAPHICS, INDEX_SIZE, MESH, STORAGE
 from .memory import Buffer, filled_buffer, make_buffer
-from .texture_images import make_texture
+from .render_passes import GRAPHICS, RenderPasses
+from .uploads import MESH, STORAGE, Uploads
 
-DEPTH_BYTES = 4
-
-_LOADS = {True: vk.VK_ATTACHMENT_LOAD_OP_LOAD, False: vk.VK_ATTACHMENT_LOAD_OP_CLEAR}
-_STORES = {True: vk.VK_ATTACHMENT_STORE_OP_STORE, False: vk.VK_ATTACHMENT_STORE_OP_DONT_CARE}
+DEPTH_BYTES, INDEX_SIZE = 4, 4
 
 
-def draw_frame(gpu: Gpu, job: FrameJob) -> list[FrameTexels]:
+def draw_frame(gpu: Gpu, job: FrameJob) -> Found:
     """What is read back, step by step. Raises ``DriverError``, and ``VkError`` for calls that
     fail."""
     with ExitStack() as owned:
-        return _Frame(owned, gpu, job).texels()
+        return _Frame(owned, gpu, job).found()
 
 
 class _Frame:
@@ -57,125 +56,110 @@ class _Frame:
         drawn = {each.texture for step in job.steps for each in step.drawn_to}
         drawn |= {each.texture for step in job.steps for each in _resolves(step)}
         self._textures = make_frame_textures(owned, gpu, job, drawn, written)
-        self._buffers = [
-            filled_buffer(owned, gpu, STORAGE, each.initial.to_bytes(4, "little") * each.words)
-            for each in job.buffers
-        ]
-        self._passes: dict[object, Any] = {}
+        self._buffers = [filled_buffer(owned, gpu, STORAGE, each.contents) for each in job.buffers]
+        self._uploads = Uploads(owned, gpu)
+        self._passes = RenderPasses(owned, gpu, self._textures)
         self._pipelines: dict[object, tuple[Any, Any]] = {}
-        self._images: dict[Image, Any] = {}
-        self._data: dict[tuple[int, bytes], Buffer] = {}
+        self._texels: list[FrameTexels] = []
+        self._contents: list[bytes] = []
+        self._captured: list[Captured] = []
 
-    def texels(self) -> list[FrameTexels]:
+    def found(self) -> Found:
         """Do all steps."""
-        recorded = [self._prepared(step) for step in self._job.steps]
-        back = [(number, self._back(number)) for step in self._job.steps for number in step.read]
-        waiting = iter(back)
+        is_first = True
+        for steps in _submissions(self._job.steps):
+            self._submit(steps, is_first=is_first)
+            is_first = False
+        return Found(tuple(self._texels), tuple(self._contents), tuple(self._captured))
+
+    def _submit(self, steps: Sequence[FrameStep], *, is_first: bool) -> None:
+        """Do some steps, of which the last may read something back."""
+        last = steps[-1]
+        bound = [[self._bound(step, draw) for draw in step.draws] for step in steps]
+        back = [self._back(number) for number in last.read]
+        captures = self._captures(last)
         with recording(self._gpu) as commands:
-            for texture in self._textures:
+            for texture in self._textures if is_first else ():
                 if texture.description.is_black:
                     texture.clear(commands)
-            for step, sets in zip(self._job.steps, recorded, strict=True):
+            for step, sets in zip(steps, bound, strict=True):
                 record(commands, self._textures, step.barriers)
                 self._wait_for_buffers(commands, step.buffer_barriers)
-                self._do(commands, step, sets)
-                for number in step.read:
-                    self._read_back(commands, number, next(waiting)[1])
+                self._do(commands, step, sets, captures)
+            for number, buffer in zip(last.read, back, strict=True):
+                self._read_back(commands, number, buffer)
             _wait_for_host(commands)
-        return [self._found(number, buffer) for number, buffer in back]
-
-    # --- before it is recorded -------------------------------------------------------------------
-
-    def _prepared(self, step: FrameStep) -> list[DescriptorSets]:
-        """The descriptor sets of the draws of a step; textures and buffers are uploaded."""
-        return [self._bound(step, draw) for draw in step.draws]
+        self._texels += map(self._found, last.read, back)
+        self._contents += (bytes(self._buffers[each].mapped[:]) for each in last.read_buffers)
+        if captures is not None:
+            self._captured.append(captures.captured())
 
     def _bound(self, step: FrameStep, drawn: FrameDraw) -> DescriptorSets:
-        gpu, given = self._gpu, drawn.draw or drawn.dispatch
-        assert given is not None
-        sets = make_descriptor_sets(self._owned, gpu, self._job.pipelines[drawn.pipeline])
-        sets.bind_blocks(given.blocks)
-        textures, buffers = iter(given.textures), iter(given.buffers)
-        sets.bind_textures(
-            gpu,
-            [
-                self._image(next(textures)) if number < 0 else self._textures[number].view
-                for number in drawn.textures
-            ],
-        )
-        sets.bind_buffers(
-            gpu,
-            [
-                self._filled(STORAGE, next(buffers)) if number < 0 else self._buffers[number]
-                for number in drawn.buffers
-            ],
-        )
-        if step.images:
-            sets.bind_images(gpu, [self._textures[number].view for number in step.images])
-        if drawn.draw is not None:
-            for data in (*drawn.draw.vertices, drawn.draw.indices):
-                if data:
-                    self._filled(MESH, data)
-        return sets
+        """The descriptor sets of a draw of a step; all that it brings along is uploaded."""
+        pipeline = self._job.pipelines[drawn.pipeline]
+        return self._uploads.bound(pipeline, drawn, self._textures, self._buffers, step.images)
 
-    def _image(self, image: Image) -> Any:
-        if image not in self._images:
-            self._images[image] = make_texture(self._owned, self._gpu, image)
-        return self._images[image]
-
-    def _filled(self, usage: int, data: bytes) -> Buffer:
-        key = usage, data
-        if key not in self._data:
-            self._data[key] = filled_buffer(self._owned, self._gpu, usage, data)
-        return self._data[key]
+    def _captures(self, step: FrameStep) -> Captures | None:
+        if step.captures is None:
+            return None
+        stream = self._job.pipelines[step.draws[0].pipeline].stream_output
+        assert stream is not None
+        return Captures.of(self._owned, self._gpu, step.captures, stream.stride)
 
     # --- steps -----------------------------------------------------------------------------------
 
-    def _do(self, commands: Any, step: FrameStep, sets: Sequence[DescriptorSets]) -> None:
+    def _do(
+        self,
+        commands: Any,
+        step: FrameStep,
+        sets: Sequence[DescriptorSets],
+        captures: Captures | None,
+    ) -> None:
         if step.copied:
             self._copy(commands, *(self._textures[number] for number in step.copied))
-        elif step.targets or step.depth is not None:
+        elif step.captures is not None:
+            assert captures is not None
+            self._capture(commands, step, sets[0], captures)
+        elif step.drawn_to:
             self._draw(commands, step, sets)
         elif sets:
             self._run(commands, step, sets[0])
 
     def _draw(self, commands: Any, step: FrameStep, sets: Sequence[DescriptorSets]) -> None:
-        attachments = step.drawn_to
-        render_pass = self._render_pass(step)
-        width, height = self._size(attachments[0])
-        views = [
-            self._textures[each.texture].part(each.layer, each.level, each.layers)
-            for each in attachments
-        ]
-        info = vk.VkFramebufferCreateInfo(
-            renderPass=render_pass,
-            pAttachments=views,
-            width=width,
-            height=height,
-            layers=attachments[0].layers,
-        )
-        framebuffer = vk.vkCreateFramebuffer(self._gpu.device, info, None)
-        self._owned.callback(vk.vkDestroyFramebuffer, self._gpu.device, framebuffer, None)
-        area = vk.VkRect2D(extent=vk.VkExtent2D(width, height))
-        begin = vk.VkRenderPassBeginInfo(
-            renderPass=render_pass,
-            framebuffer=framebuffer,
-            renderArea=area,
-            pClearValues=[self._clear_value(each) for each in attachments],
-        )
-        vk.vkCmdBeginRenderPass(commands, begin, vk.VK_SUBPASS_CONTENTS_INLINE)
+        width, height = self._size(step.drawn_to[0])
+        render_pass = self._passes.begin(commands, step, (width, height))
         port, drawn_to = step.areas(width, height)
         vk.vkCmdSetScissor(commands, 0, 1, [_rectangle(drawn_to)])
         vk.vkCmdSetBlendConstants(commands, step.blend_constant)
         for drawn, bound in zip(step.draws, sets, strict=True):
-            description = self._job.pipelines[drawn.pipeline]
-            view = viewport(description, *port)
+            view = viewport(self._job.pipelines[drawn.pipeline], *port)
             vk.vkCmdSetViewport(commands, 0, 1, [view])
-            self._draw_one(commands, drawn, bound, render_pass)
+            self._bind(commands, drawn, bound, render_pass)
+            assert drawn.draw is not None
+            self._draw_mesh(commands, drawn.draw)
         vk.vkCmdEndRenderPass(commands)
         for target in step.targets:
             if target.resolve is not None:
                 self._resolve(commands, target.texture, target.resolve)
+
+    def _capture(
+        self, commands: Any, step: FrameStep, bound: DescriptorSets, captures: Captures
+    ) -> None:
+        """Draw with the rasterizer off, into the buffer for vertices."""
+        (drawn,) = step.draws
+        draw = drawn.draw
+        assert draw is not None
+        size = draw.width, draw.height
+        render_pass = self._passes.begin(commands, step, size)
+        vk.vkCmdSetScissor(commands, 0, 1, [_rectangle((0, 0, *size))])
+        vk.vkCmdSetBlendConstants(commands, step.blend_constant)
+        view = viewport(self._job.pipelines[drawn.pipeline], 0, 0, *size)
+        vk.vkCmdSetViewport(commands, 0, 1, [view])
+        self._bind(commands, drawn, bound, render_pass)
+        with captures.recording(commands):
+            self._draw_mesh(commands, draw)
+        vk.vkCmdEndRenderPass(commands)
+        captures.wait_for_host(commands)
 
     def _resolve(self, commands: Any, drawn: int, to: Resolve) -> None:
         """Write the means of samples to where they belong. A render pass could do so, but lavapipe
@@ -200,15 +184,15 @@ class _Frame:
         )
         record(commands, self._textures, [Barrier(n, use, "target") for n, use in used])
 
-    def _draw_one(
+    def _bind(
         self, commands: Any, drawn: FrameDraw, bound: DescriptorSets, render_pass: Any
     ) -> None:
-        draw = drawn.draw
-        assert draw is not None
+        """Bind the pipeline of a draw, and what it reads."""
         key = drawn.pipeline, bound.slots.targets, render_pass
         if key not in self._pipelines:
             layout = make_layout(self._owned, self._gpu, bound.layouts)
-            made = make_pipeline(self._owned, self._gpu, bound.slots, layout, render_pass)
+            described = saying_places(bound.slots)
+            made = make_pipeline(self._owned, self._gpu, described, layout, render_pass)
             self._pipelines[key] = made, layout
         pipeline, layout = self._pipelines[key]
         vk.vkCmdBindPipeline(commands, GRAPHICS, pipeline)
@@ -216,14 +200,13 @@ class _Frame:
             vk.vkCmdBindDescriptorSets(
                 commands, GRAPHICS, layout, 0, len(bound.sets), bound.sets, 0, None
             )
-        self._draw_mesh(commands, draw)
 
     def _draw_mesh(self, commands: Any, draw: Draw) -> None:
-        if not draw.indices:
+        if not draw.indices:  # A buffer of no bytes cannot be made.
             return
-        if vertices := [self._filled(MESH, data).handle for data in draw.vertices]:
+        if vertices := [self._uploads.buffer(MESH, data).handle for data in draw.vertices]:
             vk.vkCmdBindVertexBuffers(commands, 0, len(vertices), vertices, [0] * len(vertices))
-        indices = self._filled(MESH, draw.indices).handle
+        indices = self._uploads.buffer(MESH, draw.indices).handle
         vk.vkCmdBindIndexBuffer(commands, indices, 0, vk.VK_INDEX_TYPE_UINT32)
         count = len(draw.indices) // INDEX_SIZE
         vk.vkCmdDrawIndexed(commands, count, draw.instance_count, 0, 0, 0)
@@ -278,65 +261,8 @@ class _Frame:
             commands, source.image, layouts[0], target.image, layouts[1], len(copies), copies
         )
 
-    # --- render passes ---------------------------------------------------------------------------
-
     def _size(self, attachment: Attachment) -> tuple[int, int]:
         return _halved(self._textures[attachment.texture], attachment.level)
-
-    def _clear_value(self, attachment: Attachment) -> Any:
-        if self._job.textures[attachment.texture].is_depth:
-            depth = vk.VkClearDepthStencilValue(depth=attachment.clear[0])
-            return vk.VkClearValue(depthStencil=depth)
-        return vk.VkClearValue(color=vk.VkClearColorValue(float32=list(attachment.clear)))
-
-    def _render_pass(self, step: FrameStep) -> Any:
-        """The render pass for the formats of a step, and for what it loads and stores."""
-        attachments = step.drawn_to
-        key = tuple(
-            (
-                self._job.textures[each.texture].format,
-                self._job.textures[each.texture].samples,
-                each.loads,
-                each.stores,
-                each.stores_stencil,
-                each.resolve is not None,
-            )
-            for each in attachments
-        )
-        if key not in self._passes:
-            self._passes[key] = self._made_pass(step)
-        return self._passes[key]
-
-    def _made_pass(self, step: FrameStep) -> Any:
-        described = [self._described(each) for each in step.drawn_to]
-        references = [
-            vk.VkAttachmentReference(number, USES["target"].layout)
-            for number in range(len(step.targets))
-        ]
-        depth = vk.VkAttachmentReference(len(step.targets), USES["depth"].layout)
-        subpass = vk.VkSubpassDescription(
-            pipelineBindPoint=GRAPHICS,
-            pColorAttachments=references,
-            pDepthStencilAttachment=None if step.depth is None else depth,
-        )
-        info = vk.VkRenderPassCreateInfo(pAttachments=described, pSubpasses=[subpass])
-        made = vk.vkCreateRenderPass(self._gpu.device, info, None)
-        self._owned.callback(vk.vkDestroyRenderPass, self._gpu.device, made, None)
-        return made
-
-    def _described(self, attachment: Attachment) -> Any:
-        texture = self._textures[attachment.texture]
-        layout = USES["depth" if texture.description.is_depth else "target"].layout
-        return vk.VkAttachmentDescription(
-            format=texture.spec.format,
-            samples=texture.spec.samples,
-            loadOp=_LOADS[attachment.loads],
-            storeOp=_STORES[attachment.stores or attachment.resolve is not None],
-            stencilLoadOp=_LOADS[attachment.loads],
-            stencilStoreOp=_STORES[attachment.stores_stencil],
-            initialLayout=layout,
-            finalLayout=layout,
-        )
 
     # --- what comes back -------------------------------------------------------------------------
 
@@ -364,6 +290,15 @@ class _Frame:
             case colours:
                 texels = to_float(data, colours, texture.width, rows, "top")
         return FrameTexels(texture.width, texture.height, texture.layers, texels)
+
+
+def _submissions(steps: Sequence[FrameStep]) -> Iterator[Sequence[FrameStep]]:
+    """The steps in portions, each of which ends where something is read back."""
+    first = 0
+    for number, step in enumerate(steps):
+        if step.read or step.read_buffers or step.captures is not None or step is steps[-1]:
+            yield steps[first : number + 1]
+            first = number + 1
 
 
 def _resolves(step: FrameStep) -> list[Resolve]:
@@ -396,8 +331,11 @@ def _layers(texture: MadeTexture, level: int, aspect: int = 0) -> Any:
 
 
 def _wait_for_host(commands: Any) -> None:
+    """Let the host read what was copied, and what kernels have written to buffers."""
     barrier = vk.VkMemoryBarrier(
-        srcAccessMask=vk.VK_ACCESS_TRANSFER_WRITE_BIT, dstAccessMask=vk.VK_ACCESS_HOST_READ_BIT
+        srcAccessMask=vk.VK_ACCESS_TRANSFER_WRITE_BIT | vk.VK_ACCESS_SHADER_WRITE_BIT,
+        dstAccessMask=vk.VK_ACCESS_HOST_READ_BIT,
     )
-    before, after = vk.VK_PIPELINE_STAGE_TRANSFER_BIT, vk.VK_PIPELINE_STAGE_HOST_BIT
+    before = vk.VK_PIPELINE_STAGE_TRANSFER_BIT | vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT
+    after = vk.VK_PIPELINE_STAGE_HOST_BIT
     vk.vkCmdPipelineBarrier(commands, before, after, 0, 1, [barrier], 0, None, 0, None)

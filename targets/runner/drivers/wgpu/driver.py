@@ -6,17 +6,22 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
+from ..by_frames import DrawsByFrames
 from ..capture_job import Captured, CaptureJob
-from ..checks import check, check_kernel, check_names
+from ..checks import check_groups, check_names
 from ..device import Device, DriverError
-from ..draw_job import Job, Picture
-from ..kernel_job import KernelJob, Written
+from ..draw_job import Job
+from ..frame_job import Found, FrameJob
+from ..kernel_job import KernelJob
 
 if TYPE_CHECKING:
     from .device import Gpu
 
 
-class Wgpu:
+MOST_GROUPS = "max-compute-workgroups-per-dimension"
+
+
+class Wgpu(DrawsByFrames):
     """Draws with one of the machine's devices."""
 
     def __init__(self, wanted: str = "") -> None:
@@ -28,25 +33,24 @@ class Wgpu:
         """The device's description of itself. Raises ``DriverError``."""
         return self._opened().description
 
-    def draw(self, job: Job) -> Sequence[Picture]:
-        """A picture for each draw of the job. Raises ``DriverError``."""
-        check(job)
+    def accept_job(self, job: Job) -> None:
+        """Raise ``DriverError`` if a name by which a job binds is not in its text."""
         check_names(job.pipeline)
+
+    def accept_kernel(self, job: KernelJob) -> None:
+        """Raise ``DriverError`` if the device does not run so many work groups at once."""
+        check_groups(job, [int(self._opened().device.limits[MOST_GROUPS])] * 3)
+
+    def draw_frame(self, job: FrameJob) -> Found:
+        """What a frame job reads back. Raises ``DriverError``."""
         gpu = self._opened()
-        from .drawing import draw_job
+        from .frame import draw_frame
 
-        return draw_job(gpu, job)
+        return draw_frame(gpu, job)
 
-    def compute(self, job: KernelJob) -> Sequence[Written]:
-        """What each dispatch of the job writes. Raises ``DriverError``."""
-        check_kernel(job)
-        gpu = self._opened()
-        from .compute import compute_job
-
-        return compute_job(gpu, job)
-
-    def capture(self, _job: CaptureJob) -> Sequence[Captured]:
+    def capture(self, job: CaptureJob) -> Sequence[Captured]:
         """WebGPU has no stream output: kernels capture there. Raises ``DriverError``."""
+        del job
         raise DriverError("WebGPU has no stream output")
 
     def _opened(self) -> Gpu:

@@ -10,6 +10,7 @@ from ..device import DriverError
 from ..pipeline import Pipeline
 from ..render_state import RenderTarget
 from ..webgpu import (
+    COMPUTED,
     DRAWN,
     FLOAT32_TARGETS,
     Buffer,
@@ -35,8 +36,8 @@ class Made:
     buffers: Sequence[Buffer]
 
 
-def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
-    """The pipeline of a job."""
+def make_pipeline(gpu: Gpu, pipeline: Pipeline, depths: str | None) -> Made:
+    """A pipeline that draws with depths of a format, or without any. Raises ``DriverError``."""
     device, stages = gpu.device, pipeline.stages
     groups, buffers = bound(pipeline), vertex_buffers(pipeline.inputs)
     layouts = [
@@ -57,15 +58,26 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
         },
         primitive=primitive(pipeline),
         multisample={"count": pipeline.samples},
-        depth_stencil=_depth_stencil(gpu, pipeline),
+        depth_stencil=depths and {"format": depths, **depth_stencil(pipeline)},
     )
     return Made(handle, groups, layouts, buffers)
 
 
-def _depth_stencil(gpu: Gpu, pipeline: Pipeline) -> Mapping[str, Any]:
-    if pipeline.stencil is not None and pipeline.depth_format not in gpu.features:
-        raise DriverError(f"{gpu.description.name} has no {pipeline.depth_format}")
-    return {"format": pipeline.depth_format, **depth_stencil(pipeline)}
+def make_kernel(gpu: Gpu, pipeline: Pipeline) -> Made:
+    """The pipeline of a kernel."""
+    device, groups = gpu.device, bound(pipeline)
+    (code,) = pipeline.stages.values()
+    layouts = [
+        device.create_bind_group_layout(entries=layout_entries(group, COMPUTED)) for group in groups
+    ]
+    handle = device.create_compute_pipeline(
+        layout=device.create_pipeline_layout(bind_group_layouts=layouts),
+        compute={
+            "module": device.create_shader_module(code=code.text),
+            "entry_point": code.entry,
+        },
+    )
+    return Made(handle, groups, layouts, ())
 
 
 def _target(gpu: Gpu, target: RenderTarget) -> Mapping[str, Any]:
