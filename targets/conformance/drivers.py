@@ -124,6 +124,7 @@ DRIVERS: Mapping[str, Driver] = {
     "webgpu": _SWIFTSHADER,
     "webgl2": _WEBGL,
     "vulkan": _ANY_DEVICE,
+    "opengl": _ANY_DEVICE,
     "wgpu": _ANY_DEVICE,
 }
 """The drivers, by their names in routes."""

@@ -155,6 +155,10 @@ DEVICE_DRIVERS: Mapping[str, DriverRow] = {
             _VULKAN, ("",), one_worker=True, any_device=True,
         ),
         DriverRow(
+            "opengl", "OpenGL on a device of this machine", "opengl",
+            ("moderngl",), one_worker=True, any_device=True,
+        ),
+        DriverRow(
             "wgpu", "wgpu's WebGPU on a device of this machine", "wgpu",
             ("wgpu",), one_worker=True, any_device=True,
         ),
@@ -186,24 +190,19 @@ def _vulkan_routes(driver: str) -> Iterator[Route]:
         yield Route(name, title, way.profile, driver, way.compiler, way.flags)
 
 
+def _opengl_routes(driver: str) -> Iterator[Route]:
+    """All texts that a driver for OpenGL 4.5 takes; those of ES 3.1 it takes as they are."""
+    for version, words in (("gl330", "3.30"), ("gl450", "4.50"), ("es310", "ES 3.10")):
+        title = f"GLSL {words}, {EVERY_DRIVER[driver].title}"
+        yield Route(f"{driver}:{version}", title, f"glsl:{version}", driver)
+
+
 ROUTES: Mapping[str, Route] = {
     route.name: route
     for route in (
         *_vulkan_routes("lavapipe"),
         *_vulkan_routes("swiftshader"),
-        Route(
-            "llvmpipe:gl330", f"GLSL 3.30, {DRIVERS['llvmpipe'].title}",
-            "glsl:gl330", "llvmpipe",
-        ),
-        Route(
-            "llvmpipe:gl450", f"GLSL 4.50, {DRIVERS['llvmpipe'].title}",
-            "glsl:gl450", "llvmpipe",
-        ),
-        # OpenGL 4.5 takes texts of ES 3.1 as they are.
-        Route(
-            "llvmpipe:es310", f"GLSL ES 3.10, {DRIVERS['llvmpipe'].title}",
-            "glsl:es310", "llvmpipe",
-        ),
+        *_opengl_routes("llvmpipe"),
         Route(
             "chromium:webgpu", f"WGSL, {DRIVERS['webgpu'].title}",
             "wgsl:webgpu", "webgpu",
@@ -220,6 +219,7 @@ DEVICE_ROUTES: Mapping[str, Route] = {
     route.name: route
     for route in (
         *_vulkan_routes("vulkan"),
+        *_opengl_routes("opengl"),
         Route("wgpu:wgsl", f"WGSL, {DEVICE_DRIVERS['wgpu'].title}", "wgsl:webgpu", "wgpu"),
     )
 }

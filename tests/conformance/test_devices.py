@@ -62,7 +62,8 @@ FRAMES = (
     "smooth_edges",
 )  # fmt: skip
 """Frames with layers, kernels over buffers and images, several targets, stencil values, frames
-that go on from the last one, and samples. lavapipe crashes on `shadow_volumes` (docs/drivers.md)."""
+that go on from the last one, and samples. lavapipe would crash on `shadow_volumes`: see
+``docs/drivers.md``."""
 
 
 @pytest.mark.parametrize("name", FRAMES)
@@ -93,12 +94,13 @@ def test_wgpu_draws_nothing_of_patches_of_level_0(toolchain: Toolchain) -> None:
     assert np.abs(target - clear).max() < 0.01
 
 
-def test_vulkan_agrees_on_a_device_by_its_name(toolchain: Toolchain) -> None:
-    (row,) = rows(["vulkan:glsl"], [FILES[0]], SOFTWARE.upper(), toolchain)
-    assert row.status == "agrees"
+@pytest.mark.parametrize("name", ["vulkan:glsl", "opengl:gl330", "opengl:gl450", "opengl:es310"])
+def test_a_device_by_its_name(name: str, toolchain: Toolchain) -> None:
+    (row,) = rows([name], [FILES[0]], SOFTWARE.upper(), toolchain)
+    assert row.status == "agrees", list(details(row))
 
 
-@pytest.mark.parametrize("name", ["vulkan:glsl", "wgpu:wgsl"])
+@pytest.mark.parametrize("name", ["vulkan:glsl", "opengl:gl450", "wgpu:wgsl"])
 def test_a_device_that_does_not_exist(name: str) -> None:
     route = DEVICE_ROUTES[name]
     with Runner([route], device="no such GPU") as runner, pytest.raises(DriverError) as error:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import ctypes
 import os
+from contextlib import suppress
 from typing import Any
 
 import moderngl
 
 from ....toolchain.tools import tool_named
 from .. import mesa
+from ..choice import chosen
 from ..device import DriverError
 
-ENVIRONMENT = {
-    # Use the software renderer even if there is a GPU, so that pictures are the same everywhere.
-    "LIBGL_ALWAYS_SOFTWARE": "1",
-    **mesa.SETTINGS,
-}
+SOFTWARE = {"LIBGL_ALWAYS_SOFTWARE": "1", **mesa.SETTINGS}
+"""The variables that have Mesa's software draw."""
+SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swrast")
+"""How the names begin of devices that are no hardware."""
 
 CLIP_CONTROL = {
     "GL_LOWER_LEFT": 0x8CA1,
@@ -68,14 +69,18 @@ class Functions:
         return function
 
 
-def create_context() -> moderngl.Context:
-    """Create a context and make it current. Raises ``DriverError``, which says what to install."""
-    for name, value in ENVIRONMENT.items():
+def create_context(wanted: str | None) -> moderngl.Context:
+    """Create a context and make it current. Raises ``DriverError``, which says what to install.
+
+    ``wanted`` is a part of a device's name, or its number; empty for the first one that is
+    hardware, and ``None`` for Mesa's software, even if there is a GPU: its pictures are the same
+    everywhere.
+    """
+    for name, value in (SOFTWARE if wanted is None else mesa.SETTINGS).items():
         os.environ.setdefault(name, value)
+    number = 0 if wanted is None else _chosen(wanted)
     try:
-        # moderngl's stubs say that the backend is a dict, but it takes the name.
-        backend: Any = "egl"
-        context = moderngl.create_context(require=450, standalone=True, backend=backend)
+        context = _created(number)
     except Exception as error:  # moderngl raises bare ``Exception`` for whatever EGL lacks
         install = tool_named("llvmpipe").install
         raise DriverError(f"there is no OpenGL 4.5: {error}; to install it: {install}") from None
@@ -83,3 +88,32 @@ def create_context() -> moderngl.Context:
     # What is cleared or drawn in linear light is stored as the format of its target asks for.
     context.enable_direct(GL_FRAMEBUFFER_SRGB)
     return context
+
+
+def _created(number: int) -> moderngl.Context:
+    # moderngl's stubs say that the backend is a dict, but it takes the name.
+    backend: Any = "egl"
+    return moderngl.create_context(
+        require=450, standalone=True, backend=backend, device_index=number
+    )
+
+
+def _chosen(wanted: str) -> int:
+    """The number of a device. EGL does not tell their names, so each has to be opened. Raises
+    ``DriverError``."""
+    numbers, names = [], []
+    for number in range(_device_count()):
+        with suppress(Exception):  # It has no OpenGL 4.5.
+            context = _created(number)
+            names.append(context.info["GL_RENDERER"])
+            numbers.append(number)
+            context.release()
+    hardware = [not name.startswith(SOFTWARE_NAMES) for name in names]
+    return numbers[chosen(names, hardware, wanted)]
+
+
+def _device_count() -> int:
+    """How many devices EGL has."""
+    query, count = Functions().eglQueryDevicesEXT, ctypes.c_int()
+    query(0, None, ctypes.byref(count))
+    return count.value

@@ -19,7 +19,10 @@ if TYPE_CHECKING:
 class OpenGL(DrawsByFrames):
     """Draws with a ``Renderer``; if moderngl is missing, an error says what to install."""
 
-    def __init__(self) -> None:
+    def __init__(self, wanted: str | None = None) -> None:
+        """``wanted`` is a part of a device's name, or its number; empty for the usual one, and
+        ``None`` for Mesa's software."""
+        self._wanted = wanted
         self._renderer: Renderer | None = None
 
     def device(self) -> Device:
@@ -45,5 +48,5 @@ class OpenGL(DrawsByFrames):
             except ImportError as error:
                 install = tool_named("moderngl").install
                 raise DriverError(f"{error}; to install it: {install}") from None
-            self._renderer = Renderer()
+            self._renderer = Renderer(self._wanted)
         return self._renderer

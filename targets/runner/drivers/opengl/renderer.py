@@ -13,8 +13,9 @@ from .frame import draw_frame
 class Renderer:
     """An OpenGL context that does one job after the other."""
 
-    def __init__(self) -> None:
-        self._context = create_context()
+    def __init__(self, wanted: str | None) -> None:
+        """``wanted`` is the device, as ``create_context`` takes it."""
+        self._context = create_context(wanted)
         self._functions = Functions()
         self._nowhere = self._context.simple_framebuffer((1, 1))
         """What is bound while vertices are captured: OpenGL wants something to draw to, although
