@@ -73,7 +73,7 @@ class Output:
 def ask(arguments: Sequence[str]) -> Question | None:
     """The question that a command line is; ``None`` where no answer to it is ever kept."""
     wanted = arguments[:1] == ["compile"] and _NEVER.isdisjoint(arguments)
-    if not wanted or os.environ.get("BURNISH_VERIFY"):
+    if not wanted or os.environ.get("BURNISH_VERIFY") or os.environ.get("BURNISH_SHOW"):
         return None
     try:
         return Question(arguments)

@@ -206,9 +206,20 @@ class Node:
         ``variables`` are the formals of binders further out."""
 
     def __repr__(self) -> str:
+        """As in ``%113 = native div(%18, %2) : float``."""
         inner = ", ".join(f"%{operand.id}" for operand in self.operands)
-        data = "" if self.data is None else f"[{self.data}]"
-        return f"%{self.id} = {self.op}{data}({inner}) : {self.type}"
+        return f"%{self.id} = {self._words()}{f'({inner})' if inner else ''} : {self.type}"
+
+    def _words(self) -> str:
+        match self.op, self.data:
+            case (("call" | "constant"), data):
+                return f"{data}"
+            case "swizzle", (*lanes,):
+                return f"swizzle .{''.join('xyzw'[int(lane)] for lane in lanes)}"
+            case op, None:
+                return op
+            case op, data:
+                return f"{op} {getattr(data, 'name', data)}"
 
 
 def binders(node: Node) -> int:

@@ -1,13 +1,15 @@
-"""Checks every graph between two passes if the variable ``BURNISH_VERIFY`` is 1.
+"""Looks at every graph between two passes: verifies it, or prints it.
 
-``pipeline.stage`` calls ``verified`` after each pass. The tests always set the variable; users do
-not, because verifying a graph takes as long as a pass.
+``pipeline.stage`` calls ``verified`` after each pass. The tests always verify; users do not,
+because that takes as long as a pass. ``BURNISH_SHOW=guard burnish compile …`` prints the graphs
+after the pass of this name, for those who change passes.
 """
 
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+import sys
+from typing import TYPE_CHECKING, Literal, get_args
 
 from ..ir.node import Roots
 
@@ -17,10 +19,19 @@ if TYPE_CHECKING:
 
 VARIABLE = "BURNISH_VERIFY"
 """Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""
+SHOWN = "BURNISH_SHOW"
+"""Names of passes, with commas between them, or ``all``."""
+
+Checkpoint = Literal[
+    "semantics", "open_binders", "replace_aggregates", "simplify", "fuse", "inline",
+    "expand_builtins", "guard", "move_to_vertices", "hoist", "move_to_corners", "lift_lambdas",
+    "lower_reads", "rename_variables", "legalise",
+]  # fmt: skip
+"""What made a graph: a pass, the checks of semantics, or what a profile decides."""
 
 
-def verified(name: str, form: Form, roots: Roots) -> Roots:
-    """``roots`` as pass ``name`` made them, verified where that is wanted."""
+def verified(name: Checkpoint, form: Form, roots: Roots) -> Roots:
+    """``roots`` as pass ``name`` made them, verified and printed where that is wanted."""
     if os.environ.get(VARIABLE) == "1":
         from ..ir.verify import InvalidGraphError, verify
 
@@ -29,6 +40,8 @@ def verified(name: str, form: Form, roots: Roots) -> Roots:
         except InvalidGraphError as error:
             error.add_note(f"after {name}")
             raise
+    if shown := os.environ.get(SHOWN):
+        _show(name, roots, shown.split(","))
     return roots
 
 
@@ -40,3 +53,15 @@ def verified_results(shader: Shader) -> tuple[Result, ...]:
         verify_results(shader.results, shader.chain)
         verify_levels(shader)
     return shader.results
+
+
+def _show(name: Checkpoint, roots: Roots, wanted: list[str]) -> None:
+    """Print a graph to the error output, operands before users, if it is ``wanted``."""
+    known = get_args(Checkpoint)
+    for unknown in set(wanted) - {*known, "all"} if name == known[0] else ():
+        print(f"{SHOWN}: no pass is called `{unknown}`; there are {', '.join(known)}, and all",
+              file=sys.stderr)  # fmt: skip
+    if name in wanted or "all" in wanted:
+        lines = [f"after {name}:", *(f"  {node}" for node in roots.nodes)]
+        lines.append(f"  delivers {', '.join(f'%{root.id}' for root in roots)}")
+        print("\n".join(lines), file=sys.stderr)

@@ -42,7 +42,7 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     roots = apart.each(roots, lambda some, _: inline(graph, some, notes, deciding))
     # Calls that only these guards make dear are copied here, with the loops in them.
     roots = rename_variables(graph, roots, notes.follow)
-    roots = verified("guards of a profile", "stored", roots)
+    roots = verified("legalise", "stored", roots)
     made = zip(undecided.results, roots, strict=True)
     results = tuple(changed(result, value=value) for result, value in made)
     return split_stages(shader, results, undecided.derived), notes
