@@ -37,8 +37,8 @@ def option(row: Option) -> Callable[[FC], FC]:
 
 device_option = click.option(
     "--device", metavar="NAME", default="",
-    help="What the routes `vulkan` and `wgpu` draw with: a part of a device's name, or its number; "
-    "by default the first GPU.",
+    help="What the routes `vulkan`, `opengl` and `wgpu` draw with: a part of a device's name, or "
+    "its number; by default the first GPU.",
 )  # fmt: skip
 rig_option = option(RIG)
 pass_option = option(PASS)

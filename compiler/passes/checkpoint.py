@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import sys
+from functools import cache
 from typing import TYPE_CHECKING, Literal, get_args
 
 from ..ir.node import Roots
@@ -41,7 +42,7 @@ def verified(name: Checkpoint, form: Form, roots: Roots) -> Roots:
             error.add_note(f"after {name}")
             raise
     if shown := os.environ.get(SHOWN):
-        _show(name, roots, shown.split(","))
+        _show(name, roots, _wanted(shown))
     return roots
 
 
@@ -55,12 +56,22 @@ def verified_results(shader: Shader) -> tuple[Result, ...]:
     return shader.results
 
 
-def _show(name: Checkpoint, roots: Roots, wanted: list[str]) -> None:
-    """Print a graph to the error output, operands before users, if it is ``wanted``."""
+@cache
+def _wanted(shown: str) -> frozenset[str]:
+    """The names in the variable's text; of those that no pass has, people are told once."""
     known = get_args(Checkpoint)
-    for unknown in set(wanted) - {*known, "all"} if name == known[0] else ():
-        print(f"{SHOWN}: no pass is called `{unknown}`; there are {', '.join(known)}, and all",
-              file=sys.stderr)  # fmt: skip
+    names = [name.strip() for name in shown.split(",")]
+    for name in names:
+        if name not in {*known, "all"}:
+            there = ", ".join(known)
+            print(
+                f"{SHOWN}: no pass is called `{name}`; there are {there}, and all", file=sys.stderr
+            )
+    return frozenset(names)
+
+
+def _show(name: Checkpoint, roots: Roots, wanted: frozenset[str]) -> None:
+    """Print a graph to the error output, operands before users, if it is ``wanted``."""
     if name in wanted or "all" in wanted:
         lines = [f"after {name}:", *(f"  {node}" for node in roots.nodes)]
         lines.append(f"  delivers {', '.join(f'%{root.id}' for root in roots)}")

@@ -102,7 +102,7 @@ def _with_lines(driver: Driver, lines: Lines) -> Driver:
 _WEBGL = replace(_with_lines(_SWIFTSHADER, "parallelogram"), owns_bottom=True)
 
 # Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
-# less than what such devices are known for. It was tried on lavapipe only.
+# less than what such devices are known for. It was tried on Mesa's software only.
 _ANY_DEVICE = Driver(
     Hardware(
         varying_bits=INTERPOLATED_BITS,

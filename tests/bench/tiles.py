@@ -24,7 +24,7 @@ from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
 from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
 from burnish.targets.runner.drivers.pipeline import Code
-from burnish.targets.runner.drivers.vulkan import compute
+from burnish.targets.runner.drivers.vulkan import frame
 from burnish.targets.runner.drivers.vulkan.device import recording
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
 from burnish.targets.runner.kernels import full_screen_state, job_of
@@ -93,7 +93,7 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
 def milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
     """Of the commands alone, without what goes to the device before and comes back afterwards."""
     taken: list[float] = []
-    with patch.object(compute, "recording", lambda gpu: _Timed(gpu, taken)):
+    with patch.object(frame, "recording", lambda gpu: _Timed(gpu, taken)):
         for _ in range(RUNS):
             driver.compute(job)
     return 1000 * min(taken)

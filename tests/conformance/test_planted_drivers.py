@@ -65,15 +65,16 @@ class Error:
 
 VULKAN, OPENGL = "lavapipe:glsl", "llvmpipe:gl450"
 FRAMES, TEXTURES = "vulkan.frame", "vulkan.frame_textures"
-READ = "self._textures[number].view"
+PASSES, UPLOADS = "vulkan.render_passes", "vulkan.uploads"
+READ = "textures[number].view"
 SHARED = "return vk.VK_ACCESS_MEMORY_WRITE_BIT if is_shared else 0"
 BEFORE = 'srcAccessMask=self._writes if before == "undefined" else USES[before].access'
 BOUND = "self._textures[number] for number in drawn.textures"
 ERRORS = [
-    Error(VULKAN, FRAMES, "loadOp=_LOADS[attachment.loads]", "loadOp=_LOADS[False]"),
+    Error(VULKAN, PASSES, "loadOp=_LOADS[attachment.loads]", "loadOp=_LOADS[False]"),
     Error(VULKAN, FRAMES, "record(commands, self._textures, step.barriers)", "pass"),
-    Error(VULKAN, FRAMES, f"else {READ}", "else self._textures[0].view"),
-    Error(VULKAN, FRAMES, "float32=list(attachment.clear)", "float32=[0.0] * 4"),
+    Error(VULKAN, UPLOADS, f"else {READ}", "else textures[0].view"),
+    Error(VULKAN, PASSES, "float32=list(attachment.clear)", "float32=[0.0] * 4"),
     Error(VULKAN, TEXTURES, SHARED, "return 0"),
     Error(VULKAN, TEXTURES, BEFORE, "srcAccessMask=0"),
     Error(OPENGL, "opengl.frame", "if not target.loads", "if True"),

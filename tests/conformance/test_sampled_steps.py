@@ -10,8 +10,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from burnish.targets.runner.routes import ROUTES
+
 from .kit import REFERENCE, Floats, Studio
-from .test_frames import FRAME_ROUTES, SIZE, outputs
+from .test_frames import SIZE, outputs
 
 CUT = 3
 """The column that edges cut."""
@@ -83,7 +85,7 @@ pass Second : FullScreen {{
 }}
 """
 
-EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *FRAME_ROUTES])
+EVERYWHERE = pytest.mark.parametrize("where", [REFERENCE, *ROUTES])
 
 
 def shown(studio: Studio, where: str, steps: str, name: str = "picture", count: int = 1) -> Floats:

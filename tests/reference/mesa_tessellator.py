@@ -68,7 +68,7 @@ def cells(context: Any, kind: str, spacing: str, edges: Any, inside: Any) -> Any
 
 def main() -> None:
     """Answer the cases of the standard input."""
-    context: Any = create_context()
+    context: Any = create_context(None)
     context.patch_vertices = 1
     context.simple_framebuffer((4, 4)).use()
     json.dump([cells(context, *case) for case in json.load(sys.stdin)], sys.stdout)

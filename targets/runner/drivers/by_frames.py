@@ -14,6 +14,7 @@ import numpy as np
 
 from .capture_job import Captured, CaptureJob
 from .checks import check, check_capture, check_kernel
+from .device import DriverError
 from .draw_job import Draw, Job, Picture
 from .frame_job import (
     OWN,
@@ -112,8 +113,11 @@ class _Canvas:
     @classmethod
     def of(cls, pipeline: Pipeline, size: tuple[int, int], textures: list[FrameTexture]) -> _Canvas:
         """Those that a pipeline needs, which are added to ``textures``."""
-        dimension = "2d_array" if pipeline.layers else "2d"
-        one = FrameTexture("r8unorm", *size, layers=pipeline.layers or 1, dimension=dimension)
+        if pipeline.layers and pipeline.samples > 1:
+            raise DriverError("targets with layers have one sample for each pixel")
+        one = FrameTexture("r8unorm", *size)
+        if pipeline.layers:
+            one = replace(one, layers=pipeline.layers, dimension="2d_array")
         read = [replace(one, format=target.format) for target in pipeline.targets]
         several = [replace(each, samples=pipeline.samples) for each in read]
         depth = replace(one, format=pipeline.depth_format, samples=pipeline.samples)
@@ -185,7 +189,7 @@ def frame_of_dispatches(job: KernelJob) -> FrameJob:
         ]
         given = list(zip(job.pipeline.buffers, dispatch.buffers, strict=True))
         written = list(_numbered(job.pipeline.buffers, len(buffers)))
-        buffers += [FrameBuffer(len(data) // 4, data=data) for slot, data in given if slot.written]
+        buffers += [FrameBuffer(0, data=data) for slot, data in given if slot.written]
         own = tuple(data for slot, data in given if not slot.written)
         steps += _run(job, replace(dispatch, buffers=own), tuple(images), written)
     return FrameJob(tuple(textures), tuple(buffers), (job.pipeline,), tuple(steps))

@@ -23,6 +23,7 @@ def check_frame(job: FrameJob) -> None:
     for number, step in enumerate(job.steps):
         try:
             _check_numbers(job, step)
+            _check_captures(job, step)
             _check_attachments(job, step)
             for draw in step.draws:
                 _check_drawn(job, step, draw)
@@ -49,6 +50,15 @@ def _all_in(what: str, numbers: Sequence[int], there: Sequence[object]) -> None:
     for number in numbers:
         if not 0 <= number < len(there):
             raise DriverError(f"there is no {what} {number}; the job has {len(there)}")
+
+
+def _check_captures(job: FrameJob, step: FrameStep) -> None:
+    """What captures has one draw, whose pipeline does so, and nothing to draw to."""
+    if step.captures is None:
+        return
+    streams = [job.pipelines[each.pipeline].stream_output for each in step.draws]
+    if step.drawn_to or len(streams) != 1 or streams[0] is None:
+        raise DriverError("it captures vertices, and is not one draw with a stream output")
 
 
 def _check_attachments(job: FrameJob, step: FrameStep) -> None:

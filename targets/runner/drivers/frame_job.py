@@ -1,8 +1,9 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-``targets/runner/frames`` makes a job of a plan. Where the ``Job`` of ``draw_job.py`` has one
-pipeline, and each draw a picture of its own, a frame job has as many as it likes, and its steps
-draw into textures that later steps read. Only what is asked for comes back.
+``targets/runner/frames`` makes a job of a plan, and ``by_frames.py`` of single draws. Where the
+``Job`` of ``draw_job.py`` has one pipeline, and each draw a picture of its own, a frame job has as
+many as it likes, and its steps draw into textures that later steps read. Only what is asked for
+comes back.
 """
 
 from __future__ import annotations
@@ -187,7 +188,7 @@ class FrameBuffer:
     initial: int = 0
     """What each of them is at first."""
     data: bytes = b""
-    """What all of them are at first, if that is not ``initial``."""
+    """Instead of both: what it holds at first."""
 
     @property
     def contents(self) -> bytes:

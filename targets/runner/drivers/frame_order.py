@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 
 from .device import DriverError
-from .frame_job import Attachment, BufferUse, FrameJob, FrameStep, Resolve, TextureUse
+from .frame_job import OWN, Attachment, BufferUse, FrameJob, FrameStep, Resolve, TextureUse
 
 Part = tuple[int, int]
 """A layer and a level of a texture."""
@@ -42,7 +42,7 @@ def _check_step(
                 texture.lose()
         waiting.wait(barrier.before, barrier.after)
     for number in (texture for draw in step.draws for texture in draw.textures):
-        if number >= 0:
+        if number != OWN:
             textures[number].read("sampled")
     for number in step.images:
         textures[number].write("image")
@@ -66,7 +66,7 @@ def _check_buffers(job: FrameJob, buffers: list[_Buffer], step: FrameStep) -> No
     for draw in step.draws:
         slots = job.pipelines[draw.pipeline].buffers
         for slot, number in zip(slots, draw.buffers, strict=True):
-            if number >= 0:
+            if number != OWN:
                 buffers[number].be_used("written" if slot.written else "read")
     for number in step.read_buffers:
         buffers[number].be_used("read")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-from contextlib import suppress
 from typing import Any
 
 import moderngl
@@ -33,16 +32,13 @@ GL_BLEND = 0x0BE2
 GL_SCISSOR_TEST = 0x0C11
 GL_FRAMEBUFFER = 0x8D40
 GL_FRAMEBUFFER_SRGB = 0x8DB9
-GL_RENDERBUFFER = 0x8D41
 GL_COLOR_ATTACHMENT0 = 0x8CE0
 GL_DEPTH_ATTACHMENT = 0x8D00
 GL_DEPTH_COMPONENT32F = 0x8CAC
 GL_DEPTH_STENCIL_ATTACHMENT = 0x821A
 GL_DEPTH32F_STENCIL8 = 0x8CAD
 GL_STENCIL = 0x1802
-GL_TEXTURE_2D_ARRAY = 0x8C1A
 GL_TEXTURE_2D_MULTISAMPLE = 0x9100
-GL_READ_FRAMEBUFFER = 0x8CA8
 GL_DRAW_FRAMEBUFFER = 0x8CA9
 GL_COLOR_BUFFER_BIT = 0x4000
 GL_NEAREST = 0x2600
@@ -78,16 +74,24 @@ def create_context(wanted: str | None) -> moderngl.Context:
     """
     for name, value in (SOFTWARE if wanted is None else mesa.SETTINGS).items():
         os.environ.setdefault(name, value)
-    number = 0 if wanted is None else _chosen(wanted)
-    try:
-        context = _created(number)
-    except Exception as error:  # moderngl raises bare ``Exception`` for whatever EGL lacks
-        install = tool_named("llvmpipe").install
-        raise DriverError(f"there is no OpenGL 4.5: {error}; to install it: {install}") from None
+    if wanted is None:
+        context = _software()
+    else:
+        # glcontext would believe this variable more than the number that it is given.
+        os.environ.pop("GLCONTEXT_DEVICE_INDEX", None)
+        context = _created(_chosen(wanted))
     context.gc_mode = "auto"
     # What is cleared or drawn in linear light is stored as the format of its target asks for.
     context.enable_direct(GL_FRAMEBUFFER_SRGB)
     return context
+
+
+def _software() -> moderngl.Context:
+    try:
+        return _created(0)
+    except Exception as error:  # moderngl raises bare ``Exception`` for whatever EGL lacks
+        install = tool_named("llvmpipe").install
+        raise DriverError(f"there is no OpenGL 4.5: {error}; to install it: {install}") from None
 
 
 def _created(number: int) -> moderngl.Context:
@@ -101,19 +105,27 @@ def _created(number: int) -> moderngl.Context:
 def _chosen(wanted: str) -> int:
     """The number of a device. EGL does not tell their names, so each has to be opened. Raises
     ``DriverError``."""
-    numbers, names = [], []
+    numbers, names, problems = [], [], []
     for number in range(_device_count()):
-        with suppress(Exception):  # It has no OpenGL 4.5.
+        try:
             context = _created(number)
-            names.append(context.info["GL_RENDERER"])
-            numbers.append(number)
-            context.release()
+        except Exception as error:  # moderngl raises bare ``Exception`` for whatever EGL lacks
+            problems.append(f"number {number}: {error}")
+            continue
+        names.append(context.info["GL_RENDERER"])
+        numbers.append(number)
+        context.release()
+    if not numbers and problems:
+        raise DriverError(f"no device has OpenGL 4.5: {'; '.join(problems)}")
     hardware = [not name.startswith(SOFTWARE_NAMES) for name in names]
     return numbers[chosen(names, hardware, wanted)]
 
 
 def _device_count() -> int:
-    """How many devices EGL has."""
-    query, count = Functions().eglQueryDevicesEXT, ctypes.c_int()
+    """How many devices EGL has. Raises ``DriverError``."""
+    try:
+        query, count = Functions().eglQueryDevicesEXT, ctypes.c_int()
+    except OSError as error:
+        raise DriverError(f"there is no EGL: {error}") from None
     query(0, None, ctypes.byref(count))
     return count.value

@@ -191,9 +191,9 @@ class _Frame:
         """What a draw captures, of so many vertices at most."""
         draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]
         assert draw is not None
+        program = self._program(drawn)
         if not draw.indices:  # A buffer of no bytes cannot be made.
             return Captured(0, b"")
-        program = self._program(drawn)
         with (
             vertices(self._context, program, pipeline, draw) as array,
             self._bound(pipeline, drawn, draw),

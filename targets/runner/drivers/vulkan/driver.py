@@ -28,7 +28,8 @@ class VulkanDriver(DrawsByFrames, Closing):
     """
 
     def __init__(self, icd: str, seconds: float, device: str = "") -> None:
-        """``seconds`` is how long one draw may take; the process ends if one takes longer.
+        """``seconds`` is how long all may take up to where something is read back: one draw of a
+        job, or a whole frame. The process ends if that takes longer.
 
         ``device`` is a part of the device's name, or its number; empty for the usual one.
         """

@@ -74,10 +74,15 @@ class _Frame:
 
     def _submit(self, steps: Sequence[FrameStep], *, is_first: bool) -> None:
         """Do some steps, of which the last may read something back."""
+        with ExitStack() as once:
+            self._do_all(once, steps, is_first=is_first)
+
+    def _do_all(self, once: ExitStack, steps: Sequence[FrameStep], *, is_first: bool) -> None:
+        """``once`` owns what only these steps need: a job may have many submissions."""
         last = steps[-1]
-        bound = [[self._bound(step, draw) for draw in step.draws] for step in steps]
-        back = [self._back(number) for number in last.read]
-        captures = self._captures(last)
+        bound = [[self._bound(once, step, draw) for draw in step.draws] for step in steps]
+        back = [self._back(once, number) for number in last.read]
+        captures = self._captures(once, last)
         with recording(self._gpu) as commands:
             for texture in self._textures if is_first else ():
                 if texture.description.is_black:
@@ -94,17 +99,18 @@ class _Frame:
         if captures is not None:
             self._captured.append(captures.captured())
 
-    def _bound(self, step: FrameStep, drawn: FrameDraw) -> DescriptorSets:
+    def _bound(self, once: ExitStack, step: FrameStep, drawn: FrameDraw) -> DescriptorSets:
         """The descriptor sets of a draw of a step; all that it brings along is uploaded."""
         pipeline = self._job.pipelines[drawn.pipeline]
-        return self._uploads.bound(pipeline, drawn, self._textures, self._buffers, step.images)
+        made = self._textures, self._buffers, step.images
+        return self._uploads.bound(once, pipeline, drawn, *made)
 
-    def _captures(self, step: FrameStep) -> Captures | None:
+    def _captures(self, once: ExitStack, step: FrameStep) -> Captures | None:
         if step.captures is None:
             return None
         stream = self._job.pipelines[step.draws[0].pipeline].stream_output
         assert stream is not None
-        return Captures.of(self._owned, self._gpu, step.captures, stream.stride)
+        return Captures.of(once, self._gpu, step.captures, stream.stride)
 
     # --- steps -----------------------------------------------------------------------------------
 
@@ -266,11 +272,11 @@ class _Frame:
 
     # --- what comes back -------------------------------------------------------------------------
 
-    def _back(self, number: int) -> Buffer:
+    def _back(self, once: ExitStack, number: int) -> Buffer:
         texture = self._job.textures[number]
         size = texture.width * texture.height * texture.layers * _texel_size(texture.format)
         usage = vk.VK_BUFFER_USAGE_TRANSFER_DST_BIT
-        return make_buffer(self._owned, self._gpu, usage, size)
+        return make_buffer(once, self._gpu, usage, size)
 
     def _read_back(self, commands: Any, number: int, buffer: Buffer) -> None:
         texture = self._textures[number]

@@ -36,6 +36,7 @@ class Uploads:
 
     def bound(
         self,
+        once: ExitStack,
         pipeline: Pipeline,
         drawn: FrameDraw,
         textures: Sequence[MadeTexture],
@@ -43,11 +44,11 @@ class Uploads:
         images: Sequence[int],
     ) -> DescriptorSets:
         """The descriptor sets of a draw or dispatch, over the frame's textures and buffers, and
-        the images that a kernel writes."""
+        the images that a kernel writes. ``once`` owns them."""
         given = drawn.draw or drawn.dispatch
         assert given is not None
         own_textures, own_buffers = iter(given.textures), iter(given.buffers)
-        sets = make_descriptor_sets(self.owned, self.gpu, pipeline)
+        sets = make_descriptor_sets(once, self.gpu, pipeline)
         sets.bind_blocks(given.blocks)
         sets.bind_textures(
             self.gpu,

@@ -10,6 +10,7 @@ import numpy as np
 import wgpu
 
 from ..checks import lane_count
+from ..device import DriverError
 from ..draw_job import Draw
 from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..kernel_job import Dispatch
@@ -63,6 +64,8 @@ class _Frame:
         return Found(tuple(texels), tuple(contents))
 
     def _do(self, step: FrameStep) -> None:
+        if step.captures is not None:
+            raise DriverError("WebGPU has no stream output")
         encoder = self._gpu.device.create_command_encoder()
         if step.copied:
             source, target = (self._textures[number] for number in step.copied)
@@ -90,6 +93,8 @@ class _Frame:
         drawing.end()
 
     def _target(self, attachment: Attachment) -> Mapping[str, Any]:
+        if attachment.layers > 1:
+            raise DriverError("WebGPU draws to one layer at a time")
         found = {
             "view": self._textures[attachment.texture].part(attachment.layer, attachment.level),
             "clear_value": attachment.clear,
@@ -121,13 +126,13 @@ class _Frame:
     def _draw_one(self, drawing: Any, step: FrameStep, drawn: FrameDraw) -> None:
         draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]
         assert draw is not None
-        if not draw.indices:  # A buffer of no bytes cannot be made.
-            return
         depths = None if step.depth is None else self._job.textures[step.depth.texture].format
         key = drawn.pipeline, depths
         if key not in self._pipelines:
             self._pipelines[key] = make_pipeline(self._gpu, pipeline, depths)
         made = self._pipelines[key]
+        if not draw.indices:  # A buffer of no bytes cannot be made.
+            return
         drawing.set_pipeline(made.handle)
         if pipeline.stencil is not None:
             drawing.set_stencil_reference(pipeline.stencil.reference)

@@ -104,7 +104,7 @@ def make_frame_texture(gpu: Gpu, wanted: FrameTexture, *, written: bool) -> Made
     if wanted.has_stencil and wanted.format not in gpu.features:
         raise DriverError(f"{gpu.description.name} has no {wanted.format}")
     usages = wgpu.TextureUsage
-    usage = usages.STORAGE_BINDING if written else usages.RENDER_ATTACHMENT
+    usage = usages.RENDER_ATTACHMENT | (usages.STORAGE_BINDING if written else 0)
     if wanted.samples == 1:
         usage |= usages.TEXTURE_BINDING | usages.COPY_SRC | usages.COPY_DST
     texture = gpu.device.create_texture(
