@@ -215,7 +215,9 @@ class Node:
             case (("call" | "constant"), data):
                 return f"{data}"
             case "swizzle", (*lanes,):
-                return f"swizzle .{''.join('xyzw'[int(lane)] for lane in lanes)}"
+                return (
+                    f"swizzle .{''.join('xyzw'[lane] for lane in lanes if isinstance(lane, int))}"
+                )
             case op, None:
                 return op
             case op, data:

@@ -95,7 +95,7 @@ def history(given: Shader, options: Options | None = None) -> History:
     """The roots of a shader after every pass; each graph is verified."""
     roots: dict[str, list[Node]] = {}
 
-    def record(name: str, form: Any, found: Roots) -> Roots:
+    def record(name: Any, form: Any, found: Roots) -> Roots:
         roots[name] = list(found)
         return verified(name, form, found)
 

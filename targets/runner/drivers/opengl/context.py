@@ -95,11 +95,9 @@ def _software() -> moderngl.Context:
 
 
 def _created(number: int) -> moderngl.Context:
-    # moderngl's stubs say that the backend is a dict, but it takes the name.
-    backend: Any = "egl"
-    return moderngl.create_context(
-        require=450, standalone=True, backend=backend, device_index=number
-    )
+    # moderngl's stubs do not know what the backend takes.
+    settings: dict[str, Any] = {"backend": "egl", "device_index": number}
+    return moderngl.create_context(require=450, standalone=True, **settings)
 
 
 def _chosen(wanted: str) -> int:
