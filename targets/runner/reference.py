@@ -225,10 +225,12 @@ def graph_text(shader: Shader) -> str:
 
 
 def _node_text(node: Node, numbers: dict[Formal, int]) -> str:
-    """A node with the variables of opened binders by number: several may have the same name."""
+    """A node with all of its data, and the variables of opened binders by number: several may have
+    the same name."""
     formals = (node.data,) if isinstance(node.data, Formal) else formals_of(node)
     known = [numbers.setdefault(formal, len(numbers)) for formal in formals]
-    return f"{node!r} {known}" if known else repr(node)
+    operands = [operand.id for operand in node.operands]
+    return f"{node.id} {node.op} {operands} {node.type} {node.data!r} {known}"
 
 
 @cache
