@@ -77,6 +77,7 @@ ERRORS = [
     Error(VULKAN, PASSES, "float32=list(attachment.clear)", "float32=[0.0] * 4"),
     Error(VULKAN, TEXTURES, SHARED, "return 0"),
     Error(VULKAN, TEXTURES, BEFORE, "srcAccessMask=0"),
+    Error(VULKAN, FRAMES, "_wait_for_host(commands)\n        self", "self"),
     Error(OPENGL, "opengl.frame", "if not target.loads", "if True"),
     Error(OPENGL, "opengl.frame", f"else {BOUND}", f"else {BOUND.replace('number]', '0]', 1)}"),
     Error(OPENGL, "opengl.frame_textures", "at.level, at.layer", "0, 0"),

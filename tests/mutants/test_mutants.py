@@ -21,7 +21,7 @@ from .texts import text_changes
 pytestmark = pytest.mark.xdist_group("mutants")  # One process has the copy of the package.
 
 NOTICED = [
-    ("compiler/passes/rules/bounds.py", ".lo >= 0, drops", ".lo <= 0, drops"),
+    ("compiler/passes/rules/bounds.py", "where=x >= 0, drops", "where=(), drops"),
     ("compiler/ir/storage.py", "LANE = 4", "LANE = 8"),
     ("targets/hlsl/language.py", '"fract": "frac"', '"fract": "floor"'),
     ("targets/wgsl/shader.wgsl.j2", "@interpolate(flat)", "@interpolate(linear)"),
