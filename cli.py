@@ -45,14 +45,13 @@ def _exit_code(arguments: list[str]) -> int:
         question = ask(arguments)
         if question is not None and answer(question):
             return 0
-        # A command makes far more objects than it drops: looking for circles of dropped ones often
-        # takes a twentieth of a short compile.
+        from .commands.waking import wake_on_signals
         from .garbage import SELDOM
         from .stack import with_room
 
+        # A command makes far more objects than it drops: looking for circles of dropped ones often
+        # takes a twentieth of a short compile.
         gc.set_threshold(*SELDOM)
-        from .commands.waking import wake_on_signals
-
         _heed_termination()
         wake_on_signals()
         succeeded = with_room(_compiled, arguments, question)

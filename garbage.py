@@ -30,7 +30,7 @@ Result = TypeVar("Result")
 
 
 def seldom_collected(work: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
-    """``work``, during which Python looks for garbage seldom.
+    """``work``, during which Python looks for garbage seldom, and has room for its frames.
 
     The first call that begins raises the thresholds, and the last one that ends restores them.
     Collection is never turned off, so memory stays bounded however long a compile is; and if the

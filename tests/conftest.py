@@ -24,7 +24,7 @@ from burnish.targets.toolchain import places
 from .suite.processes import run
 
 ROOT = Path(__file__).parents[1]
-NOT_OURS = re.escape(str(ROOT)) + r"/(\.|build/|dist/|shared/)"
+NOT_OURS = re.escape(str(ROOT)) + r"/(\.|build/|dist/)"
 """A pattern of the folders of the checkout that are not Burnish's own code."""
 
 os.environ[VARIABLE] = "1"

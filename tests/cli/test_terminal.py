@@ -116,6 +116,13 @@ def test_a_name_does_not_look_like_another_message(
     assert not [line for line in result.stderr.splitlines() if line.startswith("error[B9999]")]
 
 
+def test_the_help_of_an_empty_command_line_is_as_it_is() -> None:
+    shown = invoke().stderr
+    assert shown.startswith("Usage: ")
+    assert "\n\nOptions:\n" in shown
+    assert "<U+" not in shown
+
+
 def test_further_lines_of_a_message_are_indented(capsys: pytest.CaptureFixture[str]) -> None:
     complain("error: one\n  two\nthree\n\n  four\r")
     assert capsys.readouterr().err == ("error: one\n  two<U+000A>three<U+000A>\n  four<U+000D>\n")
