@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import random
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,11 @@ from burnish.targets.runner.store import Store, digest, digest_of_sources
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     return tmp_path
+
+
+def incompressible(size: int) -> bytes:
+    """So many random bytes: a file that holds them is a little larger."""
+    return random.Random(size).randbytes(size)
 
 
 def files(store: Store) -> list[Path]:
@@ -60,17 +66,26 @@ def test_what_is_damaged_is_not_there(damage: object) -> None:
     assert store.read(name) is None
 
 
+def test_what_repeats_itself_takes_little_room() -> None:
+    """As in pictures, most of which is background."""
+    store, data = Store("s"), bytes(100_000)
+    store.write(digest("a"), data)
+    (path,) = files(store)
+    assert path.stat().st_size < len(data) / 100
+    assert store.read(digest("a")) == data
+
+
 def test_what_was_not_used_for_longest_goes_first() -> None:
     store = Store("s", limit=5000)
     names = [digest(str(number)) for number in range(4)]
     for number, name in enumerate(names):
-        store.write(name, bytes(1000))
+        store.write(name, incompressible(1000))
         age(store, name, 1000 + number)
     assert store.read(names[0]) is not None  # and so it was used
     store.prune()
     assert len(files(store)) == 4
     newest = digest("newest")
-    store.write(newest, bytes(2000))
+    store.write(newest, incompressible(2000))
     store.prune()
     kept = [name for name in (*names, newest) if store.read(name) is not None]
     assert kept == [names[0], newest]
@@ -80,7 +95,7 @@ def test_a_long_run_prunes_by_itself(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(stores, "CHECK_EVERY", 3000)
     store = Store("s", limit=10_000)
     for number in range(100):
-        store.write(digest(str(number)), bytes(1000))
+        store.write(digest(str(number)), incompressible(1000))
         assert sum(path.stat().st_size for path in files(store)) <= 15_000
 
 
