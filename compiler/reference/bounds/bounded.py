@@ -360,7 +360,7 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
 
 def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
     """Whether float64 holds a sum exactly; else a device may round it to either side."""
-    return bool(((value - x == y) & (value - y == x)).all())
+    return bool((value - x == y).all() and (value - y == x).all())
 
 
 def _term(lane: Bounded) -> Term:

@@ -51,7 +51,7 @@ class Bounds(OwnFunctions):
         if not isinstance(condition, Bounded):
             condition = exact(condition)
         x, y = as_bounded(x), as_bounded(y)
-        if condition.is_exact and condition.ndim == 0:
+        if condition.is_exact and np.ndim(condition.value) == 0:
             return x if condition.value else y
         value = np.where(condition.value, x.value, y.value)
         if condition.is_exact:
