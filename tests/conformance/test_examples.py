@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -39,12 +40,15 @@ Key = tuple[Variant, str, str]
 """A variant, a material and a route."""
 
 
-def _materials(path: Path) -> Iterator[str]:
-    """The materials and kernels of a file."""
+@cache
+def _materials(path: Path) -> tuple[str, ...]:
+    """The materials and kernels of a file, which is parsed once for all its variants."""
     text, kinds = path.read_text("utf-8"), ("material", "kernel")
-    for declared in parse(Source(path.name, text), Report()).declarations:
-        if isinstance(declared, ast.Record) and declared.kind in kinds and not declared.abstract:
-            yield declared.name.text
+    return tuple(
+        declared.name.text
+        for declared in parse(Source(path.name, text), Report()).declarations
+        if isinstance(declared, ast.Record) and declared.kind in kinds and not declared.abstract
+    )
 
 
 ROUGH_SINES = {"swiftshader", "webgpu", "webgl2"}
