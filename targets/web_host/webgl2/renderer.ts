@@ -9,6 +9,7 @@ import type {
   Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
 } from "../renderer.js";
 import { Presenter } from "./canvas.js";
+import { captured, inOrder } from "./capture.js";
 import { Context, type Gl } from "./context.js";
 import { PROFILE, linked, type Program } from "./programs.js";
 import { setState } from "./state.js";
@@ -52,8 +53,12 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     this.source = this.gl.createFramebuffer();
   }
 
-  static open({ shaders }: FramePackage, canvas: Canvas | null): WebGl2Renderer {
-    return new WebGl2Renderer(Context.open(canvas), shaders, canvas !== null);
+  /** A renderer that draws to a canvas; without one, several can share a context. */
+  static open(
+    { shaders }: Pick<FramePackage, "shaders">, canvas: Canvas | null,
+    context = Context.open(canvas),
+  ): WebGl2Renderer {
+    return new WebGl2Renderer(context, shaders, canvas !== null);
   }
 
   // --- resources ---
@@ -202,6 +207,24 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     gl.bindVertexArray(null);
   }
 
+  /** Draw nothing, and return the vertices that a draw captures: all values of a vertex one behind
+   * the other. */
+  capture(call: Call): Uint8Array<ArrayBuffer> {
+    const { gl } = this;
+    const { reflection } = this.shaders[call.shader];
+    const program = this.programs[call.shader];
+    const mesh = inOrder(reflection, call.mesh);
+    const { vertices } = this.upload(program, { ...call, mesh });
+    gl.useProgram(program.gl);
+    this.bind(program, call);
+    gl.bindVertexArray(vertices);
+    const { primitive, stride } = reflection.capture!;
+    const found = captured(gl, gl[MODES[primitive][0]], mesh, stride);
+    gl.bindVertexArray(null);
+    this.context.check();
+    return found;
+  }
+
   run({ values }: Bound<Texture, Uint8Array>): void {
     throw new Error(`WebGL 2 cannot run ${values.name}: it has no kernels over buffers`);
   }
@@ -306,8 +329,9 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     this.flat(texture, 0, (found) => this.presenter.show(found));
   }
 
-  /** WebGL tells of errors when it is called. */
-  async finished(): Promise<void> {}
+  async finished(): Promise<void> {
+    this.context.check();
+  }
 
   async read(texture: Texture): Promise<Pixels> {
     const { width, height, layers } = texture;

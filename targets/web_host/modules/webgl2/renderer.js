@@ -1,6 +1,7 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
 import { halved, hasStencil, isDepth, toFloats } from "../bytes.js";
 import { Presenter } from "./canvas.js";
+import { captured, inOrder } from "./capture.js";
 import { Context } from "./context.js";
 import { PROFILE, linked } from "./programs.js";
 import { setState } from "./state.js";
@@ -31,8 +32,9 @@ export class WebGl2Renderer {
         this.screen = this.gl.createFramebuffer();
         this.source = this.gl.createFramebuffer();
     }
-    static open({ shaders }, canvas) {
-        return new WebGl2Renderer(Context.open(canvas), shaders, canvas !== null);
+    /** A renderer that draws to a canvas; without one, several can share a context. */
+    static open({ shaders }, canvas, context = Context.open(canvas)) {
+        return new WebGl2Renderer(context, shaders, canvas !== null);
     }
     // --- resources ---
     makeTexture(size) {
@@ -170,6 +172,23 @@ export class WebGl2Renderer {
         gl.drawElementsInstanced(gl[mode], count, gl.UNSIGNED_INT, 0, call.mesh.instance_count);
         gl.bindVertexArray(null);
     }
+    /** Draw nothing, and return the vertices that a draw captures: all values of a vertex one behind
+     * the other. */
+    capture(call) {
+        const { gl } = this;
+        const { reflection } = this.shaders[call.shader];
+        const program = this.programs[call.shader];
+        const mesh = inOrder(reflection, call.mesh);
+        const { vertices } = this.upload(program, { ...call, mesh });
+        gl.useProgram(program.gl);
+        this.bind(program, call);
+        gl.bindVertexArray(vertices);
+        const { primitive, stride } = reflection.capture;
+        const found = captured(gl, gl[MODES[primitive][0]], mesh, stride);
+        gl.bindVertexArray(null);
+        this.context.check();
+        return found;
+    }
     run({ values }) {
         throw new Error(`WebGL 2 cannot run ${values.name}: it has no kernels over buffers`);
     }
@@ -269,8 +288,9 @@ export class WebGl2Renderer {
             throw new Error("this frame was opened without a canvas");
         this.flat(texture, 0, (found) => this.presenter.show(found));
     }
-    /** WebGL tells of errors when it is called. */
-    async finished() { }
+    async finished() {
+        this.context.check();
+    }
     async read(texture) {
         const { width, height, layers } = texture;
         const size = width * height * 4;
