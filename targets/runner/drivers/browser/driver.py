@@ -17,7 +17,7 @@ from ..draw_job import Job
 from ..frame_job import Found, FrameJob, FrameTexels
 from ..kernel_job import KernelJob
 from ..wire import from_json
-from .documents import WGSL, document_of
+from .job_document import WGSL, document_of
 
 if TYPE_CHECKING:
     from .chromium import Chromium

@@ -1,5 +1,5 @@
-// Executes frame jobs with a renderer of the host for web pages. `documents.py` makes what is given
-// here, and says what it has.
+// Executes frame jobs with a renderer of the host for web pages. `job_document.py` makes what is
+// given here, and says what it has.
 
 import { base64, Refusal } from "./answers.mjs";
 import { packed } from "./frames.mjs";

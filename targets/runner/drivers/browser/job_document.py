@@ -167,8 +167,8 @@ def _formats(job: FrameJob) -> Iterator[dict[str, Any]]:
         targets = tuple(job.textures[each.texture].format for each in step.targets)
         depth = None if step.depth is None else job.textures[step.depth.texture].format
         found |= {(drawn.pipeline, targets, depth): None for drawn in step.draws}
-    for shader, formats, depth in found:
-        yield {"shader": shader, "targets": list(formats), "depth": depth}
+    for shader, formats, depths in found:
+        yield {"shader": shader, "targets": list(formats), "depth": depths}
 
 
 # --- textures and steps --------------------------------------------------------------------------
