@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from .....compiler.ir.stages import COMPUTE, INSTANCES, VERTICES
 from ...binding import VERTEX_FORMATS
 from ..device import DriverError
 from ..draw_job import Draw
@@ -50,7 +51,7 @@ def document_of(job: FrameJob, profile: str) -> dict[str, Any]:
 
 def _shader(number: int, pipeline: Pipeline, profile: str) -> dict[str, Any]:
     texts = {stage: {"text": c.text, "entry": c.entry} for stage, c in pipeline.stages.items()}
-    visibility = COMPUTED if "compute" in pipeline.stages else DRAWN
+    visibility = COMPUTED if COMPUTE.name in pipeline.stages else DRAWN
     names = {
         BlockSlot: _names(pipeline.blocks),
         BufferSlot: _names(pipeline.buffers),
@@ -259,8 +260,8 @@ def _geometry(pipeline: Pipeline, draw: Draw) -> dict[str, Any]:
         for buffer in vertex_buffers(pipeline.inputs)
     }
     return {
-        "vertices": streams.get("vertex", ""),
-        "instances": streams.get("instance", ""),
+        "vertices": streams.get(VERTICES, ""),
+        "instances": streams.get(INSTANCES, ""),
         "indices": to_json(draw.indices),
         "count": len(draw.indices) // 4,
         "instance_count": draw.instance_count,
