@@ -164,8 +164,10 @@ class Runner(Closing):
 
 @cache
 def _runner_digest() -> str:
-    """A digest of the code that draws."""
-    return digest_of_sources(Path(__file__).parent)
+    """A digest of the code that draws: of this package, and of the host for web pages, with which
+    browsers draw."""
+    here = Path(__file__).parent
+    return digest_of_sources(here, here.with_name("web_host"))
 
 
 _SIZES = struct.Struct("<III")

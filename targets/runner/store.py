@@ -52,7 +52,7 @@ def digest_of_sources(*folders: Path) -> str:
 def _sources(folder: Path) -> Iterator[str | bytes]:
     """The names and contents of the files of code below a folder."""
     for path in sorted(folder.rglob("*")):
-        if path.suffix in (".py", ".mjs"):
+        if path.suffix in (".py", ".mjs", ".js"):
             yield str(path.relative_to(folder))
             yield path.read_bytes()
 

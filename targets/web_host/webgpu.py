@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -21,23 +20,13 @@ _ROUTE = ROUTES["chromium:webgpu"]
 WGSL = _ROUTE.profile
 """The profile whose texts WebGPU takes."""
 
-_Names = Mapping[type, list[str]]
-
 
 def webgpu_pipeline(reflection: Mapping[str, Any], stages: Collection[str]) -> dict[str, Any]:
     """The descriptors of the pipeline of a shader with texts for these stages, and what is bound in
     its groups."""
     made = pipeline(reflection, _ROUTE, Codes({}))
     visibility = webgpu.COMPUTED if COMPUTE.name in stages else webgpu.DRAWN
-    names = _names(reflection)
-    found: dict[str, Any] = _camel({
-        "groups": [list(_slots(group, visibility, names)) for group in webgpu.bound(made)],
-        "buffers": [webgpu.buffer_layout(each) for each in webgpu.vertex_buffers(made.inputs)],
-        "targets": [webgpu.color_target(target) for target in made.targets],
-        "primitive": webgpu.primitive(made),
-        "depth_stencil": webgpu.depth_stencil(made),
-    })  # fmt: skip
-    return found
+    return webgpu.for_pages(made, visibility, _names(reflection))
 
 
 def pipelines(
@@ -70,7 +59,7 @@ def format_of(texture: Mapping[str, Any]) -> str:
     return DEPTH_FORMATS.get(name) or FORMATS[name]
 
 
-def _names(reflection: Mapping[str, Any]) -> _Names:
+def _names(reflection: Mapping[str, Any]) -> webgpu.Names:
     """What the reflection calls the slots of each kind, in their order."""
 
     def read(kind: str) -> list[str]:
@@ -85,29 +74,3 @@ def _names(reflection: Mapping[str, Any]) -> _Names:
         ImageSlot: all_of("targets"),
         TextureSlot: read("textures"),
     }
-
-
-def _slots(
-    group: Mapping[int, webgpu.Bound], visibility: int, names: _Names
-) -> Iterator[dict[str, Any]]:
-    for layout, what in zip(webgpu.layout_entries(group, visibility), group.values(), strict=True):
-        (kind,) = layout.keys() - {"binding", "visibility"}
-        name = names[type(what.slot)][what.number]
-        slot = {"kind": kind, "name": name, "number": what.number, "layout": layout}
-        if what.is_sampler:
-            assert isinstance(what.slot, TextureSlot)
-            slot["sampler"] = webgpu.sampler(what.slot)
-        elif isinstance(what.slot, BlockSlot):
-            slot["kind"] = "block"
-        yield slot
-
-
-def _camel(value: Any) -> Any:
-    """The same with keys as JavaScript has them."""
-    if isinstance(value, Mapping):
-        return {_camel_word(key): _camel(each) for key, each in value.items()}
-    return [_camel(each) for each in value] if isinstance(value, list | tuple) else value
-
-
-def _camel_word(text: str) -> str:
-    return re.sub("_(.)", lambda match: match[1].upper(), text)

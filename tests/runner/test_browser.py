@@ -156,7 +156,7 @@ def test_survives_the_loss_of_the_gpu_process(api: str) -> None:
 def test_missing_browser(api: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(DriverError, match="chromium is missing; to install it: apt-get"):
-        Browser(APIS[api]).device()
+        Browser(api).device()
 
 
 def test_a_browser_that_hangs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -167,7 +167,7 @@ def test_a_browser_that_hangs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     monkeypatch.setattr(chromium, "START_LIMIT", 1000.0)
     before = descendants(os.getpid()).keys()
     with pytest.raises(DriverError, match=r"chromium does not start: .*Timeout 1000ms exceeded"):
-        Browser(APIS["webgpu"]).device()
+        Browser("webgpu").device()
     until(lambda: not descendants(os.getpid()).keys() - before, "the end of what was started")
 
 
@@ -177,7 +177,7 @@ def test_missing_package(monkeypatch: pytest.MonkeyPatch) -> None:
         sys.modules, "burnish.targets.runner.drivers.browser.chromium", raising=False
     )
     with pytest.raises(DriverError, match=r"playwright.*to install it: .*pip install"):
-        Browser(APIS["webgpu"]).device()
+        Browser("webgpu").device()
 
 
 def test_wgsl_warnings_are_errors() -> None:

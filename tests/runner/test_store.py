@@ -37,13 +37,14 @@ def test_digests_tell_ingredients_apart() -> None:
     assert digest("é") == digest("é".encode())
 
 
-def test_the_digest_of_sources_is_theirs(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["a.py", "a.mjs", "a.js"])
+def test_the_digest_of_sources_is_theirs(name: str, tmp_path: Path) -> None:
     (tmp_path / "deep").mkdir()
-    (tmp_path / "deep" / "a.py").write_text("a = 1")
+    (tmp_path / "deep" / name).write_text("a = 1")
     before = digest_of_sources(tmp_path)
     (tmp_path / "deep" / "notes.txt").write_text("nothing")
     assert digest_of_sources(tmp_path) == before
-    (tmp_path / "deep" / "a.py").write_text("a = 2")
+    (tmp_path / "deep" / name).write_text("a = 2")
     assert digest_of_sources(tmp_path) != before
 
 

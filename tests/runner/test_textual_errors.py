@@ -92,10 +92,18 @@ def test_names_that_the_text_lacks(api: str) -> None:
     wrong(api, Job(replace(chosen, host_uniforms=("stranger",)), (draw,)), "uniform 'stranger'")
 
 
+def lacking(api: str, name: str) -> str:
+    """A part of what is said of a text that reads what no slot of the pipeline stands for."""
+    return {
+        "opengl": f"'{name}', which the job does not have",
+        "webgpu": "binding",
+        "webgl2": f"'{name}', which its reflection does not have",
+    }[api]
+
+
 def test_block_that_the_job_lacks(api: str) -> None:
     draw = mesh(CORNERS, (-5, 3, 7), "<i4")
-    word = "binding" if api == "webgpu" else "'Numbers', which the job does not have"
-    wrong(api, Job(replace(numbers(api), blocks=()), (draw,)), word)
+    wrong(api, Job(replace(numbers(api), blocks=()), (draw,)), lacking(api, "Numbers"))
 
 
 def test_block_that_is_too_small(api: str) -> None:
@@ -105,7 +113,7 @@ def test_block_that_is_too_small(api: str) -> None:
 
 def test_texture_that_the_job_lacks(api: str) -> None:
     job = Job(pipeline(api, shaders.TEXTURED_GLSL, shaders.TEXTURED_WGSL), (full(RED),))
-    wrong(api, job, "binding" if api == "webgpu" else "'image', which the job does not have")
+    wrong(api, job, lacking(api, "image"))
 
 
 def test_unused_is_no_error(api: str) -> None:

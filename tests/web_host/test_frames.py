@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.browser.driver import APIS, Browser
+from burnish.targets.runner.drivers.browser.driver import Browser
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import FrameTexels
 
@@ -207,7 +207,7 @@ def package() -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    opened = Browser(APIS["webgpu"])
+    opened = Browser("webgpu")
     yield opened
     opened.close()
 

@@ -1,7 +1,7 @@
-"""Random programs, drawn by the host as frames of one step, and by the browser's driver as jobs.
+"""Random programs, drawn as packages of frames of one step, and as jobs.
 
-Both draw the same text with the same device. So their pictures are equal to the last bit, if the
-host fills blocks, makes geometries and binds as Python's runtime does.
+Both draw the same text with the same renderer of the host. So their pictures are equal to the last
+bit, if the host fills blocks, makes geometries and binds as Python's runtime does.
 """
 
 from __future__ import annotations

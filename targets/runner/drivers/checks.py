@@ -1,6 +1,6 @@
 """Checks that a job is consistent, before a device sees it.
 
-``by_frames.py`` and the browser's driver call this first.
+``by_frames.py`` calls this first.
 
 A driver may read past the end of a short buffer, or silently read zeros where nothing is bound, so
 the driver itself cannot be relied on.

@@ -1,14 +1,18 @@
 """A pipeline in the words of WebGPU: descriptors of its state, and what is bound where.
 
-The driver of wgpu makes pipelines with them, and packages of frames have them for web pages. Keys
-are written with underscores, as Python's library for WebGPU has them.
+The driver of wgpu makes pipelines with them. Keys are written with underscores, as Python's library
+for WebGPU has them; ``for_pages`` writes them as web pages do, for packages of frames and for the
+driver of browsers.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
 
 from .checks import lane_count
 from .pipeline import Pipeline, VertexInput
@@ -156,6 +160,16 @@ def buffer_layout(buffer: Buffer) -> Mapping[str, Any]:
     return {"array_stride": buffer.stride, "step_mode": buffer.step, "attributes": attributes}
 
 
+def interleaved(buffer: Buffer, vertices: Sequence[bytes]) -> bytes:
+    """The attributes of one buffer, one vertex, or instance, after the other. ``vertices`` has the
+    values of each attribute of the pipeline."""
+    columns = [
+        np.frombuffer(vertices[number], np.uint8).reshape(-1, 4 * lane_count(each.format))
+        for number, each, _ in buffer.members
+    ]
+    return np.concatenate(columns, axis=1).tobytes()
+
+
 def bound(pipeline: Pipeline) -> Groups:
     """What is bound where, with an empty group for each unused number."""
     groups: Groups = []
@@ -197,3 +211,48 @@ def _entry(what: Bound) -> Mapping[str, Any]:
     if what.is_sampler:
         return {"sampler": {"type": slot.sampling}}
     return {"texture": {"view_dimension": VIEWS[slot.dimension], "sample_type": slot.sample}}
+
+
+# --- for web pages -------------------------------------------------------------------------------
+
+Names = Mapping[type, Sequence[str]]
+"""What the slots of each class are called, in the order of the pipeline."""
+
+
+def for_pages(pipeline: Pipeline, visibility: int, names: Names) -> dict[str, Any]:
+    """The descriptors of a pipeline, and what is bound in its groups, as a page hands them to the
+    browser: see ``web_gpu_pipeline`` in ``package.schema.json``."""
+    found: dict[str, Any] = _camel({
+        "groups": [list(_named_slots(group, visibility, names)) for group in bound(pipeline)],
+        "buffers": [buffer_layout(each) for each in vertex_buffers(pipeline.inputs)],
+        "targets": [color_target(target) for target in pipeline.targets],
+        "primitive": primitive(pipeline),
+        "depth_stencil": depth_stencil(pipeline),
+    })  # fmt: skip
+    return found
+
+
+def _named_slots(
+    group: Mapping[int, Bound], visibility: int, names: Names
+) -> Iterator[dict[str, Any]]:
+    for layout, what in zip(layout_entries(group, visibility), group.values(), strict=True):
+        (kind,) = layout.keys() - {"binding", "visibility"}
+        name = names[type(what.slot)][what.number]
+        slot = {"kind": kind, "name": name, "number": what.number, "layout": layout}
+        if what.is_sampler:
+            assert isinstance(what.slot, TextureSlot)
+            slot["sampler"] = sampler(what.slot)
+        elif isinstance(what.slot, BlockSlot):
+            slot["kind"] = "block"
+        yield slot
+
+
+def _camel(value: Any) -> Any:
+    """The same with keys as JavaScript has them."""
+    if isinstance(value, Mapping):
+        return {_camel_word(key): _camel(each) for key, each in value.items()}
+    return [_camel(each) for each in value] if isinstance(value, list | tuple) else value
+
+
+def _camel_word(text: str) -> str:
+    return re.sub("_(.)", lambda match: match[1].upper(), text)

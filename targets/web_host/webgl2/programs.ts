@@ -2,6 +2,7 @@
 
 import type { PackagedShader, Sampler } from "../generated/documents.js";
 import type { Context, Gl } from "./context.js";
+import { checkInterface } from "./interface.js";
 
 export const PROFILE = "glsl:es300";
 
@@ -18,6 +19,9 @@ export interface Program {
   heights: WebGLUniformLocation[];
 }
 
+/** WebGL links no program without a fragment shader, also where vertices are captured. */
+const NO_FRAGMENTS = { text: "#version 300 es\nvoid main() {}\n" };
+
 /** The programs of all shaders. The browser compiles them at the same time. */
 export function linked({ gl }: Context, shaders: PackagedShader[]): Program[] {
   const started = shaders.map((shader) => start(gl, shader));
@@ -25,7 +29,7 @@ export function linked({ gl }: Context, shaders: PackagedShader[]): Program[] {
 }
 
 function start(gl: Gl, { reflection, texts }: PackagedShader): WebGLProgram {
-  const { vertex, fragment } = texts[PROFILE] ?? {};
+  const { vertex, fragment = reflection.capture && NO_FRAGMENTS } = texts[PROFILE] ?? {};
   if (!vertex || !fragment) {
     throw new Error(`WebGL 2 cannot draw ${reflection.material}: there is no text for ${PROFILE}`);
   }
@@ -36,6 +40,12 @@ function start(gl: Gl, { reflection, texts }: PackagedShader): WebGLProgram {
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
     gl.attachShader(program, shader);
+  }
+  const { capture, backends } = reflection;
+  if (capture) {
+    const { captures } = backends[PROFILE];
+    const names = capture.members.map(({ name }) => captures[name].identifier);
+    gl.transformFeedbackVaryings(program, names, gl.INTERLEAVED_ATTRIBS);
   }
   gl.linkProgram(program);
   return program;
@@ -49,6 +59,7 @@ function finished(gl: Gl, { reflection }: PackagedShader, program: WebGLProgram)
     throw new Error(`the browser refuses a text of ${reflection.material}:\n${told}`);
   }
   shaders.forEach((each) => gl.deleteShader(each));
+  checkInterface(gl, program, reflection, PROFILE);
   const { blocks, textures, ...others } = reflection.backends[PROFILE];
   const { vertex_inputs: inputs, host_uniforms: heights } = others;
   gl.useProgram(program);

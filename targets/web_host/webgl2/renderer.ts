@@ -1,31 +1,23 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
 
 import { halved, hasStencil, isDepth, toFloats } from "../bytes.js";
-import type {
-  FramePackage, PackagedShader, Picture, Reflection, Sampler,
-} from "../generated/documents.js";
+import type { FramePackage, PackagedShader, Picture, Sampler } from "../generated/documents.js";
 import type { Mesh } from "../geometry.js";
 import type {
   Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
 } from "../renderer.js";
 import { Presenter } from "./canvas.js";
+import { captured, inOrder } from "./capture.js";
 import { Context, type Gl } from "./context.js";
+import { freeMesh, MODES, topologyOf, uploadMesh, type Uploaded } from "./meshes.js";
 import { PROFILE, linked, type Program } from "./programs.js";
 import { setState } from "./state.js";
 import {
   attach, bindOf, depthPoint, freeTexture, makePicture, makeSampler, makeTexture, type Texture,
 } from "./textures.js";
-import { interleaved } from "./vertices.js";
 
 type Canvas = HTMLCanvasElement | OffscreenCanvas;
 type Call = DrawCall<Texture, Uint8Array<ArrayBuffer>>;
-
-/** What is drawn of a mesh by one program. */
-interface Uploaded {
-  vertices: WebGLVertexArrayObject;
-  buffers: WebGLBuffer[];
-  count: number;
-}
 
 export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>> {
   readonly profile = PROFILE;
@@ -52,8 +44,12 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     this.source = this.gl.createFramebuffer();
   }
 
-  static open({ shaders }: FramePackage, canvas: Canvas | null): WebGl2Renderer {
-    return new WebGl2Renderer(Context.open(canvas), shaders, canvas !== null);
+  /** A renderer that draws to a canvas; without one, several can share a context. */
+  static open(
+    { shaders }: Pick<FramePackage, "shaders">, canvas: Canvas | null,
+    context = Context.open(canvas),
+  ): WebGl2Renderer {
+    return new WebGl2Renderer(context, shaders, canvas !== null);
   }
 
   // --- resources ---
@@ -89,11 +85,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     this.textures.forEach((each) => freeTexture(gl, each));
     this.programs.forEach((each) => gl.deleteProgram(each.gl));
     this.samplers.forEach((each) => gl.deleteSampler(each));
-    const uploaded = [...this.uploaded.values()].flatMap((each) => [...each.values()]);
-    for (const { vertices, buffers } of uploaded) {
-      gl.deleteVertexArray(vertices);
-      buffers.forEach((each) => gl.deleteBuffer(each));
-    }
+    for (const meshes of this.uploaded.values()) meshes.forEach((each) => freeMesh(gl, each));
     this.blocks.forEach((each) => gl.deleteBuffer(each));
     for (const each of [this.screen, this.source]) gl.deleteFramebuffer(each);
     this.presenter.dispose();
@@ -123,6 +115,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
       const formats = [...targets, ...(depth ? [depth] : [])].map(({ texture }) => texture.format);
       throw new Error(`WebGL cannot draw ${width} x ${height} pixels to ${formats.join(", ")}`);
     }
+    this.checkBlending(targets, calls);
     this.clear(targets, depth);
     gl.viewport(...viewport);
     gl.scissor(...scissor);
@@ -136,6 +129,17 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     if (dropped.length) gl.invalidateFramebuffer(gl.FRAMEBUFFER, dropped);
     for (const point of points) {
       gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, null, 0);
+    }
+  }
+
+  /** To blend floats of 32 bits takes an extension. */
+  private checkBlending(targets: Attachment<Texture>[], calls: Call[]): void {
+    for (const { shader } of calls) {
+      this.shaders[shader].reflection.targets.forEach(({ blend }, at) => {
+        const { format } = targets[at].texture;
+        if (!blend || !format.endsWith("32float")) return;
+        this.context.need("EXT_float_blend", `blend what is drawn to ${format}`);
+      });
     }
   }
 
@@ -202,6 +206,25 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     gl.bindVertexArray(null);
   }
 
+  /** Draw nothing, and return the vertices that a draw captures: all values of a vertex one behind
+   * the other. */
+  capture(call: Call): Uint8Array<ArrayBuffer> {
+    const { gl } = this;
+    const { reflection } = this.shaders[call.shader];
+    const program = this.programs[call.shader];
+    const mesh = inOrder(reflection, call.mesh);
+    const uploaded = uploadMesh(gl, program, reflection, mesh);
+    gl.useProgram(program.gl);
+    this.bind(program, call);
+    gl.bindVertexArray(uploaded.vertices);
+    const { primitive, stride } = reflection.capture!;
+    const found = captured(gl, gl[MODES[primitive][0]], mesh, stride);
+    gl.bindVertexArray(null);
+    freeMesh(gl, uploaded);
+    this.context.check();
+    return found;
+  }
+
   run({ values }: Bound<Texture, Uint8Array>): void {
     throw new Error(`WebGL 2 cannot run ${values.name}: it has no kernels over buffers`);
   }
@@ -265,38 +288,10 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
   private upload(program: Program, { mesh, shader }: Call): Uploaded {
     const known = this.uploaded.get(program) ?? new Map<Mesh, Uploaded>();
     this.uploaded.set(program, known);
-    const found = known.get(mesh) ?? this.uploadAnew(program, mesh, shader);
+    const { reflection } = this.shaders[shader];
+    const found = known.get(mesh) ?? uploadMesh(this.gl, program, reflection, mesh);
     known.set(mesh, found);
     return found;
-  }
-
-  private uploadAnew(program: Program, mesh: Mesh, shader: number): Uploaded {
-    const { gl } = this;
-    const { reflection } = this.shaders[shader];
-    const vertices = gl.createVertexArray();
-    gl.bindVertexArray(vertices);
-    const buffers = interleaved(reflection).map(({ step, stride, members }) => {
-      const data = step === "vertex" ? mesh.vertices : mesh.instances;
-      const buffer = filled(gl, gl.ARRAY_BUFFER, data);
-      for (const { input: { name, representation }, lanes, offset } of members) {
-        const location = program.inputs.get(name);
-        if (location === undefined) continue; // not read, so left out by the linker
-        gl.enableVertexAttribArray(location);
-        gl.vertexAttribDivisor(location, step === "instance" ? 1 : 0);
-        const kind = { i: gl.INT, u: gl.UNSIGNED_INT }[representation[0]];
-        if (kind) gl.vertexAttribIPointer(location, lanes, kind, stride, offset);
-        else gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, stride, offset);
-      }
-      return buffer;
-    });
-    const indices = mesh.indices
-      ? new Uint32Array(mesh.indices.buffer)
-      : Uint32Array.from({ length: mesh.count }, (_, at) => at);
-    const [, corners] = MODES[topologyOf(reflection)];
-    const turned = firstVertexLast(indices, corners);
-    const elements = filled(gl, gl.ELEMENT_ARRAY_BUFFER, turned);
-    gl.bindVertexArray(null);
-    return { vertices, buffers: [...buffers, elements], count: turned.length };
   }
 
   // --- results ---
@@ -306,8 +301,9 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     this.flat(texture, 0, (found) => this.presenter.show(found));
   }
 
-  /** WebGL tells of errors when it is called. */
-  async finished(): Promise<void> {}
+  async finished(): Promise<void> {
+    this.context.check();
+  }
 
   async read(texture: Texture): Promise<Pixels> {
     const { width, height, layers } = texture;
@@ -359,30 +355,6 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
 const FLAT: Pick<TextureSize, "dimension" | "layers" | "levels" | "samples" | "uses"> = {
   dimension: "2d", layers: 1, levels: 1, samples: 1, uses: [],
 };
-
-/** What draws each topology, and how many vertices its primitives have. */
-const MODES = { point: ["POINTS", 1], line: ["LINES", 2], triangle: ["TRIANGLES", 3] } as const;
-
-const topologyOf = ({ draw }: Reflection) =>
-  (draw?.topology ?? "triangle") as keyof typeof MODES;
-
-function filled(gl: Gl, kind: number, data: AllowSharedBufferSource): WebGLBuffer {
-  const buffer = gl.createBuffer();
-  gl.bindBuffer(kind, buffer);
-  gl.bufferData(kind, data, gl.STATIC_DRAW);
-  return buffer;
-}
-
-/** The same primitives, with the first vertex of each moved to the end: a flat varying has its
- * value at the first one, but in WebGL at the last. */
-function firstVertexLast(indices: Uint32Array, corners: number): Uint32Array<ArrayBuffer> {
-  const turned = new Uint32Array(Math.floor(indices.length / corners) * corners);
-  for (let at = 0; at < turned.length; at += corners) {
-    turned.set(indices.subarray(at + 1, at + corners), at);
-    turned[at + corners - 1] = indices[at];
-  }
-  return turned;
-}
 
 /** The texels of the framebuffer that is bound. WebGL only promises to read four lanes. */
 function readBound(gl: Gl, { format, width, height }: Texture): Float32Array {

@@ -2,7 +2,7 @@
 // docs/reflection.md.
 
 import { hasStencil } from "../bytes.js";
-import type { BlendEquation, Reflection, Target } from "../generated/documents.js";
+import type { Reflection, Target } from "../generated/documents.js";
 import type { Context, Gl } from "./context.js";
 import { PROFILE } from "./programs.js";
 import { compareOf } from "./textures.js";
@@ -27,7 +27,7 @@ export function setState(
   gl.depthMask(state.depth.write);
   setBias(context, state, (draw?.topology ?? "triangle") === "triangle");
   setStencil(gl, depths !== null && hasStencil(depths) ? state.stencil : null);
-  setTargets(gl, reflection);
+  setTargets(context, reflection);
 }
 
 function turn(gl: Gl, what: number, on: boolean): void {
@@ -72,17 +72,34 @@ const STENCIL_OPERATIONS: Record<string, Operation> = {
 
 // --- targets -------------------------------------------------------------------------------------
 
-/** Blending and masks. Texts of this profile have the same ones for all targets. */
-function setTargets(gl: Gl, { targets: [first] }: Reflection): void {
+/** Blending and masks. Only an extension has other ones for each target. */
+function setTargets(context: Context, { targets }: Reflection): void {
+  const { gl } = context;
+  const states = targets.map(({ blend, mask }) => JSON.stringify([blend, mask]));
+  if (new Set(states).size > 1) {
+    const name = "OES_draw_buffers_indexed";
+    const indexed = context.need<OES_draw_buffers_indexed>(name, "blend each target differently");
+    targets.forEach((target, at) => setTarget(gl, indexed, at, target));
+    return;
+  }
+  const [first] = targets;
   if (!first) return;
   turn(gl, gl.BLEND, first.blend !== null);
-  if (first.blend) setBlend(gl, first.blend);
+  if (first.blend) {
+    gl.blendEquationSeparate(...operations(gl, first.blend));
+    gl.blendFuncSeparate(...factors(gl, first.blend));
+  }
   gl.colorMask(...lanesOf(first.mask));
 }
 
-function setBlend(gl: Gl, blend: Blend): void {
-  gl.blendEquationSeparate(operation(gl, blend.color), operation(gl, blend.alpha));
-  gl.blendFuncSeparate(...factors(gl, blend));
+function setTarget(
+  gl: Gl, indexed: OES_draw_buffers_indexed, at: number, { blend, mask }: Target,
+): void {
+  indexed.colorMaskiOES(at, ...lanesOf(mask));
+  if (!blend) return indexed.disableiOES(gl.BLEND, at);
+  indexed.enableiOES(gl.BLEND, at);
+  indexed.blendEquationSeparateiOES(at, ...operations(gl, blend));
+  indexed.blendFuncSeparateiOES(at, ...factors(gl, blend));
 }
 
 const lanesOf = (mask: string) =>
@@ -96,7 +113,8 @@ const OPERATIONS: Record<string, Equation> = {
   min: "MIN", max: "MAX",
 };
 
-const operation = (gl: Gl, { operation: word }: BlendEquation) => gl[OPERATIONS[word]];
+const operations = (gl: Gl, { color, alpha }: Blend): [number, number] =>
+  [gl[OPERATIONS[color.operation]], gl[OPERATIONS[alpha.operation]]];
 
 /** The factor of colours and that of alpha. */
 const FACTORS: Record<string, [keyof Gl, keyof Gl]> = {

@@ -12,8 +12,10 @@ declare global {
 }
 type Constants<Name extends string> = { readonly [name in Name]: number };
 
-/** Features that textures of 32 bits need, and stencil values beside such depths. */
-const FEATURES: GPUFeatureName[] = ["float32-filterable", "depth32float-stencil8"];
+/** Features that textures and targets of 32 bits need, and stencil values beside such depths. */
+const FEATURES: GPUFeatureName[] = [
+  "float32-filterable", "float32-blendable", "depth32float-stencil8",
+];
 /** Limits that frames may need to be above the default. */
 const LIMITS = [
   "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",

@@ -7,6 +7,9 @@ import type { Device } from "./device.js";
 
 export const PROFILE = "wgsl:webgpu";
 
+/** What of a package a renderer is opened for. */
+export type Drawable = Pick<FramePackage, "shaders" | "pipelines">;
+
 /** A pipeline, with its bind groups. */
 export interface Pipeline {
   groups: { layout: GPUBindGroupLayout; slots: Slot[] }[];
@@ -23,7 +26,7 @@ export class Pipelines {
 
   private constructor(private readonly device: Device) {}
 
-  static async of(device: Device, { pipelines, shaders }: FramePackage): Promise<Pipelines> {
+  static async of(device: Device, { pipelines, shaders }: Drawable): Promise<Pipelines> {
     const found = new Pipelines(device);
     const lacking = shaders.find(({ webgpu }) => !webgpu)?.reflection.material;
     if (lacking) throw new Error(`${lacking} has no text for ${PROFILE}`);

@@ -1,14 +1,14 @@
 // Draws frames with WebGPU.
 
 import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
-import type { FramePackage, PackagedShader, Picture, Slot } from "../generated/documents.js";
+import type { PackagedShader, Picture, Slot } from "../generated/documents.js";
 import type { Mesh } from "../geometry.js";
 import type {
   Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
 } from "../renderer.js";
 import { Presenter } from "./canvas.js";
 import { Arena, type Device } from "./device.js";
-import { PROFILE, Pipelines, type Pipeline } from "./pipelines.js";
+import { PROFILE, Pipelines, type Drawable, type Pipeline } from "./pipelines.js";
 import { layerOf, makePicture, makeTexture, viewOf, type Texture } from "./textures.js";
 
 /** Rows of texels that are copied to a buffer begin at multiples of this. */
@@ -35,15 +35,17 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     private readonly pipelines: Pipelines,
     private readonly presenter: Presenter | null,
     readonly shaders: PackagedShader[],
+    private readonly owns: boolean,
   ) {
     this.arena = new Arena(device.gpu);
   }
 
-  static async open(device: Device, from: FramePackage, canvas: Canvas | null) {
+  /** A renderer that draws with a device, which it destroys in the end if it owns it. */
+  static async open(device: Device, from: Drawable, canvas: Canvas | null, owns = !canvas) {
     const pipelines = await Pipelines.of(device, from);
     // Until here, the canvas shows what it did before.
     const presenter = canvas && new Presenter(device, canvas);
-    return new WebGpuRenderer(device, pipelines, presenter, from.shaders);
+    return new WebGpuRenderer(device, pipelines, presenter, from.shaders, owns);
   }
 
   // --- resources ---
@@ -76,7 +78,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
   dispose(): void {
     this.owned.forEach((each) => each.destroy());
     this.arena.free();
-    if (!this.presenter) this.device.gpu.destroy();
+    if (this.owns) this.device.gpu.destroy();
   }
 
   private own<Made extends Texture | GPUBuffer>(made: Made): Made {

@@ -10,7 +10,7 @@ from .driver import APIS, Browser
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in APIS:
         sys.exit(f"usage: python -m burnish.targets.runner.drivers.browser {'|'.join(APIS)}")
-    driver = Browser(APIS[sys.argv[1]])
+    driver = Browser(sys.argv[1])
     try:
         serve(driver)
     finally:

@@ -11,18 +11,17 @@ export async function answer(work) {
   try {
     return await work();
   } catch (error) {
-    const told = error instanceof Refusal ? error.message : `${error.name}: ${error.message}`;
+    // The host's own errors are sentences; others are mistakes in it, and keep their names.
+    const isSentence = error instanceof Refusal || error.constructor === Error;
+    const told = isSentence ? error.message : `${error.name}: ${error.message}`;
     return { error: told, lost: error instanceof LostBrowser };
   }
 }
 
-/** A copy of its bytes. */
-export const bytes = (base64) => Uint8Array.fromBase64(base64);
-export const base64 = (bytes) => bytes.toBase64();
+const NEWS_DELAY = 100; // milliseconds
 
-/** The width and height of a mip level, and its number of layers, faces or slices. */
-export function levelSize(image, level) {
-  const halved = (side) => Math.max(side >> level, 1);
-  const depth = image.dimension === "3d" ? halved(image.depth) : image.depth;
-  return [halved(image.width), halved(image.height), depth];
-}
+/** Wait until the page is idle: only then it learns that its device, or its context, was lost. */
+export const news = () => new Promise((resolve) => setTimeout(resolve, NEWS_DELAY));
+
+export const base64 = ({ buffer, byteOffset, byteLength }) =>
+  new Uint8Array(buffer, byteOffset, byteLength).toBase64();

@@ -1,40 +1,39 @@
-"""The driver for browsers: a page in Chromium that draws.
+"""The driver for browsers: a page in Chromium that draws with the host for web pages.
 
 The first request opens the browser, and so does the first one after the page was lost.
 """
 
 from __future__ import annotations
 
-import base64
 import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ....toolchain.tools import tool_named
-from ..capture_job import Captured, CaptureJob
-from ..checks import check, check_capture, check_kernel, check_names
+from ..by_frames import DrawsByFrames
+from ..checks import check_groups, check_names
 from ..device import Device, DriverError
-from ..draw_job import Draw, Job, Picture
-from ..frame_job import FrameTexels
-from ..kernel_job import Dispatch, KernelJob, Written
-from ..pipeline import Pipeline
-from ..readback import to_float
-from ..render_state import TargetFormat
-from ..wire import from_json, to_json
+from ..draw_job import Job
+from ..frame_job import Found, FrameJob, FrameTexels
+from ..kernel_job import KernelJob
+from ..wire import from_json
+from .job_document import WGSL, document_of
 
 if TYPE_CHECKING:
     from .chromium import Chromium
 
 
-APIS: Mapping[str, str] = {"webgpu": "webgpu.mjs", "webgl2": "webgl2.mjs"}
-"""The APIs of a web page, each with the module that draws with it."""
+APIS: Mapping[str, str] = {"webgpu": WGSL, "webgl2": "glsl:es300"}
+"""The APIs of a web page, each with the profile whose texts it takes. What draws with one is the
+module of that name."""
 
 
-class Browser:
+class Browser(DrawsByFrames):
     """Draws with one of the browser's APIs."""
 
-    def __init__(self, module: str) -> None:
-        self._module = module
+    def __init__(self, api: str) -> None:
+        """``api`` is a key of ``APIS``."""
+        self._api = api
         self._chromium: Chromium | None = None
 
     def device(self) -> Device:
@@ -50,28 +49,17 @@ class Browser:
             mip_bits=0,
         )
 
-    def draw(self, job: Job) -> Sequence[Picture]:
-        """A picture for each draw of the job. Raises ``DriverError``."""
-        check(job)
+    def accept_job(self, job: Job) -> None:
+        """Raise ``DriverError`` if a name by which a job binds is not in its text."""
         check_names(job.pipeline)
-        drawn = self._ask("draw", to_json(job))["pictures"]
-        return [
-            _picture(job.pipeline, draw, targets)
-            for draw, targets in zip(job.draws, drawn, strict=True)
-        ]
 
-    def compute(self, job: KernelJob) -> Sequence[Written]:
-        """What each dispatch of the job writes. Raises ``DriverError``."""
-        check_kernel(job)
-        runs = self._ask("kernel", to_json(job))["written"]
-        return [_written(job, *each) for each in zip(job.dispatches, runs, strict=True)]
+    def accept_kernel(self, job: KernelJob) -> None:
+        """Raise ``DriverError`` if the device does not run so many work groups at once."""
+        check_groups(job, [self._ask("device", None)["most_groups"]] * 3)
 
-    def capture(self, job: CaptureJob) -> Sequence[Captured]:
-        """The vertices that each draw of the job captures. Raises ``DriverError``."""
-        check_capture(job)
-        check_names(job.pipeline)
-        found = self._ask("capture", to_json(job))["captured"]
-        return [Captured(row["count"], base64.b64decode(row["data"])) for row in found]
+    def draw_frame(self, job: FrameJob) -> Found:
+        """What a frame job reads back. Raises ``DriverError``."""
+        return from_json(Found, self._ask("job", document_of(job, APIS[self._api])))
 
     def draw_package(self, request: Mapping[str, Any]) -> Sequence[FrameTexels]:
         """What the outputs of a frame show, frame after frame. Raises ``DriverError``."""
@@ -103,26 +91,5 @@ class Browser:
         except ImportError as error:
             install = tool_named("playwright").install
             raise DriverError(f"{error}; to install it: {install}") from None
-        self._chromium = Chromium(self._module)
+        self._chromium = Chromium(f"{self._api}.mjs")
         return self._chromium
-
-
-def _picture(pipeline: Pipeline, draw: Draw, targets: Sequence[Mapping[str, str]]) -> Picture:
-    """The picture of the texels that the page returns in base64, with their formats."""
-    return Picture(draw.width, draw.height, tuple(_floats(pipeline, draw, t) for t in targets))
-
-
-def _written(job: KernelJob, dispatch: Dispatch, run: Mapping[str, Any]) -> Written:
-    """What the page returns in base64, with texels in their formats."""
-    width, height, _ = dispatch.extent
-    images = (
-        to_float(base64.b64decode(texels), slot.format, width, height, "top")
-        for slot, texels in zip(job.pipeline.images, run["images"], strict=True)
-    )
-    return Written(tuple(map(base64.b64decode, run["buffers"])), tuple(images))
-
-
-def _floats(pipeline: Pipeline, draw: Draw, target: Mapping[str, Any]) -> bytes:
-    stored: TargetFormat = target["format"]
-    texels = base64.b64decode(target["texels"])
-    return to_float(texels, stored, draw.width, draw.height, pipeline.first_row)

@@ -1,12 +1,12 @@
-// Draws jobs with WebGPU. A job and its pictures are those of draw_job.py, as JSON.
+// Draws with WebGPU: packages of frames, and frame jobs.
+
+import { answer, LostBrowser, news, Refusal } from "./answers.mjs";
+import { Device } from "./host/webgpu/device.js";
+import { PROFILE } from "./host/webgpu/pipelines.js";
+import { WebGpuRenderer } from "./host/webgpu/renderer.js";
+import { found } from "./jobs.mjs";
 
 export { frames } from "./frames.mjs";
-
-import { answer } from "./answers.mjs";
-import { collectErrors, openDevice } from "./webgpu_device.mjs";
-import { runKernel } from "./webgpu_compute.mjs";
-import { drawPicture } from "./webgpu_draw.mjs";
-import { makePipeline } from "./webgpu_pipeline.mjs";
 
 // WebGPU does not report it. This is `subPixelPrecisionBits` of SwiftShader's Vulkan driver, which
 // the browser was told to use.
@@ -16,40 +16,72 @@ let opened = null;
 
 /** The page's device, or a new one if it was lost. */
 async function theDevice() {
-  if (!opened) {
-    opened = await openDevice();
-    opened.lost.then(() => (opened = null));
+  if (opened && !opened.isLost) return opened;
+  try {
+    opened = await Device.open();
+  } catch (error) {
+    throw new LostBrowser(error.message);
   }
   return opened;
 }
 
 export function device() {
   return answer(async () => {
-    const { vendor, architecture, device, description } = (await theDevice()).adapter.info;
-    const name = [description || device, vendor, architecture].filter(Boolean).join(", ");
-    return { name, subpixel_bits: SUBPIXEL_BITS };
+    const { gpu } = await theDevice();
+    const { vendor, architecture, device, description } = gpu.adapterInfo;
+    return {
+      name: [description || device, vendor, architecture].filter(Boolean).join(", "),
+      subpixel_bits: SUBPIXEL_BITS,
+      most_groups: gpu.limits.maxComputeWorkgroupsPerDimension,
+    };
   });
 }
 
-export function draw(job) {
+/** What a frame job reads back. */
+export function job(given) {
   return answer(async () => {
-    const { device, lost } = await theDevice();
-    return Promise.race([collectErrors(device, () => drawAll(device, job)), lost]);
+    const device = await theDevice();
+    // What a job that broke off has left over.
+    complaints(device);
+    try {
+      return await Promise.race([executed(device, given), loss(device)]);
+    } catch (error) {
+      await news(); // What the device complains about is the reason of other errors.
+      throw complaints(device) ?? error;
+    }
   });
 }
 
-export function kernel(job) {
-  return answer(async () => {
-    const { device, lost } = await theDevice();
-    return Promise.race([collectErrors(device, () => runKernel(device, job)), lost]);
-  });
+async function executed(device, given) {
+  await refuseMessages(device, given.shaders);
+  return found(await WebGpuRenderer.open(device, given, null, false), given);
 }
 
-async function drawAll(device, job) {
-  const pipeline = await makePipeline(device, job.pipeline);
-  const pictures = [];
-  for (const each of job.draws) {
-    pictures.push(await drawPicture(device, job.pipeline, pipeline, each));
+async function loss({ gpu }) {
+  const { reason, message } = await gpu.lost;
+  throw new Refusal(`the WebGPU device was lost (${reason}): ${message}`);
+}
+
+/** An error with what the device complains about, if it does. */
+function complaints(device) {
+  try {
+    device.check();
+    return null;
+  } catch (error) {
+    return error;
   }
-  return { pictures };
+}
+
+/** Any message of the compiler about a text is an error here, also what pages do not care about. */
+async function refuseMessages({ gpu }, shaders) {
+  for (const { texts } of shaders) {
+    for (const [stage, { text }] of Object.entries(texts[PROFILE])) {
+      const { messages } = await gpu.createShaderModule({ code: text }).getCompilationInfo();
+      if (!messages.length) continue;
+      const lines = messages.map(
+        ({ type, lineNum, linePos, message }) => `${stage} ${lineNum}:${linePos}: ${type}: ${message}`,
+      );
+      throw new Refusal(lines.join("\n"));
+    }
+  }
 }

@@ -6,15 +6,13 @@ from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from typing import Any
 
-import numpy as np
 import wgpu
 
-from ..checks import lane_count
 from ..device import DriverError
 from ..draw_job import Draw
 from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..kernel_job import Dispatch
-from ..webgpu import Buffer
+from ..webgpu import interleaved
 from .bindings import Uploads, bind_groups
 from .device import Gpu, explained
 from .frame_textures import MadeTexture, make_frame_texture
@@ -139,7 +137,7 @@ class _Frame:
         for number, group in enumerate(self._bound(made, drawn, draw, ())):
             drawing.set_bind_group(number, group)
         for number, buffer in enumerate(made.buffers):
-            data = _interleaved(buffer, draw.vertices)
+            data = interleaved(buffer, draw.vertices)
             drawing.set_vertex_buffer(number, self._uploads.buffer(data, wgpu.BufferUsage.VERTEX))
         indices = self._uploads.buffer(draw.indices, wgpu.BufferUsage.INDEX)
         drawing.set_index_buffer(indices, "uint32")
@@ -185,12 +183,3 @@ class _Frame:
         ]
         written = [self._textures[number].view() for number in images]
         return bind_groups(self._uploads, made, given.blocks, views, storage, written)
-
-
-def _interleaved(buffer: Buffer, vertices: Sequence[bytes]) -> bytes:
-    """The attributes of one buffer, one vertex after the other."""
-    columns = [
-        np.frombuffer(vertices[number], np.uint8).reshape(-1, 4 * lane_count(each.format))
-        for number, each, _ in buffer.members
-    ]
-    return np.concatenate(columns, axis=1).tobytes()

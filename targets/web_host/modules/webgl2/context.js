@@ -2,7 +2,8 @@
 /** What frames are drawn with beyond WebGL 2 itself: without the first one there are no targets of
  * floats; what else is missing is told when it is needed. */
 const EXTENSIONS = [
-    "EXT_color_buffer_float", "OES_texture_float_linear", "EXT_polygon_offset_clamp",
+    "EXT_color_buffer_float", "EXT_float_blend", "OES_texture_float_linear",
+    "OES_draw_buffers_indexed", "EXT_polygon_offset_clamp",
 ];
 export class Context {
     gl;

@@ -1,12 +1,15 @@
 // Programs of WebGL 2, each linked once when a frame is opened.
+import { checkInterface } from "./interface.js";
 export const PROFILE = "glsl:es300";
+/** WebGL links no program without a fragment shader, also where vertices are captured. */
+const NO_FRAGMENTS = { text: "#version 300 es\nvoid main() {}\n" };
 /** The programs of all shaders. The browser compiles them at the same time. */
 export function linked({ gl }, shaders) {
     const started = shaders.map((shader) => start(gl, shader));
     return shaders.map((shader, at) => finished(gl, shader, started[at]));
 }
 function start(gl, { reflection, texts }) {
-    const { vertex, fragment } = texts[PROFILE] ?? {};
+    const { vertex, fragment = reflection.capture && NO_FRAGMENTS } = texts[PROFILE] ?? {};
     if (!vertex || !fragment) {
         throw new Error(`WebGL 2 cannot draw ${reflection.material}: there is no text for ${PROFILE}`);
     }
@@ -17,6 +20,12 @@ function start(gl, { reflection, texts }) {
         gl.shaderSource(shader, text);
         gl.compileShader(shader);
         gl.attachShader(program, shader);
+    }
+    const { capture, backends } = reflection;
+    if (capture) {
+        const { captures } = backends[PROFILE];
+        const names = capture.members.map(({ name }) => captures[name].identifier);
+        gl.transformFeedbackVaryings(program, names, gl.INTERLEAVED_ATTRIBS);
     }
     gl.linkProgram(program);
     return program;
@@ -29,6 +38,7 @@ function finished(gl, { reflection }, program) {
         throw new Error(`the browser refuses a text of ${reflection.material}:\n${told}`);
     }
     shaders.forEach((each) => gl.deleteShader(each));
+    checkInterface(gl, program, reflection, PROFILE);
     const { blocks, textures, ...others } = reflection.backends[PROFILE];
     const { vertex_inputs: inputs, host_uniforms: heights } = others;
     gl.useProgram(program);

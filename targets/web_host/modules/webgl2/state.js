@@ -18,7 +18,7 @@ export function setState(context, reflection, depths) {
     gl.depthMask(state.depth.write);
     setBias(context, state, (draw?.topology ?? "triangle") === "triangle");
     setStencil(gl, depths !== null && hasStencil(depths) ? state.stencil : null);
-    setTargets(gl, reflection);
+    setTargets(context, reflection);
 }
 function turn(gl, what, on) {
     if (on)
@@ -55,25 +55,40 @@ const STENCIL_OPERATIONS = {
     decrement_wrap: "DECR_WRAP",
 };
 // --- targets -------------------------------------------------------------------------------------
-/** Blending and masks. Texts of this profile have the same ones for all targets. */
-function setTargets(gl, { targets: [first] }) {
+/** Blending and masks. Only an extension has other ones for each target. */
+function setTargets(context, { targets }) {
+    const { gl } = context;
+    const states = targets.map(({ blend, mask }) => JSON.stringify([blend, mask]));
+    if (new Set(states).size > 1) {
+        const name = "OES_draw_buffers_indexed";
+        const indexed = context.need(name, "blend each target differently");
+        targets.forEach((target, at) => setTarget(gl, indexed, at, target));
+        return;
+    }
+    const [first] = targets;
     if (!first)
         return;
     turn(gl, gl.BLEND, first.blend !== null);
-    if (first.blend)
-        setBlend(gl, first.blend);
+    if (first.blend) {
+        gl.blendEquationSeparate(...operations(gl, first.blend));
+        gl.blendFuncSeparate(...factors(gl, first.blend));
+    }
     gl.colorMask(...lanesOf(first.mask));
 }
-function setBlend(gl, blend) {
-    gl.blendEquationSeparate(operation(gl, blend.color), operation(gl, blend.alpha));
-    gl.blendFuncSeparate(...factors(gl, blend));
+function setTarget(gl, indexed, at, { blend, mask }) {
+    indexed.colorMaskiOES(at, ...lanesOf(mask));
+    if (!blend)
+        return indexed.disableiOES(gl.BLEND, at);
+    indexed.enableiOES(gl.BLEND, at);
+    indexed.blendEquationSeparateiOES(at, ...operations(gl, blend));
+    indexed.blendFuncSeparateiOES(at, ...factors(gl, blend));
 }
 const lanesOf = (mask) => [..."rgba"].map((lane) => mask !== "none" && mask.includes(lane));
 const OPERATIONS = {
     add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT",
     min: "MIN", max: "MAX",
 };
-const operation = (gl, { operation: word }) => gl[OPERATIONS[word]];
+const operations = (gl, { color, alpha }) => [gl[OPERATIONS[color.operation]], gl[OPERATIONS[alpha.operation]]];
 /** The factor of colours and that of alpha. */
 const FACTORS = {
     zero: ["ZERO", "ZERO"],

@@ -1,6 +1,8 @@
 // Opens a device of WebGPU, and keeps what it complains about.
-/** Features that textures of 32 bits need, and stencil values beside such depths. */
-const FEATURES = ["float32-filterable", "depth32float-stencil8"];
+/** Features that textures and targets of 32 bits need, and stencil values beside such depths. */
+const FEATURES = [
+    "float32-filterable", "float32-blendable", "depth32float-stencil8",
+];
 /** Limits that frames may need to be above the default. */
 const LIMITS = [
     "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",

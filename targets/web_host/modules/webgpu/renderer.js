@@ -11,23 +11,26 @@ export class WebGpuRenderer {
     pipelines;
     presenter;
     shaders;
+    owns;
     profile = PROFILE;
     encoder;
     arena;
     uploaded = new Map();
     owned = new Set();
-    constructor(device, pipelines, presenter, shaders) {
+    constructor(device, pipelines, presenter, shaders, owns) {
         this.device = device;
         this.pipelines = pipelines;
         this.presenter = presenter;
         this.shaders = shaders;
+        this.owns = owns;
         this.arena = new Arena(device.gpu);
     }
-    static async open(device, from, canvas) {
+    /** A renderer that draws with a device, which it destroys in the end if it owns it. */
+    static async open(device, from, canvas, owns = !canvas) {
         const pipelines = await Pipelines.of(device, from);
         // Until here, the canvas shows what it did before.
         const presenter = canvas && new Presenter(device, canvas);
-        return new WebGpuRenderer(device, pipelines, presenter, from.shaders);
+        return new WebGpuRenderer(device, pipelines, presenter, from.shaders, owns);
     }
     // --- resources ---
     makeTexture(size) {
@@ -52,7 +55,7 @@ export class WebGpuRenderer {
     dispose() {
         this.owned.forEach((each) => each.destroy());
         this.arena.free();
-        if (!this.presenter)
+        if (this.owns)
             this.device.gpu.destroy();
     }
     own(made) {
