@@ -19,6 +19,9 @@ from weakref import WeakValueDictionary
 
 T = TypeVar("T")
 
+DEFAULTS = "__field_defaults__"
+"""The attribute of a class of records that has the defaults of its fields by name."""
+
 EMPTY: Any = MappingProxyType({})
 """The default of a field whose type is ``Mapping``."""
 
@@ -98,7 +101,7 @@ def _slotted(
         slots.append("__weakref__")
     if any(isinstance(member, cached_property) for member in members.values()):
         slots.append("__dict__")  # Where cached values are kept.
-    own = {"__slots__": tuple(slots), "__match_args__": names}
+    own = {"__slots__": tuple(slots), "__match_args__": names, DEFAULTS: defaults}
     compared = _by_value(names) if eq else {}
     made: Any = type(cls.__name__, cls.__bases__, compared | shared | members | own)
     made.__qualname__ = cls.__qualname__

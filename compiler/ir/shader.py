@@ -141,7 +141,7 @@ class RenderTarget:
     have equally many."""
     mask: Mask = "rgba"
     """Which lanes are written, of those that the format has."""
-    clear: tuple[float, ...] | None = None
+    clear: tuple[float, float, float, float] | None = None
     """What the pass wants to be there before anything is drawn, in four lanes; ``None`` where that
     is a host's affair."""
 
