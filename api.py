@@ -43,7 +43,8 @@ from .targets.legalise.limits import Lack, excesses, lacks
 from .targets.selection import DEFAULT, full_name, select_targets
 
 if TYPE_CHECKING:
-    from .targets.runner.instances.instance import Instance, MissingValuesError
+    from .targets.runner.instances.host_values import MissingValuesError
+    from .targets.runner.instances.instance import Instance
     from .targets.runner.instances.values import ParameterError
     from .targets.runner.textures.kinds import PictureError
     from .targets.runner.textures.texture import Texture

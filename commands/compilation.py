@@ -83,7 +83,7 @@ def _output(request: Request, result: CompileResult) -> Output:
     for frame in result.frames:
         plan = f"{frame.name}.plan.json"
         plans[plan] = _as_json(frame.plan)
-        count = len(frame.plan["steps"])
+        count = len(frame.plan.steps)
         steps = "1 step" if count == 1 else f"{count} steps"
         lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
     lines += _remarks_on_languages(result)
@@ -127,7 +127,9 @@ def _insist_on_acceptance(result: CompileResult) -> None:
     show(found)
 
 
-def _as_json(document: dict[str, Any]) -> str:
+def _as_json(document: Reflection | FramePlan) -> str:
     import json
 
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+    from ..compiler.documents.writing import to_json
+
+    return json.dumps(to_json(document), indent=2, ensure_ascii=False) + "\n"

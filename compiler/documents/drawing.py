@@ -10,7 +10,7 @@ from ..ir.blending import Blend
 from ..ir.primitives import DrawnPrimitive
 from ..ir.render_state import Cull, DepthState, Fill, Samples, StencilState, Winding
 from ..ir.types import Dimension, Sample
-from .values import StepRow
+from .steps import StepRow
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
 """What vertices are, in turn."""
@@ -284,7 +284,7 @@ class TargetRow:
     """Pixel format, ``rgba8``."""
     blend: Blend | None
     """How what is drawn is blended with what is there; null where it takes its place."""
-    mask: Annotated[str, Pattern(r"^(r?g?b?a?|none)$")]
+    mask: Annotated[str, Pattern("r?g?b?a?|none")]
     """Which lanes are written of those that the format has: some of ``rgba``, in this order, or
     ``none``."""
     clear: tuple[float, float, float, float] | None
@@ -311,5 +311,5 @@ class RenderStateRow:
     depth: DepthState
     """The depth test."""
     stencil: StencilState | None
-    """The stencil test; null: there is none, and nothing is written. A host clears stencil values to
-    0."""
+    """The stencil test; null: there is none, and nothing is written. A host clears stencil values
+    to 0."""

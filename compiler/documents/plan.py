@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from ...frozen import frozen
 from ..constraints import Count, Length, Positive
 from ..ir.render_state import Samples
 from ..ir.types import Dimension, Sample
-from .values import BufferRow, LightRow, ParameterRow, StepRow
+from .steps import StepRow
+from .values import BufferRow, LightRow, ParameterRow
 
 TextureUse = Literal["target", "depth", "image", "sampled", "copied_from", "copied_to"]
 """What a texture is used as: drawn to, written by a kernel, read, copied."""
@@ -240,6 +241,11 @@ class AttachmentRow:
     stencil: StencilLoad | None
     """What becomes of the stencil values beside depths; null if there are none."""
 
+    @property
+    def places(self) -> tuple[AttachmentRow | ResolveRow, ...]:
+        """Where it is kept: its samples and, where there are any, their means."""
+        return (self,) if self.resolve is None else (self, self.resolve)
+
 
 @frozen(kw_only=True)
 class ValueSource:
@@ -283,13 +289,17 @@ class PreviousSource:
     """What is read in the first frame instead; null for a texture without contents."""
 
 
+Source = ValueSource | ResultSource | HostSource | PreviousSource
+"""What an input is set to."""
+
+
 @frozen(kw_only=True)
 class InputRow:
     """An input of a shader that the frame sets."""
 
     name: str
     """The parameter, texture or buffer, as the shader's reflection calls it."""
-    source: ValueSource | ResultSource | HostSource | PreviousSource
+    source: Source
     """What it is set to."""
 
 
@@ -298,7 +308,7 @@ class UseRow:
     """A shader for the models of one material."""
 
     material: str | None
-    """The material; null where nothing but a triangle is drawn."""
+    """The material; null where vertices without models are drawn, and of a kernel."""
     shader: Count
     """The number of the shader."""
     inputs: tuple[InputRow, ...]
@@ -324,6 +334,10 @@ class DrawnRow:
 @frozen(kw_only=True)
 class DrawStep:
     """A pass that is drawn."""
+
+    images: ClassVar[tuple[WrittenImage, ...]] = ()
+    buffers: ClassVar[tuple[WrittenBuffer, ...]] = ()
+    written: ClassVar[tuple[WrittenImage | WrittenBuffer, ...]] = ()
 
     kind: Literal["draw"]
     name: str
@@ -356,6 +370,16 @@ class DrawStep:
     """Whether it draws on to all that the step before has drawn to, and waits for nothing else, so
     that a host can draw both in one render pass, without storing and loading in between."""
 
+    @property
+    def attachments(self) -> tuple[AttachmentRow, ...]:
+        """All that it draws to, its depths last."""
+        return self.targets if self.depth is None else (*self.targets, self.depth)
+
+    @property
+    def uses(self) -> tuple[UseRow, ...]:
+        """The shaders of all that it draws."""
+        return tuple(use for drawn in self.draws for use in drawn.uses)
+
 
 @frozen(kw_only=True)
 class WrittenImage:
@@ -383,6 +407,9 @@ class WrittenBuffer:
 class RunStep:
     """A kernel that is run."""
 
+    draws: ClassVar[tuple[DrawnRow, ...]] = ()
+    attachments: ClassVar[tuple[AttachmentRow, ...]] = ()
+
     kind: Literal["run"]
     name: str
     """The step."""
@@ -392,15 +419,33 @@ class RunStep:
     """The buffers of results that are waited for."""
     only_first: bool
     """Whether it is needed in the first frame only."""
-    shader: Count
-    """The number of the shader."""
-    inputs: tuple[InputRow, ...]
-    """What the frame sets."""
+    use: UseRow
+    """The kernel, and what the frame sets of it."""
     images: tuple[WrittenImage, ...]
     """The images that it writes."""
     buffers: tuple[WrittenBuffer, ...]
     """The buffers that it writes."""
     source: PlaceRow
+
+    @property
+    def uses(self) -> tuple[UseRow, ...]:
+        """Its kernel."""
+        return (self.use,)
+
+    @property
+    def written(self) -> tuple[WrittenImage | WrittenBuffer, ...]:
+        """All that it writes."""
+        return *self.images, *self.buffers
+
+
+@frozen(kw_only=True)
+class CopyEnd:
+    """One end of a copy."""
+
+    result: str
+    """The result."""
+    texture: Count
+    """The number of its texture."""
 
 
 @frozen(kw_only=True)
@@ -408,17 +453,29 @@ class CopyStep:
     """A copy of a whole texture, where a step draws over something that others still need as it
     was."""
 
+    name: ClassVar[str] = "a copy"
+    draws: ClassVar[tuple[DrawnRow, ...]] = ()
+    attachments: ClassVar[tuple[AttachmentRow, ...]] = ()
+    images: ClassVar[tuple[WrittenImage, ...]] = ()
+    buffers: ClassVar[tuple[WrittenBuffer, ...]] = ()
+    written: ClassVar[tuple[WrittenImage | WrittenBuffer, ...]] = ()
+    uses: ClassVar[tuple[UseRow, ...]] = ()
+
     kind: Literal["copy"]
     barriers: tuple[BarrierRow, ...]
     """The textures that are waited for."""
     buffer_barriers: tuple[BufferBarrierRow, ...]
     """The buffers of results that are waited for."""
-    copied: ResultSource
+    copied: CopyEnd
     """What is copied."""
-    into: ResultSource
+    into: CopyEnd
     """Where it is copied to."""
     only_first: bool
     """Whether the first frame is enough."""
+
+
+PlanStep = DrawStep | RunStep | CopyStep
+"""Something that a host does."""
 
 
 @frozen(kw_only=True)
@@ -464,6 +521,8 @@ class FramePlan:
     """What a host does to draw a frame: which textures it makes, and which steps it executes in
     which order. Each shader has a reflection of its own."""
 
+    VERSION: ClassVar = "plan"
+
     plan: Literal[2]
     """Version of this document's format. A host refuses versions that it does not know."""
     frame: str
@@ -497,7 +556,7 @@ class FramePlan:
     """The textures that the host makes, by number. Each serves one result after the other."""
     results: tuple[FrameResultRow, ...]
     """What the steps leave."""
-    steps: tuple[DrawStep | RunStep | CopyStep, ...]
+    steps: tuple[PlanStep, ...]
     """What the host does, in this order."""
     end: WaitingRow
     """What is waited for behind the last step and before the exchange of ``kept``, so that the host
@@ -508,3 +567,10 @@ class FramePlan:
     textures are transparent black, or depths of 1."""
     outputs: tuple[OutputRow, ...]
     """What the frame gives, to be read behind the last step and before the exchange of ``kept``."""
+
+    def output_texture(self, name: str) -> int | None:
+        """The texture that an output is in behind the exchange of what is kept; ``None`` for a
+        buffer."""
+        output = next(row for row in self.outputs if row.name == name)
+        kept = {row.result: row.previous for row in self.kept}
+        return kept.get(output.result, output.texture)

@@ -19,11 +19,12 @@ from ..constraints import Length, Nested, Pattern, Range
 from .shapes import (
     alternatives_of,
     bare,
-    constants_of,
     constraints_of,
     fields_of,
     is_record,
     may_be_null,
+    telling,
+    words_of,
 )
 
 T = TypeVar("T")
@@ -33,6 +34,9 @@ Place = tuple[Any, str | int] | None
 
 MOST = 100
 """How many errors are told."""
+
+VERSION = "VERSION"
+"""The attribute of a record that names its field with the version of the document."""
 
 _SAID = 60
 """How many letters of a value are told."""
@@ -63,6 +67,7 @@ Reader = Callable[[Any, Place, Found], Any]
 def read(kind: type[T], document: object) -> T:
     """A document as a record. Raises ``ShapeError`` with the first places that are wrong: each as a
     JSON pointer, with what is wrong there."""
+    _check_version(kind, document)
     found = Found()
     with suppress(_EnoughError):
         reader = _reader(cast(Any, kind))
@@ -71,6 +76,19 @@ def read(kind: type[T], document: object) -> T:
             return made
     told = found[:MOST] + ["and more"] * (len(found) > MOST)
     raise ShapeError("\n".join(told))
+
+
+def _check_version(kind: Any, document: object) -> None:
+    """Raise ``ShapeError`` for a document of another version: that is all that is wrong then."""
+    field = getattr(kind, VERSION, "")
+    if not field or not isinstance(document, dict) or field not in document:
+        return
+    (version,) = words_of(kind)[field]
+    if document[field] != version or isinstance(document[field], bool):
+        raise ShapeError(
+            f"/{field}: this is version {shown(document[field])}, and Burnish reads version "
+            f"{version}: compile the source again"
+        )
 
 
 def pointer(place: Place) -> str:
@@ -165,8 +183,8 @@ def _word(words: Sequence[Any]) -> Reader:
 
 def _list(parts: Sequence[Any]) -> Reader:
     """Lists of any length, which become tuples, or of as many elements as there are types."""
-    each = _reader(parts[0])
-    count = None if parts[-1] is ... else len(parts)
+    each = _reader(parts[0] if parts else Any)
+    count = None if parts and parts[-1] is ... else len(parts)
 
     def read_list(value: Any, place: Place, found: Found) -> Any:
         if not isinstance(value, list):
@@ -228,7 +246,6 @@ def _record(kind: type) -> Reader:
     fields = fields_of(kind)
     readers = {field.key: (field.name, _reader(field.type)) for field in fields}
     required = [field.key for field in fields if not field.is_optional]
-    faults: Callable[[Any], Iterable[str]] | None = getattr(kind, "faults", None)
 
     def read_record(value: Any, place: Place, found: Found) -> Any:
         if not isinstance(value, dict):
@@ -248,10 +265,7 @@ def _record(kind: type) -> Reader:
                 made[name] = reader(inner, (place, key), found)
         if len(found) > before:
             return None
-        record = kind(**made)
-        for fault in faults(record) if faults is not None else ():
-            found.add(place, fault)
-        return record
+        return kind(**made)
 
     return read_record
 
@@ -269,9 +283,9 @@ def _union(type_: Any) -> Reader:
 
 
 def _told_apart(kinds: Sequence[type], *, is_nullable: bool) -> Reader:
-    """Records of several kinds: each has a member with one value, which the others do not have."""
-    key = next(iter(constants_of(kinds[0])))
-    readers = {constants_of(kind)[key]: _reader(kind) for kind in kinds}
+    """Records of several kinds, by the member that says of which kind one is."""
+    key = telling(kinds)
+    readers = {word: _reader(kind) for kind in kinds for word in words_of(kind)[key]}
     said = [f"an object whose `{key}` is {shown(word)}" for word in readers]
     wanted = _or([*said, "null"] if is_nullable else said)
 

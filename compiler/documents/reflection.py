@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Literal
+from collections.abc import Iterator, Mapping
+from typing import ClassVar, Literal
 
 from ...frozen import frozen
 from ..constraints import Positive
@@ -11,6 +11,7 @@ from .backends import BackendRow
 from .drawing import (
     CaptureRow,
     DrawRow,
+    PatchLevels,
     RenderStateRow,
     SamplerRow,
     TargetRow,
@@ -18,6 +19,7 @@ from .drawing import (
     VaryingRow,
     VertexInputRow,
 )
+from .steps import StepRow
 from .values import (
     BlockRow,
     BufferRow,
@@ -26,7 +28,6 @@ from .values import (
     ParameterRow,
     PromiseRow,
     ResultRow,
-    StepRow,
 )
 
 
@@ -50,6 +51,8 @@ class Conventions:
 @frozen(kw_only=True)
 class Reflection:
     """Everything a host has to know about one material under one pass and one rig."""
+
+    VERSION: ClassVar = "format"
 
     format: Literal[2]
     """Version of this document's format."""
@@ -109,3 +112,19 @@ class Reflection:
     render targets of its full-screen pass."""
     backends: Mapping[str, BackendRow]
     """Emitted profiles by name."""
+
+    @property
+    def levels(self) -> PatchLevels | None:
+        """The levels of the pattern that a host makes of patches; ``None`` where it makes none."""
+        division = self.draw.tessellation
+        return None if division is None else division.levels
+
+    @property
+    def computed(self) -> Iterator[tuple[StepRow, ...]]:
+        """The steps of all that the host computes: derived values, the extent of a kernel and the
+        lengths of its results, and how finely patches are divided."""
+        yield from (row.steps for row in self.derived)
+        yield self.extent or ()
+        yield from (row.count for row in self.results)
+        if self.levels is not None:
+            yield from (*self.levels.edges, *self.levels.inside)

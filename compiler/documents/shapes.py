@@ -86,12 +86,18 @@ def may_be_null(type_: Any) -> bool:
 
 
 @cache
-def constants_of(kind: type) -> dict[str, Any]:
-    """The fields of a record that always have the same value, by their names in JSON: alternatives
-    are told apart by them."""
+def words_of(kind: type) -> dict[str, tuple[Any, ...]]:
+    """The fields of a record that have one of a few values, by their names in JSON, with these:
+    alternatives are told apart by them."""
     found = {field.key: bare(field.type) for field in fields_of(kind)}
-    return {
-        key: get_args(type_)[0]
-        for key, type_ in found.items()
-        if get_origin(type_) is Literal and len(get_args(type_)) == 1
-    }
+    return {key: get_args(type_) for key, type_ in found.items() if get_origin(type_) is Literal}
+
+
+def telling(kinds: Sequence[type]) -> str:
+    """The name in JSON of the field that tells some kinds of records apart: it has other values in
+    each of them."""
+    for key in words_of(kinds[0]):
+        words = [word for kind in kinds for word in words_of(kind).get(key, ())]
+        if len(set(words)) == len(words) and all(key in words_of(kind) for kind in kinds):
+            return key
+    raise TypeError(f"nothing tells {', '.join(kind.__name__ for kind in kinds)} apart")

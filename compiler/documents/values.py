@@ -2,90 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from typing import Annotated, Literal
 
 from ...frozen import frozen
 from ..constraints import Count, Lanes, Range
 from ..packing import LaneKind
-
-Operation = Literal[
-    "parameter", "constant", "call", "native", "vector", "splat", "matrix", "array", "swizzle",
-    "index", "member", "select", "fold", "apply", "bound", "resource",
-]  # fmt: skip
-"""The operations that a host computes values by."""
-
-
-@frozen
-class Arguments:
-    """How many arguments an operation has, and what it says besides."""
-
-    least: int
-    most: int | None
-    """``None`` for as many as one likes."""
-    further: tuple[str, ...] = ()
-    """The fields of a step that it has."""
-
-
-ARGUMENTS: Mapping[Operation, Arguments] = {
-    "parameter": Arguments(0, 0, ("parameter",)),
-    "constant": Arguments(0, 0, ("value",)),
-    "resource": Arguments(0, 0, ("texture",)),
-    "bound": Arguments(0, 0, ("binder",)),
-    "call": Arguments(1, None, ("function",)),
-    "native": Arguments(1, None, ("function",)),
-    "vector": Arguments(1, None),
-    "matrix": Arguments(1, None),
-    "array": Arguments(1, None),
-    "apply": Arguments(1, None),
-    "splat": Arguments(1, 1),
-    "swizzle": Arguments(1, 1, ("lanes",)),
-    "member": Arguments(1, 1, ("member",)),
-    "index": Arguments(2, 2),
-    "select": Arguments(3, 3),
-    "fold": Arguments(3, 3, ("operator", "bound")),
-}
-
-
-@frozen(kw_only=True)
-class StepRow:
-    """One operation. ``op`` decides which further properties there are."""
-
-    op: Operation
-    """The operation."""
-    type: str
-    """Type of the result."""
-    args: tuple[Count, ...]
-    """Numbers of earlier steps in the list."""
-    parameter: str | None = None
-    """Of ``parameter``: its name."""
-    value: Lanes = None
-    """Of ``constant``: the value."""
-    function: str | None = None
-    """Of ``call`` and ``native``: the builtin's name."""
-    lanes: tuple[Annotated[int, Range(least=0, most=3)], ...] | None = None
-    """Of ``swizzle``: the lanes taken, in order."""
-    member: str | None = None
-    """Of ``member``: the member taken."""
-    texture: str | None = None
-    """Of ``resource``: the name of a texture, of which only the size is asked for."""
-    binder: Count | None = None
-    """Of ``bound``: which enclosing variable it is, counted outwards from 0. Outside of all bodies
-    that is the number of the element."""
-    operator: Literal["add", "mul", "min", "max", "and", "or"] | None = None
-    """Of ``fold``: how terms are combined."""
-    bound: Count | None = None
-    """Of ``fold``: the largest number of terms."""
-
-    def faults(self) -> Iterator[str]:
-        """What is wrong with the fields together, as ``reading`` tells it."""
-        row = ARGUMENTS[self.op]
-        for name in row.further:
-            if getattr(self, name) is None and name != "value":
-                yield f"there is no `{name}`"
-        if len(self.args) < row.least or (row.most is not None and len(self.args) > row.most):
-            wanted = f"{row.least} or more" if row.most is None else f"{row.most}"
-            yield f"`{self.op}` has {len(self.args)} arguments, and not {wanted}"
+from .steps import StepRow
 
 
 @frozen(kw_only=True)

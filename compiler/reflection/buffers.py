@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TypedDict
 
-from ..documents.values import BufferRow, LayoutRow, MemberRow, ResultRow, StepRow, StructRow
+from ..documents.steps import StepRow
+from ..documents.values import BufferRow, LayoutRow, MemberRow, ResultRow, StructRow
 from ..ir.kernel import neutral
 from ..ir.program import Program
 from ..ir.shader import BufferInfo, Shader

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Literal, TypedDict
+from typing import Literal
 
 from ..diagnostics.source import Span
 from ..documents.plan import (
     AttachmentRow,
+    CopyEnd,
     CopyStep,
     DrawnRow,
     DrawStep,
@@ -192,8 +193,8 @@ class _Document:
                     barriers=waiting.barriers,
                     buffer_barriers=waiting.buffer_barriers,
                     only_first=planned.only_first,
-                    copied=self._result(copy.image),
-                    into=self._result(copy.into),
+                    copied=self._copy_end(copy.image),
+                    into=self._copy_end(copy.into),
                 )
             case RenderStep() as step:
                 return DrawStep(
@@ -219,7 +220,7 @@ class _Document:
                     barriers=waiting.barriers,
                     buffer_barriers=waiting.buffer_barriers,
                     only_first=planned.only_first,
-                    **self._used(step.use),
+                    use=self._used(step.use),
                     images=tuple(
                         WrittenImage(
                             name=name, result=image.name, texture=self._plan.texture_of[image]
@@ -232,6 +233,9 @@ class _Document:
                     ),
                     source=_place(step.span),
                 )
+
+    def _copy_end(self, image: Image) -> CopyEnd:
+        return CopyEnd(result=image.name, texture=self._plan.texture_of[image])
 
     def _attachment(self, target: Target) -> AttachmentRow:
         attachment = target.attachment
@@ -255,16 +259,15 @@ class _Document:
             models=drawn.models or None,
             vertices=None if drawn.vertices is None else self._value(drawn.vertices),
             light=drawn.light or None,
-            uses=tuple(
-                UseRow(material=use.material or None, **self._used(use)) for use in drawn.uses
-            ),
+            uses=tuple(self._used(use) for use in drawn.uses),
         )
 
-    def _used(self, use: Use) -> _Used:
-        return {
-            "shader": self._shaders[use.shader],
-            "inputs": tuple(map(self._input, use.given)),
-        }
+    def _used(self, use: Use) -> UseRow:
+        return UseRow(
+            material=use.material or None,
+            shader=self._shaders[use.shader],
+            inputs=tuple(map(self._input, use.given)),
+        )
 
     def _input(self, given: Given) -> InputRow:
         source = given.source
@@ -296,13 +299,6 @@ class _Document:
 
     def _result(self, left: Image | Elements) -> ResultSource:
         return ResultSource(kind="result", result=left.name, texture=self._texture(left))
-
-
-class _Used(TypedDict):
-    """The fields of a row that name a shader."""
-
-    shader: int
-    inputs: tuple[InputRow, ...]
 
 
 def _load(target: Target) -> Literal["load", "clear"]:

@@ -6,21 +6,22 @@ nests as deeply as the expression does; a host evaluates the list in one loop.
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any
 
-from ..documents.values import Operation, StepRow
+from ..documents.steps import STEPS, StepRow
 from ..ir.host import KEYS, PLAIN
 from ..ir.leaves import Parameter, Resource
 from ..ir.node import Folding, Node, reachable
 
 
 def steps(value: Node) -> tuple[StepRow, ...]:
-    """The steps that compute ``value``, which is the last of them."""
+    """The steps that compute ``value``, which is the last of them. Raises ``ValueError`` for an
+    operation that no host computes."""
     nodes = reachable([value])
     numbers = {node.id: number for number, node in enumerate(nodes)}
     return tuple(
-        StepRow(
-            op=cast(Operation, node.op),
+        STEPS[node.op](
+            op=node.op,
             type=str(node.type),
             args=tuple([numbers[operand.id] for operand in node.operands]),
             **_data(node),

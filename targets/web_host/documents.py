@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
 from ...compiler.constraints import Count, Nested, Positive, TypeScript
-from ...compiler.ir.types import Dimension
 from ...compiler.documents.plan import FramePlan
 from ...compiler.documents.reflection import Reflection
+from ...compiler.ir.types import Dimension
 from ...frozen import frozen
 
 Value = Annotated[
@@ -179,6 +179,8 @@ class PictureRow:
 @frozen(kw_only=True)
 class Package:
     """A frame with everything that a page draws of it."""
+
+    VERSION: ClassVar = "package"
 
     package: Literal[2]
     """Version of this document's format. A host refuses versions that it does not know."""
