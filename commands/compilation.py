@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .compile_options import Request
 from .console import rendered, show
@@ -17,6 +17,8 @@ from .terminal import print_output
 if TYPE_CHECKING:
     from ..compiled import CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
+    from ..compiler.documents.plan import FramePlan
+    from ..compiler.documents.reflection import Reflection
 
 
 def succeeds(request: Request, question: Question | None) -> bool:

@@ -7,8 +7,6 @@ the library's declarations mean in a scene, and what draw calls get of meshes.
 
 from __future__ import annotations
 
-from ...compiler.documents.drawing import VertexInputRow
-
 import json
 from base64 import b64encode
 from collections import defaultdict
@@ -21,12 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.budget import check
+from ...compiler.documents.drawing import VertexInputRow
 from ...compiler.documents.reflection import Reflection
 from ...compiler.documents.writing import to_json
 from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...frozen import changed
 from ..runner.frames.host import FrameHost
 from ..runner.frames.scenery import WHOLE, Model
+from ..runner.instances.declared import Declared
 from ..runner.instances.host_values import HostValues
 from ..runner.instances.instance import Instance
 from ..runner.instances.shapes import stored_as

@@ -78,8 +78,8 @@ def test_a_light_with_the_name_of_a_parameter_is_called_after_its_rig_too() -> N
         "rig R { lamps : Point[2] }\n"
     )
     (material,) = burnish.compile(source, ("wgsl",))
-    assert [light["name"] for light in material.reflection["lights"]] == ["R.lamps"]
-    names = {parameter["name"] for parameter in material.reflection["parameters"]}
+    assert [light.name for light in material.reflection.lights] == ["R.lamps"]
+    names = {parameter.name for parameter in material.reflection.parameters}
     assert {"lamps", "R.lamps"} <= names
 
 
@@ -98,7 +98,7 @@ def test_a_profile_that_lacks_something_is_an_error_or_goes_without() -> None:
     (material,) = burnish.compile(FOUR, ("wgsl", "glsl:es300"), partial=True)
     assert material.lacking == {"glsl:es300": "glsl:es300 has no gathering of texels"}
     assert {file.target for file in material.files} == {"wgsl"}
-    assert list(material.reflection["backends"]) == ["wgsl:webgpu"]
+    assert list(material.reflection.backends) == ["wgsl:webgpu"]
 
 
 MASKED = """material Clay { color = #b5651d }

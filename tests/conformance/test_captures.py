@@ -305,7 +305,7 @@ def _all_there(_right: Any) -> Callable[..., Any]:
     """What no strip emits is kept."""
 
     def found(state: SceneState, written: Written) -> Captured:
-        stride = state.instance.reflection["capture"]["stride"]
+        stride = state.instance.reflection.capture.stride
         (data,) = elements_of(state.instance, written).values()
         words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
         return Captured(len(words), words[:, :stride].tobytes())

@@ -175,8 +175,8 @@ def test_the_rest_is_between_the_planes() -> None:
 def test_every_texture_has_a_picture(name: str, material: str) -> None:
     for case in ("stretched", "behind", "inside"):
         instance = cases_of(name, material)[case].state.instance
-        for row in instance.reflection["textures"]:
-            texels = instance.textures()[row["name"]].linear()[0]
+        for row in instance.reflection.textures:
+            texels = instance.textures()[row.name].linear()[0]
             assert len(texels) > 1 and np.ptp(texels) > 0.2
 
 

@@ -101,8 +101,8 @@ def _leaves(row: Mapping[str, Any], value: Any) -> Iterator[tuple[Mapping[str, A
 def test_values_keep_promises(seed: int) -> None:
     instance = sampled(seed)
     assert instance.missing == ()
-    for parameter in instance.reflection["parameters"]:
-        for row, value in _leaves(parameter, instance.get(parameter["name"])):
+    for parameter in instance.reflection.parameters:
+        for row, value in _leaves(parameter, instance.get(parameter.name)):
             lanes = np.array(value, dtype=float).ravel()
             assert np.isfinite(lanes).all()
             if row.get("range"):

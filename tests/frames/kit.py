@@ -45,12 +45,12 @@ def memory_share(frame: CompiledFrame, size: tuple[int, int] = (512, 512)) -> fl
     """How much memory the textures of a frame need that take turns, as a share of what its results
     would need each by itself."""
     plan = frame.plan
-    tags = {row["name"]: row["materials"] for row in plan["models"]}
+    tags = {row.name: row.materials for row in plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
     host = FrameHost(frame, in_a_row(materials, tags, "torus"), size)
     needed = {
-        number: bytes_of(row, host.size_of(number)) for number, row in enumerate(plan["textures"])
+        number: bytes_of(row, host.size_of(number)) for number, row in enumerate(plan.textures)
     }
-    each = sum(needed[row["texture"]] for row in plan["results"] if row["texture"] is not None)
-    each += sum(needed[row["previous"]] for row in plan["kept"] if row["previous"] is not None)
+    each = sum(needed[row.texture] for row in plan.results if row.texture is not None)
+    each += sum(needed[row.previous] for row in plan.kept if row.previous is not None)
     return total(taking_turns(plan, needed), needed) / each

@@ -45,8 +45,8 @@ def steps_of(text: str) -> Mapping[str, Any]:
     """What each step of a frame is given by others, by its name."""
     plan = of_text(HEAD + text).plan
     return {
-        step["name"]: [row.get("result") for row in inputs_of(step) if row.get("result")]
-        for step in plan["steps"]
+        step.name: [row.get("result") for row in inputs_of(step) if row.get("result")]
+        for step in plan.steps
     }
 
 
@@ -100,7 +100,7 @@ def test_what_no_shader_reads_is_not_drawn() -> None:
 
 def test_without_a_frame_the_host_binds_what_a_light_would_bring() -> None:
     (made,) = burnish.compile(HEAD + "rig Night { lamp : ShadowedSpot }", ("wgsl",)).materials
-    assert [row["name"] for row in made.reflection["textures"]] == ["lamp.shadow"]
+    assert [row.name for row in made.reflection.textures] == ["lamp.shadow"]
 
 
 def test_a_light_without_its_texture() -> None:

@@ -58,7 +58,7 @@ def waits(place: dict[str, Any]) -> dict[str, tuple[str, str, bool]]:
 
 def test_a_buffer_is_waited_for_where_it_is_used_in_another_way(swarm: CompiledFrame) -> None:
     validate(swarm.plan, PLAN)
-    steps = {step["name"]: step for step in swarm.plan["steps"]}
+    steps = {step.name: step for step in swarm.plan.steps}
     assert {name: waits(step) for name, step in steps.items()} == {
         "begun": {"begun.after": ("undefined", "written", True)},
         "moved": {
@@ -74,7 +74,7 @@ def test_a_buffer_is_waited_for_where_it_is_used_in_another_way(swarm: CompiledF
         "both": {"ahead.after": ("written", "read", False)},
         "again": {},
     }
-    assert waits(swarm.plan["end"]) == {}
+    assert waits(swarm.plan.end) == {}
 
 
 def test_what_the_host_and_the_next_frame_read_is_ready_at_the_end() -> None:
@@ -86,17 +86,17 @@ def test_what_the_host_and_the_next_frame_read_is_ready_at_the_end() -> None:
         text.replace("places = moved.after", "places = previous(moved.after, begun.after)")
     ).plan
     check_plan(plan)
-    assert waits(plan["end"]) == {
+    assert waits(plan.end) == {
         "ahead.after": ("written", "read", False),
         "moved.after": ("written", "read", False),
     }
-    (barrier,) = plan["end"]["barriers"]
+    (barrier,) = plan.end.barriers
     assert (barrier["from"], barrier["to"]) == ("target", "sampled")
 
 
 def test_a_step_that_waits_for_a_buffer_begins_a_render_pass(swarm: CompiledFrame) -> None:
-    steps = {step["name"]: step for step in swarm.plan["steps"]}
-    assert [steps[name]["continues"] for name in ("shown", "both", "again")] == [False, False, True]
+    steps = {step.name: step for step in swarm.plan.steps}
+    assert [steps[name].continues for name in ("shown", "both", "again")] == [False, False, True]
 
 
 def test_changed_plans_are_refused(swarm: CompiledFrame) -> None:
@@ -119,9 +119,9 @@ def test_changed_plans_are_refused(swarm: CompiledFrame) -> None:
 def test_what_is_said_of_a_wrong_barrier(
     swarm: CompiledFrame, step: int, row: int, changed: dict[str, Any], message: str
 ) -> None:
-    rows = list(swarm.plan["steps"][step]["buffer_barriers"])
+    rows = list(swarm.plan.steps[step].buffer_barriers)
     rows[row] = {**rows[row], **changed}
-    steps = list(swarm.plan["steps"])
+    steps = list(swarm.plan.steps)
     steps[step] = {**steps[step], "buffer_barriers": rows}
     with pytest.raises(PlanError) as error:
         check_plan({**swarm.plan, "steps": steps})

@@ -59,7 +59,7 @@ def test_bytes_are_those_of_all_levels_layers_and_samples() -> None:
 
 
 def test_the_example_with_the_most_steps_needs_at_most_60_percent() -> None:
-    frame = max(map(compiled, EXAMPLES), key=lambda frame: len(frame.plan["steps"]))
+    frame = max(map(compiled, EXAMPLES), key=lambda frame: len(frame.plan.steps))
     assert memory_share(frame) <= 0.6
 
 

@@ -144,16 +144,16 @@ frame Both {
 
 def test_what_nobody_else_needs_is_drawn_over_in_place() -> None:
     plan = of_text(OVER.replace("OUTPUT", "")).plan
-    assert [step["kind"] for step in plan["steps"]] == ["draw", "draw"]
-    assert plan["textures"][0]["results"] == ["solid.color", "both.color"]
-    assert [target["load"] for target in plan["steps"][1]["targets"]] == ["load"]
-    assert plan["steps"][1]["depth"]["load"] == "load"
-    assert [step["continues"] for step in plan["steps"]] == [False, True]
+    assert [step.kind for step in plan.steps] == ["draw", "draw"]
+    assert plan.textures[0].results == ["solid.color", "both.color"]
+    assert [target.load for target in plan.steps[1].targets] == ["load"]
+    assert plan.steps[1].depth.load == "load"
+    assert [step.continues for step in plan.steps] == [False, True]
 
 
 def test_what_others_need_is_copied_before() -> None:
     plan = of_text(OVER.replace("OUTPUT", "output before = solid.color")).plan
-    assert [step["kind"] for step in plan["steps"]] == ["draw", "copy", "draw"]
+    assert [step.kind for step in plan.steps] == ["draw", "copy", "draw"]
     check_plan(plan)
 
 
@@ -205,7 +205,7 @@ def test_what_is_the_same_in_every_frame_is_drawn_once(
     plan = of_text(TABLES.replace("STEPS", steps).replace("ANOTHER", another)).plan
     validate(plan, PLAN)
     check_plan(plan)
-    assert {step["name"] for step in plan["steps"] if step["only_first"]} == expected
+    assert {step.name for step in plan.steps if step.only_first} == expected
 
 
 FACES = """
@@ -229,8 +229,8 @@ frame Faces {
 def test_all_faces_of_a_cube_are_drawn_over_in_place(output: str, copies: int) -> None:
     plan = of_text(FACES.replace("OUTPUT", output)).plan
     check_plan(plan)
-    assert [step["kind"] for step in plan["steps"]].count("copy") == copies
-    assert len(plan["textures"]) == 2 + copies
+    assert [step.kind for step in plan.steps].count("copy") == copies
+    assert len(plan.textures) == 2 + copies
 
 
 SAMPLED = """
@@ -253,31 +253,31 @@ def test_layers_and_levels_have_samples_of_their_own() -> None:
     """Faces that others draw over are kept apart, and others are drawn one after the other."""
     plan = of_text(SAMPLED).plan
     check_plan(plan)
-    several = [row for row in plan["textures"] if row["samples"] > 1]
-    assert [row["results"] for row in several] == [["cube.value", "both.value"]] * 5 + [
+    several = [row for row in plan.textures if row.samples > 1]
+    assert [row.results for row in several] == [["cube.value", "both.value"]] * 5 + [
         ["cube.value", "both.value", "chain.value"], ["chain.value"], ["chain.value"]
     ]  # fmt: skip
-    resolved = [row["resolve"] for step in plan["steps"] for row in step["targets"]]
-    places = [(row["layer"], row["level"]) for row in resolved if row is not None]
+    resolved = [row.resolve for step in plan.steps for row in step.targets]
+    places = [(row.layer, row.level) for row in resolved if row is not None]
     assert places == [(face, 0) for face in range(6)] + [(0, level) for level in range(3)]
     alone = of_text(SAMPLED.replace("both.value", "cube.value")).plan
     check_plan(alone)
-    several = [row for row in alone["textures"] if row["samples"] > 1]
+    several = [row for row in alone.textures if row.samples > 1]
     assert len(several) == 3
-    assert several[0]["results"] == ["cube.value", "chain.value"]
+    assert several[0].results == ["cube.value", "chain.value"]
 
 
 def test_a_step_may_be_called_like_a_word_for_what_is_repeated() -> None:
     """`each face in cube` draws six faces, also where that is a step called `cube`."""
     plan = of_text(SAMPLED.replace("chain", "mips")).plan
-    names = [step["name"] for step in plan["steps"]]
+    names = [step.name for step in plan.steps]
     assert names[0] == "cube.0" and names[-1] == "mips.level2"
 
 
 def test_what_is_exchanged_has_the_uses_of_both_textures() -> None:
     plan = compiled(FOLDER / "reaction.burnish").plan
-    (row,) = plan["kept"]
-    one, other = (plan["textures"][row[end]]["uses"] for end in ("texture", "previous"))
+    (row,) = plan.kept
+    one, other = (plan.textures[row[end]].uses for end in ("texture", "previous"))
     assert sorted(one) == sorted(other) == ["image", "sampled"]
 
 
@@ -297,9 +297,9 @@ frame Seen {
 
 def test_the_parameters_of_the_camera_are_marked() -> None:
     frame = of_text(CAMERA)
-    roles = {row["name"]: row["role"] for row in frame.plan["parameters"]}
+    roles = {row.name: row.role for row in frame.plan.parameters}
     assert [roles[name] for name in ("shown", "other", "size")] == ["world_to_clip", None, "size"]
     (shader,) = frame.shaders
-    roles = {row["name"]: row["role"] for row in shader.reflection["parameters"]}
+    roles = {row.name: row.role for row in shader.reflection.parameters}
     assert roles["view_projection"] == "world_to_clip"
     assert roles["object_to_world"] == "object_to_world"

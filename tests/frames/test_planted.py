@@ -52,8 +52,8 @@ SAMPLE = 100
 
 def is_refused(frame: CompiledFrame, wrong: dict[str, Any]) -> bool:
     """Whether a host says no, before anything is drawn."""
-    files = {row["reflection"]: made.reflection for row, made in
-             zip(frame.plan["shaders"], frame.shaders, strict=True)}  # fmt: skip
+    files = {row.reflection: made.reflection for row, made in
+             zip(frame.plan.shaders, frame.shaders, strict=True)}  # fmt: skip
     if any(row["reflection"] not in files for row in wrong["shaders"]):
         return True
     try:

@@ -34,7 +34,7 @@ class Drawn:
 
     def __init__(self, name: str, size: int = 16, **values: str) -> None:
         frame = compiled(FOLDER / f"{name}.burnish")
-        tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+        tags = {row.name: row.materials for row in frame.plan.models}
         materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
         self.host = FrameHost(frame, in_a_row(materials, tags, "sphere"), (size, size))
         for each, text in values.items():

@@ -131,9 +131,9 @@ def test_members_of_structures_have_the_types_that_were_written() -> None:
         "struct Lamp { place : point<world> aim : direction<world> glow : float[2] }\n"
         "material Lit { param lamps : Lamp[2] color = lamps[1].aim * 0.5 + 0.5 }\n"
     )
-    found = burnish.compile(source, ("wgsl",))["Lit"].reflection["parameters"]
-    (lamps,) = [row for row in found if row["name"] == "lamps"]
-    written = [(member["type"], member["representation"]) for member in lamps["members"]]
+    found = burnish.compile(source, ("wgsl",))["Lit"].reflection.parameters
+    (lamps,) = [row for row in found if row.name == "lamps"]
+    written = [(member.type, member.representation) for member in lamps.members]
     assert written == [
         ("point<world>", "vec3"), ("direction<world>", "vec3"), ("float[2]", "float[2]")
     ]  # fmt: skip
@@ -160,8 +160,8 @@ def test_lights_have_parameters_of_any_group() -> None:
         """,
         ("wgsl",),
     )
-    rows = {row["name"]: row["parameters"] for row in material.reflection["lights"]}
-    blocks = {row["name"]: row["block"] for row in material.reflection["parameters"]}
+    rows = {row.name: row.parameters for row in material.reflection.lights}
+    blocks = {row.name: row.block for row in material.reflection.parameters}
     assert rows["glow"] == ["glow.aim"]
     assert {name: blocks[name] for name in rows["lamp"]} == {
         "lamp.diffuse_color": "Rig",
@@ -191,4 +191,4 @@ def test_only_lights_are_listed_as_lights() -> None:
         """,
         ("wgsl",),
     )
-    assert [row["name"] for row in material.reflection["lights"]] == ["lamp", "more"]
+    assert [row.name for row in material.reflection.lights] == ["lamp", "more"]

@@ -32,14 +32,14 @@ def test_members_leave_no_gap(path: Path) -> None:
     for rig, pass_ in variants(path):
         for material in burnish.compile(path, TARGETS, rig=rig, pass_=pass_, partial=True):
             reflection = material.reflection
-            for block in reflection["blocks"]:
-                names = [member["name"] for member in block["members"]]
-                assert tiled(block["members"], block["size"]), block
+            for block in reflection.blocks:
+                names = [member.name for member in block.members]
+                assert tiled(block.members, block.size), block
                 assert len(set(names)) == len(names)
-                for struct in block["structs"]:
-                    assert tiled(struct["members"], struct["size"]), struct
-                held = {m["name"] for m in block["members"] if m["parameter"] is not None}
-                for backend in reflection["backends"].values():
-                    if block["name"] in backend["blocks"]:
-                        written = backend["blocks"][block["name"]]["members"].keys()
+                for struct in block.structs:
+                    assert tiled(struct.members, struct.size), struct
+                held = {m.name for m in block.members if m.parameter is not None}
+                for backend in reflection.backends.values():
+                    if block.name in backend.blocks:
+                        written = backend.blocks[block.name].members.keys()
                         assert held <= written <= set(names)

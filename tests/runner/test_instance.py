@@ -195,13 +195,13 @@ def test_values_have_the_reference_evaluators_form(instance: Instance) -> None:
     assert values["lamps.count"] == (0,)
     zero = (0.0, 0.0, 0.0)
     assert values["lamps"] == (((1.0,) * 3, (1.0,) * 3, zero),) * 3
-    assert list(values) == [row["name"] for row in REFLECTION["parameters"]]
+    assert list(values) == [row.name for row in REFLECTION.parameters]
 
 
 def test_bytes_lie_where_the_reflection_says(instance: Instance) -> None:
     blocks = complete(instance).blocks()
     assert {name: len(data) for name, data in blocks.items()} == {
-        row["name"]: row["size"] for row in REFLECTION["blocks"]
+        row.name: row.size for row in REFLECTION.blocks
     }
     for name, code, expected in (
         ("power", "<f", (48.0,)),

@@ -161,11 +161,11 @@ def test_a_scene_sets_no_parameter_for_its_name(name: str, declared: str) -> Non
     (material,) = burnish.compile(text, "wgsl", pass_="P").materials
     instance = material.instance()
     Scene().apply(instance, 1.0)
-    names = {row["name"] for row in material.reflection["parameters"]}
+    names = {row.name for row in material.reflection.parameters}
     own = f"P.{name}" if f"P.{name}" in names else name
     assert own not in set_by_scene(material.reflection)
-    row = next(row for row in material.reflection["parameters"] if row["name"] == own)
-    assert row["library"] is None
+    row = next(row for row in material.reflection.parameters if row.name == own)
+    assert row.library is None
 
 
 def test_a_light_s_parameters_are_set_for_what_they_are() -> None:

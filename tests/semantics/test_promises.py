@@ -20,7 +20,7 @@ AT_VERTICES = LIT.replace("= lambert", "= @vertex lambert")
 
 def promised(source: str) -> list[dict[str, Any]]:
     (material,) = burnish.compile(source, ("wgsl",)).materials
-    rows: list[dict[str, Any]] = material.reflection["promises"]
+    rows: list[dict[str, Any]] = material.reflection.promises
     return rows
 
 

@@ -80,7 +80,7 @@ def test_the_demo_compiles_with_everything_renamed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (expected,) = burnish.compile(EXAMPLE, PROFILES).materials
-    assert expected.reflection["parameters"], "made here, by the library's own names"
+    assert expected.reflection.parameters, "made here, by the library's own names"
     library = tmp_path / "library"
     shutil.copytree(LIBRARY, library)
     for path in library.glob("*.burnish"):
@@ -96,8 +96,8 @@ def test_the_demo_compiles_with_everything_renamed(
         assert WORDS.search(before.text) is None or after.text != before.text
         assert restored(after.text) == before.text
     for backend in (
-        *found.reflection["backends"].values(),
-        *expected.reflection["backends"].values(),
+        *found.reflection.backends.values(),
+        *expected.reflection.backends.values(),
     ):
         backend.pop("source_maps")  # The example lies elsewhere now.
     assert json.loads(restored(json.dumps(found.reflection))) == expected.reflection

@@ -122,10 +122,10 @@ def _prepare(path: Path) -> None:
     """Everything up to the driver, and what this checks first."""
     frame = read_frame(path, (ROUTE.profile,))
     with told_contradictions(frame):
-        tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+        tags = {row.name: row.materials for row in frame.plan.models}
         materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
         host = FrameHost(frame, in_a_row(materials, tags, "cube"), SIZE)
-        names = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
+        names = [row.name for row in frame.plan.outputs if row.texture is not None]
         codes = [_codes(shader.files) for shader in frame.shaders]
         job = frame_job(host, ROUTE, codes, names, 2)
     check_frame(from_json(FrameJob, json.loads(json.dumps(to_json(job)))))
