@@ -377,7 +377,7 @@ def _output(
 
 _RUNTIME = {
     "Instance": "instances.instance",
-    "MissingValuesError": "instances.instance",
+    "MissingValuesError": "instances.host_values",
     "ParameterError": "instances.values",
     "PictureError": "textures.kinds",
     "Texture": "textures.texture",

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.documents.drawing import VertexInputRow
+from ...compiler.documents.drawing import TextureRow, VertexInputRow
 from ...compiler.documents.plan import FramePlan
 from ...compiler.documents.reflection import Reflection
 from ...compiler.documents.values import LightRow, MemberRow, ParameterRow
@@ -58,14 +58,14 @@ class Scene:
     def apply(self, instance: HostValues, aspect: float, but: frozenset[str] = frozenset()) -> None:
         """Set all parameters and textures that belong to a scene, but those with some names;
         ``aspect`` is width divided by height."""
-        roles = value_roles(instance.reflection)
+        roles = value_roles(instance.declared)
         given = self._values(aspect)
         if _POSE in roles.values():
             given[_POSE] = self._pose()
         for name, role in roles.items():
             if role in given and name not in but:
                 instance.set(name, given[role])
-        for name, role in texture_roles(instance.reflection).items():
+        for name, role in texture_roles(instance.declared).items():
             if role in self.look.textures and name not in but:
                 instance.set(name, self.look.textures[role])
         self._place_lights(instance)
@@ -163,10 +163,11 @@ def declared_as(role: str) -> str:
     return next(name for name, own in scene_names()["parameters"].items() if own == role)
 
 
-def texture_roles(reflection: Reflection) -> dict[str, str]:
+def texture_roles(declared: Declared) -> dict[str, str]:
     """The textures for which a look may have a picture, each with what a scene calls that."""
     names = scene_names()["textures"]
-    found = ((row.name, names.get(row.library or "")) for row in reflection.textures)
+    rows = (row for row in declared.textures if isinstance(row, TextureRow))
+    found = ((row.name, names.get(row.library or "")) for row in rows)
     return {name: role for name, role in found if role is not None}
 
 
