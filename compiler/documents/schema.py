@@ -78,7 +78,7 @@ class _Schemas:
             return {"const": words[0]} if len(words) == 1 else {"enum": words}
         if origin is tuple:
             return self._list(get_args(type_))
-        if origin is not None and issubclass_of_mapping(origin):
+        if is_mapping(origin):
             return {"type": "object", "additionalProperties": self._schema(get_args(type_)[1])}
         if type_ in _SCALARS:
             return {"type": _SCALARS[type_]}
@@ -119,7 +119,7 @@ class _Schemas:
         return {"$ref": f"#/$defs/{name}"}
 
 
-def issubclass_of_mapping(origin: Any) -> bool:
+def is_mapping(origin: Any) -> bool:
     """Whether a generic type is one of mappings."""
     return isinstance(origin, type) and issubclass(origin, Mapping)
 
