@@ -282,6 +282,10 @@ class TargetRow:
     """Location."""
     format: str
     """Pixel format, ``rgba8``."""
+    encoding: Literal["linear", "srgb"]
+    """How colours are stored. The shader writes linear light. ``srgb``: the hardware encodes it,
+    and who shows the bytes as a picture shows them as they are. ``linear``: nobody has encoded it,
+    and who shows or saves it as a picture encodes it first, or it looks too dark."""
     blend: Blend | None
     """How what is drawn is blended with what is there; null where it takes its place."""
     mask: Annotated[str, Pattern("r?g?b?a?|none")]

@@ -169,6 +169,13 @@ class LightRow:
 
     name: str
     """Name in the rig."""
+    kind: str
+    """The declaration of the light: ``Spot``."""
+    library: str | None
+    """Which declaration of the library that is, ``std.lights.Spot``; null where it is none of
+    them."""
+    doc: str
+    """Doc comment of the rig's entry; empty where there is none."""
     capacity: Count | None
     """Largest number of lights of an array; null for a single light."""
     count: str | None
@@ -273,6 +280,9 @@ class BlockRow:
     """Bytes, a multiple of 16."""
     stages: tuple[str, ...]
     """Stages that read it."""
+    layout_id: str
+    """A digest of the members, with their types and offsets, and of the structs: blocks with one id
+    have the same bytes for the same values, whatever material they are of."""
     members: tuple[BlockMember, ...]
     """Members in order, padding included; they leave no gap. A text does not write padding that all
     languages leave by themselves."""

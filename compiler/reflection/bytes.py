@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from hashlib import blake2s
 
 from ..documents.values import BlockMember, BlockRow, LayoutRow, StructMember, StructRow
 from ..ir.program import Block, Program, StageName
@@ -20,6 +21,7 @@ def block_rows(program: Program) -> Iterator[BlockRow]:
 
 
 def _block_row(block: Block, stages: tuple[StageName, ...]) -> BlockRow:
+    members, structs = tuple(_member_rows(block)), tuple(map(struct_row, block.structs))
     return BlockRow(
         name=block.name,
         group=block.group,
@@ -27,9 +29,17 @@ def _block_row(block: Block, stages: tuple[StageName, ...]) -> BlockRow:
         extern=block.host is not None,
         size=block.size,
         stages=stages,
-        members=tuple(_member_rows(block)),
-        structs=tuple(map(struct_row, block.structs)),
+        layout_id=_layout_id(members, structs),
+        members=members,
+        structs=structs,
     )
+
+
+def _layout_id(members: Sequence[BlockMember], structs: Sequence[StructRow]) -> str:
+    """A digest of where everything lies."""
+    lies = [(member.name, member.type, member.offset) for member in members]
+    digest = blake2s(repr((lies, structs)).encode(), digest_size=8)
+    return digest.hexdigest()
 
 
 def _member_rows(block: Block) -> Iterator[BlockMember]:

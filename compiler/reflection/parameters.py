@@ -10,7 +10,7 @@ from ..documents.values import DerivedRow, LayoutRow, LightRow, MemberRow, Param
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Block, StoredMember
-from ..ir.shader import ParameterInfo
+from ..ir.shader import LightInfo, ParameterInfo
 from ..ir.types import Array
 from ..packing import PackedMember, Packing, packing, spread
 from .bytes import layout_row
@@ -176,19 +176,23 @@ def light_rows(parameters: Sequence[ParameterInfo]) -> tuple[LightRow, ...]:
 
     A light may have parameters of several groups, and so in several blocks.
     """
-    entries: dict[str, list[ParameterInfo]] = {}
+    entries: dict[LightInfo, list[ParameterInfo]] = {}
     for info in parameters:
-        if info.light:
+        if info.light is not None:
             entries.setdefault(info.light, []).append(info)
-    return tuple(_light_row(name, infos) for name, infos in entries.items())
+    return tuple(_light_row(light, infos) for light, infos in entries.items())
 
 
-def _light_row(name: str, infos: list[ParameterInfo]) -> LightRow:
+def _light_row(light: LightInfo, infos: list[ParameterInfo]) -> LightRow:
+    name = light.name
     array = next((info.parameter.type for info in infos if info.parameter.name == name), None)
     names = [info.parameter.name for info in infos]
     counter = f"{name}.count"
     return LightRow(
         name=name,
+        kind=light.kind,
+        library=light.library or None,
+        doc=light.doc,
         capacity=array.count if isinstance(array, Array) else None,
         count=counter if counter in names else None,
         parameters=tuple(each for each in names if each != counter),

@@ -269,6 +269,7 @@ def _target_rows(shader: Shader) -> Iterator[TargetRow]:
             representation=str(result.value.type),
             location=location,
             format=state.format,
+            encoding="srgb" if state.format.endswith("srgb") else "linear",
             blend=None if state.blend == REPLACES else state.blend,
             mask=state.mask,
             clear=state.clear,
