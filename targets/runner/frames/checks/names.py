@@ -18,6 +18,7 @@ from .....compiler.documents.plan import (
     PreviousSource,
     ResolveRow,
     ResultSource,
+    RunStep,
     Source,
     ValueRow,
     ValueSource,
@@ -183,6 +184,8 @@ class _Names:
             self._check_settings(where, step)
             for drawn in step.draws:
                 self._check_drawn(where, step, drawn)
+        if isinstance(step, RunStep) and step.use.material is not None:
+            self._fail(where, f"it is a kernel, and has the material `{step.use.material}`")
         if isinstance(step, CopyStep):
             for end in (step.copied, step.into):
                 self._one_of(where, "result", end.result, self._results)
