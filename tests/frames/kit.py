@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import burnish
 from burnish.api import CompiledFrame
+from burnish.compiler.documents.plan import InputRow, PlanStep
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total
 from burnish.targets.runner.frames.scenery import in_a_row
@@ -34,11 +34,9 @@ def of_text(text: str) -> CompiledFrame:
     return frame
 
 
-def inputs_of(step: dict[str, Any]) -> list[dict[str, Any]]:
+def inputs_of(step: PlanStep) -> list[InputRow]:
     """What the frame sets in a step of a plan."""
-    own: list[dict[str, Any]] = step.get("inputs", [])
-    uses = [use for drawn in step.get("draws", []) for use in drawn["uses"]]
-    return [*own, *(row for use in uses for row in use["inputs"])]
+    return [row for use in step.uses for row in use.inputs]
 
 
 def memory_share(frame: CompiledFrame, size: tuple[int, int] = (512, 512)) -> float:

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from burnish.compiler.documents.plan import DrawStep, PlanStep
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
-from burnish.targets.runner.frames.host import FrameHost, Row
+from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 
 from .kit import FOLDER, compiled
@@ -23,10 +24,10 @@ class Steps(ReferenceFrames):
         super().__init__(host)
         self.left: dict[str, Floats] = {}
 
-    def _step(self, step: Row, is_first: bool) -> None:
+    def _step(self, step: PlanStep, is_first: bool) -> None:
         super()._step(step, is_first)
-        for row in step.get("targets", ()):
-            self.left[row["result"]] = self.textures[row["texture"]].levels[0][0, 0].copy()
+        for row in step.targets if isinstance(step, DrawStep) else ():
+            self.left[row.result] = self.textures[row.texture].levels[0][0, 0].copy()
 
 
 class Drawn:
