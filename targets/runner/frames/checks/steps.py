@@ -26,7 +26,7 @@ def check_steps(where: str, steps: Sequence[StepRow]) -> None:
             raise PlanError(f"{where}: step {number} has {step.bound} terms")
         if not all(0 <= each < number for each in step.args):
             args = step.args
-            told = args if len(args) <= MOST_SAID else f"{len(args)} steps"
+            told = list(args) if len(args) <= MOST_SAID else f"{len(args)} steps"
             raise PlanError(
                 f"{where}: step {number} is computed of {told}, which do not stand before it"
             )
