@@ -151,7 +151,7 @@ def _scalar(type_: Any) -> Reader:
     wanted, kinds = _SCALARS[type_]
 
     def read_scalar(value: Any, place: Place, found: Found) -> Any:
-        if type(value) not in kinds or (type(value) is float and not isfinite(value)):
+        if type(value) not in kinds or not _is_of_json(value):
             found.add(place, f"{shown(value)} is not {wanted}")
         return value
 
@@ -218,7 +218,7 @@ def _nested(constraint: Nested) -> Reader:
             return tuple([read_nested(each, (place, n), found) for n, each in enumerate(value)])
         if isinstance(value, dict) and constraint.objects:
             return {key: read_nested(each, (place, key), found) for key, each in value.items()}
-        if type(value) not in _OF_VALUES:
+        if type(value) not in _OF_VALUES or not _is_of_json(value):
             found.add(place, f"{shown(value)} is no part of a value")
         return value
 
@@ -226,6 +226,11 @@ def _nested(constraint: Nested) -> Reader:
 
 
 _OF_VALUES = frozenset((bool, int, float, type(None)))
+
+
+def _is_of_json(value: Any) -> bool:
+    """Whether JSON can have a scalar: it has no numbers that are infinite or none."""
+    return type(value) is not float or isfinite(value)
 
 
 # --- records and alternatives --------------------------------------------------------------------

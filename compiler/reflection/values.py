@@ -6,6 +6,7 @@ nests as deeply as the expression does; a host evaluates the list in one loop.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from ..documents.steps import STEPS, StepRow
@@ -19,14 +20,17 @@ def steps(value: Node) -> tuple[StepRow, ...]:
     operation that no host computes."""
     nodes = reachable([value])
     numbers = {node.id: number for number, node in enumerate(nodes)}
-    return tuple(
-        STEPS[node.op](
-            op=node.op,
-            type=str(node.type),
-            args=tuple([numbers[operand.id] for operand in node.operands]),
-            **_data(node),
-        )
-        for node in nodes
+    return tuple(_step(node, numbers) for node in nodes)
+
+
+def _step(node: Node, numbers: Mapping[int, int]) -> StepRow:
+    if node.op not in STEPS:
+        raise ValueError(f"a host cannot compute {node.op}")
+    return STEPS[node.op](
+        op=node.op,
+        type=str(node.type),
+        args=tuple([numbers[operand.id] for operand in node.operands]),
+        **_data(node),
     )
 
 
@@ -36,8 +40,6 @@ def _data(node: Node) -> dict[str, Any]:
         return {}
     if isinstance(node.data, Folding):
         return {"operator": node.data.operator, "bound": node.data.bound}
-    if node.op not in KEYS:
-        raise ValueError(f"a host cannot compute {node.op}")
     if isinstance(node.data, Parameter | Resource):
         return {KEYS[node.op]: node.data.name}
     return {KEYS[node.op]: node.data}

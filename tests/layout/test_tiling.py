@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 import burnish
 from burnish.api import variants
+from burnish.compiler.documents.values import BlockMember, StructMember
 from burnish.tests.examples.kit import EXAMPLES
 
 TARGETS = (
@@ -17,13 +17,13 @@ TARGETS = (
 )  # fmt: skip
 
 
-def tiled(members: Iterable[Mapping[str, Any]], size: int) -> bool:
+def tiled(members: Iterable[BlockMember | StructMember], size: int) -> bool:
     """Whether each member begins where the one before it ends, and the last one at the end."""
     end = 0
     for member in members:
-        if member["offset"] != end:
+        if member.offset != end:
             return False
-        end += member["size"]
+        end += member.size
     return end == size and size % 16 == 0
 
 
