@@ -262,8 +262,8 @@ class VaryingRow:
     """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
     location: Count
     """Location."""
-    mode: Literal["perspective", "flat"]
-    """Interpolation."""
+    mode: Literal["perspective", "flat", "corner"]
+    """Interpolation. ``corner``: there is none, since the next stage reads each corner."""
     from_stage: str
     """The stage that computes it, ``vertex``."""
     to_stage: str

@@ -16,6 +16,7 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
+from burnish.compiler.documents.drawing import MeshInputRow
 from burnish.compiler.ir import build
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.stages import VERTEX
@@ -144,7 +145,7 @@ def _first_element(patch: pytest.MonkeyPatch, _folder: Path) -> None:
 
 
 def _other_corners(
-    wanted: dict[str, Any], data: Any, corners: Indices, copies: int
+    wanted: MeshInputRow, data: Any, corners: Indices, copies: int
 ) -> np.ndarray[Any, Any]:
     return _values(wanted, data, np.roll(corners, 1, axis=1), copies)
 

@@ -23,7 +23,7 @@ from burnish.targets.runner.frames.checks.shaders import check_shaders
 
 from ..diagnostics.test_growth import calls
 from ..fuzz.hostile.plans import received
-from .growing import Growing, grown, growing
+from .growing import Growing, growing, grown
 from .kit import of_text
 
 FRAME = received("reaction")

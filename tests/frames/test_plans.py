@@ -123,7 +123,7 @@ def without_waiting(path: Place, place: dict[str, Any]) -> Iterator[Change]:
 
 def places_of_sources(number: int, step: dict[str, Any]) -> Iterator[tuple[Place, dict[str, Any]]]:
     """What the inputs of a step are set to, and where that stands in the plan."""
-    uses = [
+    uses: list[tuple[Place, Any]] = [
         (("steps", number, "draws", d, "uses", u), use)
         for d, drawn in enumerate(step.get("draws", []))
         for u, use in enumerate(drawn["uses"])

@@ -70,4 +70,5 @@ def state(instance: Instance) -> dict[str, Any]:
 def at(name: str) -> tuple[str, int]:
     """Block and offset of a parameter."""
     (row,) = (row for row in REFLECTION.parameters if row.name == name)
+    assert row.block is not None and row.offset is not None
     return row.block, row.offset

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import (
     BONES,
@@ -132,7 +130,7 @@ def test_a_mesh_without_instances_is_refused() -> None:
         set_up(material.instance(), mesh("plane"), Scene(), (8, 8))
 
 
-def _crowd(reflection: Mapping[str, Any], count: int) -> Mesh:
+def _crowd(reflection: Reflection, count: int) -> Mesh:
     return with_inputs(reflection, mesh("cube"), count)
 
 

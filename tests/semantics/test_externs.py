@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.compiler.documents.backends import BindingRow, BlockBindingRow
 from burnish.compiler.ir.types import Array, Vector
 
 from .kit import color, shader
@@ -87,11 +88,10 @@ def test_our_own_blocks_keep_out_of_the_way() -> None:
     """
     (compiled,) = burnish.compile(text, ("wgsl",))
     (backend,) = compiled.reflection.backends.values()
-    places = [
-        (row["group"], row["binding"])
-        for kind in ("blocks", "textures", "samplers")
-        for row in backend[kind].values()
-    ]
+    rows: list[BindingRow | BlockBindingRow] = [
+        *backend.blocks.values(), *backend.textures.values(), *backend.samplers.values()
+    ]  # fmt: skip
+    places = [(row.group, row.binding) for row in rows]
     assert len(set(places)) == len(places)
     assert {(2, 0), (0, 1)} <= set(places)
     assert len(compiled.reflection.blocks) == len(backend.blocks)

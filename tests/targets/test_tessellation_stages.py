@@ -134,6 +134,7 @@ LINES = "material M { tessellate isoline by 4 { } }"
 def test_lines_are_drawn_with_the_stages_and_without(native: bool, topology: str) -> None:
     (material,) = burnish.compile(LINES, "glsl:vulkan", native_stages=native).materials
     draw = material.reflection.draw
+    assert draw.tessellation is not None
     assert (draw.topology, draw.tessellation.kind) == (topology, "isoline")
     assert (CONTROL in material.shader.chain) == native
 
@@ -162,6 +163,7 @@ def test_what_a_host_draws_where_parts_of_patches_are_expanded(
     draw = made.reflection.draw
     assert (draw.primitive, draw.corners) == ("patch", 3)
     assert draw.topology == ("patch" if native else "triangle")
+    assert draw.tessellation is not None
     assert draw.tessellation.divided_by == ("evaluation" if native else "instances")
     assert draw.expanded_by == ("geometry" if native else "instances")
     assert draw.vertices == vertices
