@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import pytest
 
 import burnish
+from burnish.compiler.documents.backends import BindingRow
 from burnish.frozen import changed
 from burnish.targets.legalise.bindings import BindingSlot, assign_bindings
 from tests.targets.kit import PROFILES, Selected
@@ -118,5 +118,5 @@ def test_groups_of_the_users_share_a_set(selected: Selected) -> None:
     assert {group for group, _ in every} <= {0, 1, 2, 3}
 
 
-def _places(rows: Mapping[str, Any]) -> list[tuple[int, int]]:
-    return [(row["group"], row["binding"]) for row in rows.values()]
+def _places(rows: Mapping[str, BindingRow]) -> list[tuple[int | None, int | None]]:
+    return [(row.group, row.binding) for row in rows.values()]

@@ -13,6 +13,7 @@ import pytest
 
 import burnish
 from burnish import Instance, ParameterError
+from burnish.compiler.documents.writing import to_json
 
 from ..suite.processes import run
 from .instance_kit import REFLECTION, at, complete, state
@@ -231,7 +232,7 @@ for name in ("numpy", "PIL", "lark", "burnish.compiler.semantics"):
 def test_blocks_need_neither_numpy_nor_the_compiler() -> None:
     source = "material M { param a : float = 1  color = vec3(uv.x * cos(a)) }"
     reflection = burnish.compile(source, ("wgsl",))["M"].reflection
-    run([sys.executable, "-c", LEAN], text=json.dumps(reflection), check=True)
+    run([sys.executable, "-c", LEAN], text=json.dumps(to_json(reflection)), check=True)
 
 
 def test_a_light_is_found_in_its_rig_whatever_the_material_calls_so() -> None:
