@@ -11,7 +11,7 @@ unpickled faster, because nothing goes through ``__setattr__``.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from operator import attrgetter
 from types import CodeType, FunctionType, MappingProxyType
 from typing import Any, TypeVar, cast, dataclass_transform, overload
@@ -109,6 +109,8 @@ def _slotted(
         made.__new__ = _interning(made, defaults, kw_only)
     else:
         made.__init__ = _on_first_use(made, defaults, kw_only)
+    if kw_only:
+        made.__reduce__ = _reduced_by_name
     kind: type[T] = made
     return kind
 
@@ -216,6 +218,11 @@ def _shown(self: Any) -> str:
 
 def _reduced(self: Any) -> tuple[Any, ...]:
     return type(self), _values(self)
+
+
+def _reduced_by_name(self: Any) -> tuple[Any, ...]:
+    fields = dict(zip(self.__match_args__, _values(self), strict=True))
+    return partial(type(self), **fields), ()
 
 
 def _values(self: Any) -> tuple[Any, ...]:

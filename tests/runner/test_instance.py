@@ -216,7 +216,7 @@ def test_bytes_lie_where_the_reflection_says(instance: Instance) -> None:
 
 
 def test_a_reflection_from_a_file_serves_as_well(instance: Instance) -> None:
-    read = Instance(json.loads(json.dumps(REFLECTION)))
+    read = Instance(json.loads(json.dumps(to_json(REFLECTION))))
     assert complete(read).blocks() == complete(instance).blocks()
 
 
