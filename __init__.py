@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         compile,
     )
     from .compiler.diagnostics.diagnostic import CompileError, Diagnostic
+    from .compiler.documents.writing import to_json
 
 __version__ = "0.1.0"
 __all__ = [
@@ -45,6 +46,7 @@ __all__ = [
     "__version__",
     "check",
     "compile",
+    "to_json",
 ]
 
 
@@ -54,6 +56,10 @@ def __getattr__(name: str) -> Any:
         from .compiler.diagnostics import diagnostic
 
         return getattr(diagnostic, name)
+    if name == "to_json":
+        from .compiler.documents import writing
+
+        return writing.to_json
     if name in __all__:
         from . import api
 

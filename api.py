@@ -43,7 +43,8 @@ from .targets.legalise.limits import Lack, excesses, lacks
 from .targets.selection import DEFAULT, full_name, select_targets
 
 if TYPE_CHECKING:
-    from .targets.runner.instances.instance import Instance, MissingValuesError
+    from .targets.runner.instances.host_values import MissingValuesError
+    from .targets.runner.instances.instance import Instance
     from .targets.runner.instances.values import ParameterError
     from .targets.runner.textures.kinds import PictureError
     from .targets.runner.textures.texture import Texture
@@ -376,7 +377,7 @@ def _output(
 
 _RUNTIME = {
     "Instance": "instances.instance",
-    "MissingValuesError": "instances.instance",
+    "MissingValuesError": "instances.host_values",
     "ParameterError": "instances.values",
     "PictureError": "textures.kinds",
     "Texture": "textures.texture",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .compiler.diagnostics.diagnostic import Diagnostic
 from .compiler.diagnostics.source import Source, Span
@@ -22,11 +22,13 @@ from .garbage import seldom_collected
 from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.emitter import Emission
-from .targets.emit.reflection import backend_table
+from .targets.emit.reflection import backend_row
 from .targets.legalise.forms import form_for
 from .targets.selection import full_name
 
 if TYPE_CHECKING:
+    from .compiler.documents.plan import FramePlan
+    from .compiler.documents.reflection import Reflection
     from .compiler.ir.program import StageName
     from .compiler.passes.proofs import Proof
     from .targets.legalise.legal import Legal
@@ -95,14 +97,15 @@ class CompiledMaterial:
 
     @cached_property
     @seldom_collected
-    def reflection(self) -> dict[str, Any]:
-        """What a host needs to bind, as data for JSON (``compiler/reflection`` has the schema)."""
+    def reflection(self) -> Reflection:
+        """What a host needs to bind; ``to_json`` makes data for JSON of it."""
         from .compiler.reflection import reflect
 
-        tables = {
-            full_name(legal.language, legal.profile): backend_table(
+        rows = {
+            full_name(legal.language, legal.profile): backend_row(
                 legal.program, legal.language, legal.profile, emission,
                 self._files(legal.language, legal.profile),
+                front=self.shader.render_state.front,
                 flip_y=full_name(legal.language, legal.profile) in self._flipped,
                 source_maps=self._source_maps(legal.language, legal.profile),
             )
@@ -115,7 +118,7 @@ class CompiledMaterial:
             self.shader,
             parameters=last.parameters, attributes=last.attributes, buffers=last.buffers,
         )  # fmt: skip
-        return reflect(bound, self._staged.program, tables, derived)
+        return reflect(bound, self._staged.program, rows, derived)
 
     @property
     def staged(self) -> Staged:
@@ -180,18 +183,17 @@ class CompiledFrame:
         return f"<CompiledFrame {self.name}: {', '.join(shader.name for shader in self.shaders)}>"
 
     @cached_property
-    def plan(self) -> dict[str, Any]:
-        """What a host does to draw the frame, as data for JSON (``compiler/reflection`` has the
-        schema)."""
+    def plan(self) -> FramePlan:
+        """What a host does to draw the frame; ``to_json`` makes data for JSON of it."""
         return self._planned(shares=True)
 
     @cached_property
-    def plan_of_reference(self) -> dict[str, Any]:
+    def plan_of_reference(self) -> FramePlan:
         """What ``conform`` has the reference do: every result has a texture of its own, so that
         nothing that is wrong with ``plan`` is wrong here as well."""
         return self._planned(shares=False)
 
-    def _planned(self, *, shares: bool) -> dict[str, Any]:
+    def _planned(self, *, shares: bool) -> FramePlan:
         from .compiler.planning.plan import plan
         from .compiler.reflection.plan import plan_document
 

@@ -11,13 +11,16 @@ unpickled faster, because nothing goes through ``__setattr__``.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from operator import attrgetter
 from types import CodeType, FunctionType, MappingProxyType
 from typing import Any, TypeVar, cast, dataclass_transform, overload
 from weakref import WeakValueDictionary
 
 T = TypeVar("T")
+
+DEFAULTS = "__field_defaults__"
+"""The attribute of a class of records that has the defaults of its fields by name."""
 
 EMPTY: Any = MappingProxyType({})
 """The default of a field whose type is ``Mapping``."""
@@ -98,7 +101,7 @@ def _slotted(
         slots.append("__weakref__")
     if any(isinstance(member, cached_property) for member in members.values()):
         slots.append("__dict__")  # Where cached values are kept.
-    own = {"__slots__": tuple(slots), "__match_args__": names}
+    own = {"__slots__": tuple(slots), "__match_args__": names, DEFAULTS: defaults}
     compared = _by_value(names) if eq else {}
     made: Any = type(cls.__name__, cls.__bases__, compared | shared | members | own)
     made.__qualname__ = cls.__qualname__
@@ -106,6 +109,8 @@ def _slotted(
         made.__new__ = _interning(made, defaults, kw_only)
     else:
         made.__init__ = _on_first_use(made, defaults, kw_only)
+    if kw_only:
+        made.__reduce__ = _reduced_by_name
     kind: type[T] = made
     return kind
 
@@ -213,6 +218,11 @@ def _shown(self: Any) -> str:
 
 def _reduced(self: Any) -> tuple[Any, ...]:
     return type(self), _values(self)
+
+
+def _reduced_by_name(self: Any) -> tuple[Any, ...]:
+    fields = dict(zip(self.__match_args__, _values(self), strict=True))
+    return partial(type(self), **fields), ()
 
 
 def _values(self: Any) -> tuple[Any, ...]:

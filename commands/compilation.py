@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .compile_options import Request
 from .console import rendered, show
@@ -17,6 +17,8 @@ from .terminal import print_output
 if TYPE_CHECKING:
     from ..compiled import CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
+    from ..compiler.documents.plan import FramePlan
+    from ..compiler.documents.reflection import Reflection
 
 
 def succeeds(request: Request, question: Question | None) -> bool:
@@ -83,7 +85,7 @@ def _output(request: Request, result: CompileResult) -> Output:
     for frame in result.frames:
         plan = f"{frame.name}.plan.json"
         plans[plan] = _as_json(frame.plan)
-        count = len(frame.plan["steps"])
+        count = len(frame.plan.steps)
         steps = "1 step" if count == 1 else f"{count} steps"
         lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
     lines += _remarks_on_languages(result)
@@ -127,7 +129,9 @@ def _insist_on_acceptance(result: CompileResult) -> None:
     show(found)
 
 
-def _as_json(document: dict[str, Any]) -> str:
+def _as_json(document: Reflection | FramePlan) -> str:
     import json
 
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+    from ..compiler.documents.writing import to_json
+
+    return json.dumps(to_json(document), indent=2, ensure_ascii=False) + "\n"

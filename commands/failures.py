@@ -36,7 +36,7 @@ def drawing_errors() -> tuple[type[Exception], ...]:
     from ..targets.runner.feeding import FeedError
     from ..targets.runner.files import FileError
     from ..targets.runner.frames.checking import PlanError
-    from ..targets.runner.instances.instance import MissingValuesError
+    from ..targets.runner.instances.host_values import MissingValuesError
     from ..targets.runner.instances.values import ParameterError
     from ..targets.runner.kernels import UndrawableError
     from ..targets.runner.meshes import MeshError

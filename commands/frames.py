@@ -8,10 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
+from ..compiler.documents.plan import FramePlan
 from .console import remark, say, show
 from .failures import fail
 from .frame_files import Shown, check_kept, write_pictures
@@ -148,18 +149,18 @@ def _by_reference(
 ) -> Iterator[dict[str, Floats]]:
     from ..targets.runner.frames.by_reference import ReferenceFrames
 
-    outputs = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
+    outputs = [row.name for row in host.plan.outputs if row.texture is not None]
     drawing = ReferenceFrames(host)
     for number in range(request.frames):
         drawing.draw(_within(progress, number, request.frames))
         yield {name: drawing.output(name).levels[0][0] for name in outputs}
 
 
-def scenery_of(plan: Mapping[str, Any], mesh: str, scene: Path | None) -> Scenery:
+def scenery_of(plan: FramePlan, mesh: str, scene: Path | None) -> Scenery:
     """What there is to draw: a model of each material with a mesh, or the objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
 
-    tags = {row["name"]: row["materials"] for row in plan["models"]}
+    tags = {row.name: row.materials for row in plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
     if scene is None:
         return in_a_row(materials, tags, mesh)
@@ -194,7 +195,7 @@ def _host(frame: PlannedFrame, request: Request, scenery: Scenery) -> FrameHost:
 
 def frame_outputs(frame: PlannedFrame, wanted: str | None) -> list[str]:
     """The outputs to show: the named one, or all that are pictures."""
-    names = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
+    names = [row.name for row in frame.plan.outputs if row.texture is not None]
     if wanted is None:
         if not names:
             fail(f"{frame.name} has no output that is a picture")

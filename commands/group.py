@@ -25,6 +25,7 @@ COMMANDS = (
     "targets",
     "doctor",
     "explain",
+    "schema",
 )
 """The modules of the commands, each of which calls itself so. Only the one asked for is loaded; if
 there is none of that name, all are, because click suggests a command from those it knows."""

@@ -35,7 +35,7 @@ def feed(kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[st
     feeding = Feeding(kernels, drawn, again)
     for instance in drawn:
         for name in feeding.unfed(instance):
-            material = instance.reflection["material"]
+            material = instance.reflection.material
             remark("note", (
                 f"`{name}` of {material} has no elements: a kernel with `result {name} : …` in the "
                 f"same file makes some, or --set {name}=FILE.json"
@@ -47,5 +47,5 @@ def _tell_how_to_draw(kernels: Sequence[Kernel]) -> None:
     kernel = kernels[0]
     name, row = next(iter(kernel.results.items()))
     fail(f"{kernel.name} is a kernel over buffers, which draws nothing\n"
-         f"  = help: a material in the same file that reads `buffer {name} : {row['type']}` is "
+         f"  = help: a material in the same file that reads `buffer {name} : {row.type}` is "
          f"drawn with what {kernel.name} writes")  # fmt: skip

@@ -119,7 +119,7 @@ def _panel(
 
     reflection = subject.material.reflection
     number = target_number(reflection, wanted)
-    lanes = _LANES[reflection["targets"][number]["representation"]]
+    lanes = _LANES[reflection.targets[number].representation]
     shown = to_image(targets[number], lanes=lanes)
     return Panel(titles, note, shown, numbers=targets[number], lanes=lanes)
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
+from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
+from ..compiler.documents.reflection import Reflection
 from .console import remark, show
 from .failures import fail
 from .kernels import feed, kernels_of
@@ -105,16 +106,16 @@ def subjects(
     return [Subject(titles, material, _sized(state)) for titles, material, state in found]
 
 
-def target_number(reflection: Mapping[str, Any], wanted: str | None) -> int:
+def target_number(reflection: Reflection, wanted: str | None) -> int:
     """The number of the render target to show; ends the command if there is none of this name."""
-    names = [row["name"] for row in reflection["targets"]]
+    names = [row.name for row in reflection.targets]
     if wanted is None:
         return 0
     if wanted not in names:
         from ..compiler.diagnostics.nearest import suggestion
 
         hint = suggestion(wanted, names) or f"there are {', '.join(names)}"
-        fail(f"{reflection['material']} has no render target `{wanted}`: {hint}")
+        fail(f"{reflection.material} has no render target `{wanted}`: {hint}")
     return names.index(wanted)
 
 
@@ -151,7 +152,7 @@ def _all_of_file(
     """What a file declares. If a material is named, the rest is only needed for its buffers."""
     from .. import api
 
-    if request.material is None or not any(each.reflection["buffers"] for each in compiled):
+    if request.material is None or not any(each.reflection.buffers for each in compiled):
         return compiled
     return api.compile(request.file, (), rig=request.rig, search_path=request.search_path)
 
@@ -181,7 +182,7 @@ def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
     return set_up(instance, mesh, scene, request.size, background=background)
 
 
-def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float]) -> Mesh:
+def _mesh(reflection: Reflection, request: Request, eye: Sequence[float]) -> Mesh:
     """The named mesh with all inputs that the material reads; sorted by depth if it blends."""
     from ..targets.runner.meshes import farthest_first, mesh
     from ..targets.runner.scene import with_inputs
@@ -191,10 +192,10 @@ def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float])
     made_up = [f"`{channel}`" for channel in whole.channels if channel not in plain.channels]
     if made_up:
         remark("note", (
-            f"no mesh here has {', '.join(made_up)}: {reflection['material']} is drawn with "
+            f"no mesh here has {', '.join(made_up)}: {reflection.material} is drawn with "
             "smooth waves in place of them"
         ))  # fmt: skip
-    blends = any(row["blend"] is not None for row in reflection["targets"])
+    blends = any(row.blend is not None for row in reflection.targets)
     return farthest_first(whole, eye) if blends else whole
 
 
@@ -224,23 +225,23 @@ def set_pictures(instances: Sequence[Instance], size: tuple[int, int]) -> None:
 
     for instance in instances:
         reflection = instance.reflection
-        for row in reflection["textures"] if has_images(reflection) else ():
-            is_picture = (row["dimension"], row["sample"]) == ("2d", "float")
-            if is_picture and instance.get(row["name"]) is None:
-                instance.set(row["name"], chart(size))
+        for row in reflection.textures if has_images(reflection) else ():
+            is_picture = (row.dimension, row.sample) == ("2d", "float")
+            if is_picture and instance.get(row.name) is None:
+                instance.set(row.name, chart(size))
                 remark("note", (
-                    f"`{row['name']}` of {reflection['material']} is a test chart: "
-                    f"--set {row['name']}=PICTURE sets another"
+                    f"`{row.name}` of {reflection.material} is a test chart: "
+                    f"--set {row.name}=PICTURE sets another"
                 ))  # fmt: skip
 
 
 def tell_unmade(instances: Sequence[Instance]) -> None:
     """Tell of textures that lights bring to frames, and that nobody has set here."""
     unmade = {
-        row["name"]: row["default"]
+        row.name: row.default
         for instance in instances
-        for row in instance.reflection["textures"]
-        if row["brought"] and row["stages"] and instance.get(row["name"]) is None
+        for row in instance.reflection.textures
+        if row.brought and row.stages and instance.get(row.name) is None
     }
     for name, default in unmade.items():
         remark("note", (
@@ -262,7 +263,7 @@ def _sized(state: SceneState) -> SceneState:
         fail(str(error))
     if max(sized.width, sized.height) > LARGEST:
         size = f"{sized.width} x {sized.height}"
-        fail(f"the images of {reflection['material']} have {size} texels: a side has {LARGEST} at "
+        fail(f"the images of {reflection.material} have {size} texels: a side has {LARGEST} at "
              "most")  # fmt: skip
     return sized
 
@@ -272,7 +273,7 @@ def _insist_on_values(instances: Sequence[Instance]) -> None:
     lacking = [instance for instance in instances if instance.missing]
     if not lacking:
         return
-    from ..targets.runner.instances.instance import MissingValuesError
+    from ..targets.runner.instances.host_values import MissingValuesError
 
     said = {}
     for instance in lacking:

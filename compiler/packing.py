@@ -8,6 +8,8 @@ bytes after lane 0. All lanes are little-endian and 32 bits wide.
 
 from __future__ import annotations
 
+from typing import Literal
+
 from ..frozen import changed, frozen
 from .ir.storage import (
     ROW,
@@ -18,7 +20,10 @@ from .ir.storage import (
     stored_element,
     stored_type,
 )
-from .ir.types import Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector, width
+from .ir.types import Array, Matrix, Scalar, Struct, Type, Vector, width
+
+LaneKind = Literal["float", "int", "uint"]
+"""What a lane is written as; bools are uints 0 and 1."""
 
 
 @frozen
@@ -30,7 +35,7 @@ class Packing:
     stored: Type
     size: int
     """The number of bytes of the stored form, including padding."""
-    kind: ScalarKind | None
+    kind: LaneKind | None
     """The type that a lane is written as: a bool is the uint 0 or 1. ``None`` for structs."""
     lanes: int
     """The number of lanes of a scalar, a vector or a matrix's column; 0 for structs."""
@@ -122,6 +127,6 @@ def _members(struct: Struct) -> tuple[PackedMember, ...]:
     )
 
 
-def _kind(stored: Type) -> ScalarKind:
+def _kind(stored: Type) -> LaneKind:
     assert isinstance(stored, Scalar | Vector) and stored.kind != "bool"
     return stored.kind

@@ -201,7 +201,7 @@ class _Making:
             # A name that begins with a dash would be taken for an option.
             before = "./" if self._file.name.startswith("-") else ""
             frames = [each for _label, each in compiled if isinstance(each, CompiledFrame)]
-            evolves = any(frame.plan["kept"] for frame in frames)
+            evolves = any(frame.plan.kept for frame in frames)
             output = f"{before}{self._file.stem}{'.webp' if evolves else '.png'}"
             words = [f"{before}{self._file.name}", "-o", output]
             if evolves:

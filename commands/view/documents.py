@@ -178,7 +178,7 @@ class Documents:
                 "mesh": chosen.mesh if has_mesh else None,
             },
             "meshes": list(MESHES) if has_mesh else [],
-            "doc": frame.plan["doc"],
+            "doc": frame.plan.doc,
             "controls": [{**row, "picture": given.get(row["name"])} for row in controls(host)],
             "orbit": orbit(host.scenery),
             "package": frame_package(host, (choice.profile,)),
@@ -279,8 +279,8 @@ class Documents:
 
     def _kernels(self, host: FrameHost, chosen: Choice) -> list[Kernel]:
         """The other kernels of the file, if what is shown reads buffers, which they may write."""
-        rows = (row for each in host.instances for row in each.reflection["buffers"])
-        if not any(row["stages"] for row in rows):
+        rows = (row for each in host.instances for row in each.reflection.buffers)
+        if not any(row.stages for row in rows):
             return []
         request = self._request
         compiled = api.compile(request.file, (), rig=chosen.rig, search_path=request.search_path)
@@ -332,7 +332,7 @@ def _takes_mesh(frame: FrameSubject) -> bool:
     """Whether a mesh of the page's choice is drawn, or captured."""
     from ...targets.runner.frames.single import SingleFrame, captures
 
-    return bool(frame.plan["models"]) or (isinstance(frame, SingleFrame) and captures(frame))
+    return bool(frame.plan.models) or (isinstance(frame, SingleFrame) and captures(frame))
 
 
 def _wanted(host: FrameHost, name: str) -> Wanted | None:

@@ -45,8 +45,12 @@ class BlendEquation:
     """
 
     source: Factor = "one"
+    """By what the colour that is drawn is multiplied: ``src`` is what is drawn, ``dst`` what is
+    there, and ``constant`` what the host sets for the whole pass."""
     destination: Factor = "zero"
+    """By what the colour that is there is multiplied."""
     operation: Operation = "add"
+    """How the products are joined: ``subtract`` takes the second one from the first."""
 
     @property
     def factors(self) -> tuple[Factor, Factor]:

@@ -12,6 +12,7 @@ from typing import Literal
 from ...frozen import frozen, record
 from ..diagnostics.source import Span
 from .node import Node
+from .render_state import Samples
 from .shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
 
 ImageDimension = Literal["2d", "2d_array", "cube"]
@@ -56,7 +57,7 @@ class Image:
     levels: int
     doc: str
     span: Span
-    samples: int = 1
+    samples: Samples = 1
     """How many samples each pixel has while steps draw to it. Who reads it finds their mean; depths
     of several samples cannot be read."""
 

@@ -6,9 +6,10 @@ draws by it.
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from ...frozen import frozen
+from ..constraints import Range
 
 Cull = Literal["none", "back", "front"]
 """Which faces are not drawn."""
@@ -16,7 +17,8 @@ Winding = Literal["counter_clockwise", "clockwise"]
 """How the corners of a face go around if its front is seen."""
 Fill = Literal["faces", "lines"]
 """What is drawn of a face: all of it, or its edges."""
-SAMPLES = (1, 4)
+Samples = Literal[1, 4]
+SAMPLES: tuple[Samples, ...] = (1, 4)
 """How many samples a pixel may have: every API has these two."""
 Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
@@ -36,6 +38,8 @@ whether two depths are the same number."""
 
 STENCIL_MOST = 255
 """The largest stencil value: all APIs have eight bits."""
+StencilValue = Annotated[int, Range(0, STENCIL_MOST)]
+"""Eight bits."""
 MOST_BIAS = 1 << 24
 """The largest bias in steps, up to which floats count them without gaps."""
 
@@ -46,15 +50,20 @@ class DepthState:
     faces are moved away from the eye before."""
 
     compare: Compare = "less"
+    """How the depth of a fragment, on the left, has to compare with the one that is there, so that
+    it is drawn."""
     write: bool = True
-    clear: float = 1.0
+    """Whether the depths of the fragments that are drawn are kept."""
+    clear: Annotated[float, Range(0, 1)] = 1.0
     """What depths are before anything is drawn."""
     bias: int = 0
-    """In steps of the format, as it has them at the farthest corner of the face."""
+    """In steps of the format, as it has them at the farthest corner of the face. Lines of a mesh
+    are never moved."""
     slope_bias: float = 0.0
     """In times of what the depth changes from one pixel to the next."""
     bias_clamp: float = 0.0
-    """How far both together move at most; 0 for any distance."""
+    """How far both together move at most if it is positive, or at least if it is negative; 0 for
+    any distance."""
 
     @property
     def is_used(self) -> bool:
@@ -97,10 +106,13 @@ class StencilState:
 
     front: StencilSide = StencilSide()
     back: StencilSide = StencilSide()
-    reference: int = 0
-    read_mask: int = STENCIL_MOST
-    write_mask: int = STENCIL_MOST
-    """The bits that are compared, and those that are written."""
+    """Lines have no back."""
+    reference: StencilValue = 0
+    """What values are compared with, and what ``replace`` writes."""
+    read_mask: StencilValue = STENCIL_MOST
+    """The bits that are compared."""
+    write_mask: StencilValue = STENCIL_MOST
+    """The bits that are written."""
 
     @property
     def writes(self) -> bool:
@@ -130,7 +142,7 @@ class RenderState:
     invariant: bool | None = None
     """Whether all shaders that compute a position in the same way get the same one, to the last
     bit; ``None`` where the pass leaves that to what its depths are compared for."""
-    samples: int = 1
+    samples: Samples = 1
     """At how many places of a pixel it is decided what is seen there, one of ``SAMPLES``."""
     depth: DepthState = DepthState()
     stencil: StencilState = StencilState()

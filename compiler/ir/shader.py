@@ -26,6 +26,19 @@ ConstantValue = float | int | bool | tuple["ConstantValue", ...]
 
 
 @frozen
+class LightInfo:
+    """An entry of a rig: a light, or an array of lights."""
+
+    name: str
+    """As a host says it: ``torch``, or ``Studio.torch`` where something else has this name."""
+    kind: str
+    """The declaration of the light: ``Spot``."""
+    library: str
+    """Which declaration of the library that is, ``std.lights.Spot``; empty for others."""
+    doc: str
+
+
+@frozen
 class ParameterInfo:
     """A declared parameter, with everything that a host or an editor may show."""
 
@@ -38,7 +51,7 @@ class ParameterInfo:
     span: Span
     members: tuple[ParameterInfo, ...] = ()
     """Of a structure, or of an array's elements: one row for each member."""
-    light: str = ""
+    light: LightInfo | None = None
     """The rig's entry that it belongs to."""
     library: str = ""
     """Which declaration of the library it is: ``std.file.Record.name``; empty for others."""
@@ -141,7 +154,7 @@ class RenderTarget:
     have equally many."""
     mask: Mask = "rgba"
     """Which lanes are written, of those that the format has."""
-    clear: tuple[float, ...] | None = None
+    clear: tuple[float, float, float, float] | None = None
     """What the pass wants to be there before anything is drawn, in four lanes; ``None`` where that
     is a host's affair."""
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...frozen import changed, frozen
+from ..documents.plan import BufferUse, TextureUse, WaitingRow
 from ..ir.frame import Attachment, Elements, Frame, Image, KernelStep, RenderStep, Step
-from .barriers import BufferState, State, Waiting, Waits
+from .barriers import Waits
 from .lifetimes import (
     Left,
     Lifetimes,
@@ -64,7 +65,7 @@ class PlannedStep:
     """A step of the plan."""
 
     step: Step | Copy
-    waiting: Waiting
+    waiting: WaitingRow
     """What is waited for before it."""
     targets: tuple[Target, ...] = ()
     depth: Target | None = None
@@ -107,7 +108,7 @@ class Plan:
     stencils: Stencils
     steps: tuple[PlannedStep, ...]
     kept: tuple[Kept, ...]
-    end: Waiting
+    end: WaitingRow
     """What is waited for behind the last step, so that the host and the next frame can read."""
 
 
@@ -252,7 +253,7 @@ class _Planning:
     # --- steps ---
 
     def _copied(self, copy: Copy, *, is_rare: bool) -> PlannedStep:
-        states: tuple[tuple[State, Image], ...] = (
+        states: tuple[tuple[TextureUse, Image], ...] = (
             ("copied_from", copy.image), ("copied_to", copy.into),
         )  # fmt: skip
         self._drawn |= {(copy.into, layer, level) for image, layer, level in self._drawn
@@ -279,7 +280,7 @@ class _Planning:
         finds = self._needs.finds_samples(number, attachment)
         return Target(attachment, self._samples_of[part], loads, finds, *stencil, resolved)
 
-    def _used(self, step: Step, targets: Iterable[Target]) -> Iterator[tuple[int, State]]:
+    def _used(self, step: Step, targets: Iterable[Target]) -> Iterator[tuple[int, TextureUse]]:
         for left in read_by(step):
             if isinstance(left, Image):
                 yield self._texture_of[left], "sampled"
@@ -305,8 +306,8 @@ class _Planning:
             and all(layer is not None for _, layer, _ in places)
             and all(target.loads for target in planned.drawn_to)
             and all(target.resolved is None for target in before.drawn_to)
-            and not planned.waiting.buffers
-            and {each.texture for each in planned.waiting.textures}
+            and not planned.waiting.buffer_barriers
+            and {each.texture for each in planned.waiting.barriers}
             <= {place[0] for place in places} | resolved
             and resolved.isdisjoint(self._read_in_pass(steps))
         )
@@ -325,13 +326,13 @@ class _Planning:
 
     # --- what is left ---
 
-    def _images_left(self) -> Iterator[tuple[int, State]]:
+    def _images_left(self) -> Iterator[tuple[int, TextureUse]]:
         """The textures that the host or the next frame reads."""
         for left in self._left():
             if isinstance(left, Image):
                 yield self._texture_of[left], "sampled"
 
-    def _buffers_left(self) -> Iterator[tuple[Elements, BufferState]]:
+    def _buffers_left(self) -> Iterator[tuple[Elements, BufferUse]]:
         """Likewise."""
         for left in self._left():
             if isinstance(left, Elements):
@@ -342,7 +343,7 @@ class _Planning:
         yield from self._lifetimes.kept
 
 
-def _buffers_used(step: Step) -> Iterator[tuple[Elements, BufferState]]:
+def _buffers_used(step: Step) -> Iterator[tuple[Elements, BufferUse]]:
     for left in read_by(step):
         if isinstance(left, Elements):
             yield left, "read"

@@ -9,9 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...frozen import frozen, record
+from ..documents.plan import TextureUse
 from ..ir.frame import Frame, Image, ImageDimension
 from ..ir.node import Node
-from .barriers import State, Waits
+from ..ir.render_state import Samples
+from .barriers import Waits
 from .stencils import Stencils
 
 
@@ -27,7 +29,7 @@ class Shape:
     dimension: ImageDimension = "2d"
     layers: int = 1
     levels: int = 1
-    samples: int = 1
+    samples: Samples = 1
 
     @classmethod
     def of(cls, frame: Frame, stencils: Stencils, image: Image) -> Shape:
@@ -56,7 +58,7 @@ class PlannedTexture:
     shape: Shape
     images: list[Image]
     """Each once, also where several layers or levels of one are drawn here, each with samples."""
-    uses: tuple[State, ...] = ()
+    uses: tuple[TextureUse, ...] = ()
     """All that it is used as, also where it is exchanged with the one that the last frame left."""
     kept: bool = False
     """Whether its contents are needed in the next frame."""

@@ -1,6 +1,5 @@
-"""The reflection: what a host reads beside the shaders' text."""
+"""Makes the reflection of a compiled material: all that a host needs to draw with it."""
 
 from .reflect import reflect
-from .tables import BackendTable, BindingPoint, EmittedFile, FieldName
 
-__all__ = ["BackendTable", "BindingPoint", "EmittedFile", "FieldName", "reflect"]
+__all__ = ["reflect"]

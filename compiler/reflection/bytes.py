@@ -1,38 +1,55 @@
-"""The bytes of blocks, structs and parameters as JSON."""
+"""The bytes of blocks, structs and parameters."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
 
+from ..documents.values import BlockMember, BlockRow, LayoutRow, StructMember, StructRow
 from ..ir.program import Block, Program, StageName
 from ..ir.storage import LANE, byte_size, padding_names
 from ..ir.types import FLOAT, Struct, Type
 from ..packing import Packing
 
 
-def block_rows(program: Program) -> Iterator[dict[str, Any]]:
+def block_rows(program: Program) -> Iterator[BlockRow]:
     """The blocks of a program as they lie in memory, padding included."""
     read = {stage.name: {block.name for block in stage.blocks} for stage in program.stages}
     for block in program.blocks:
-        stages = [stage for stage, names in read.items() if block.name in names]
+        stages = tuple([stage for stage, names in read.items() if block.name in names])
         yield _block_row(block, stages)
 
 
-def _block_row(block: Block, stages: list[StageName]) -> dict[str, Any]:
-    return {
-        "name": block.name,
-        "group": block.group,
-        "derived": block.derived,
-        "extern": block.host is not None,
-        "size": block.size,
-        "stages": stages,
-        "members": list(_member_rows(block)),
-        "structs": [struct_row(struct) for struct in block.structs],
-    }
+def _block_row(block: Block, stages: tuple[StageName, ...]) -> BlockRow:
+    members, structs = tuple(_member_rows(block)), tuple(map(struct_row, block.structs))
+    return BlockRow(
+        name=block.name,
+        group=block.group,
+        derived=block.derived,
+        extern=block.host is not None,
+        size=block.size,
+        stages=stages,
+        layout_id=_layout_id(members, structs),
+        members=members,
+        structs=structs,
+    )
 
 
-def _member_rows(block: Block) -> Iterator[dict[str, Any]]:
+def _layout_id(members: Sequence[BlockMember], structs: Sequence[StructRow]) -> str:
+    """A digest of where everything lies."""
+    lies = [(member.name, member.type, member.offset) for member in members]
+    return f"{_fnv_1a(repr((lies, structs))):016x}"
+
+
+def _fnv_1a(text: str) -> int:
+    """A hash of 64 bits (Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv). Python's
+    better ones take several milliseconds to import."""
+    found = 0xCBF29CE484222325
+    for byte in text.encode():
+        found = (found ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
+    return found
+
+
+def _member_rows(block: Block) -> Iterator[BlockMember]:
     """The members of a block, and between them the gaps that every language leaves by itself."""
     free = padding_names(f"{block.name.lower()}_pad", (member.name for member in block.members))
     end = 0
@@ -44,41 +61,38 @@ def _member_rows(block: Block) -> Iterator[dict[str, Any]]:
     yield from _gap_rows(free, end, block.size)
 
 
-def _gap_rows(names: Iterator[str], start: int, end: int) -> Iterator[dict[str, Any]]:
+def _gap_rows(names: Iterator[str], start: int, end: int) -> Iterator[BlockMember]:
     """A member for each lane of a gap."""
     for offset in range(start, end, LANE):
         yield _member_row(next(names), FLOAT, offset, None)
 
 
-def _member_row(name: str, type_: Type, offset: int, parameter: str | None) -> dict[str, Any]:
-    size = byte_size(type_)
-    return {
-        "name": name,
-        "type": str(type_),
-        "offset": offset,
-        "size": size,
-        "parameter": parameter,
-    }
+def _member_row(name: str, type_: Type, offset: int, parameter: str | None) -> BlockMember:
+    return BlockMember(
+        name=name, type=str(type_), offset=offset, size=byte_size(type_), parameter=parameter
+    )
 
 
-def struct_row(struct: Struct) -> dict[str, Any]:
+def struct_row(struct: Struct) -> StructRow:
     """A stored struct with its members, padding included."""
     rows = []
     offset = 0
     for name, type_ in struct.members:
         size = byte_size(type_)
-        rows.append({"name": name, "type": str(type_), "offset": offset, "size": size})
+        rows.append(StructMember(name=name, type=str(type_), offset=offset, size=size))
         offset += size
-    return {"name": struct.name, "size": offset, "members": rows}
+    return StructRow(name=struct.name, size=offset, members=tuple(rows))
 
 
-def layout_row(packing: Packing) -> dict[str, Any]:
-    """What a writer has to know of a value; what does not apply to its type is left out."""
-    row: dict[str, Any] = {"stored": str(packing.stored)}
-    if packing.kind is not None:
-        row |= {"kind": packing.kind, "lanes": packing.lanes}
-    if packing.column_stride:
-        row |= {"columns": packing.columns, "column_stride": packing.column_stride}
-    if packing.count is not None:
-        row |= {"count": packing.count, "stride": packing.stride}
-    return row
+def layout_row(packing: Packing) -> LayoutRow:
+    """What a writer has to know of a value."""
+    is_matrix, is_array = bool(packing.column_stride), packing.count is not None
+    return LayoutRow(
+        stored=str(packing.stored),
+        kind=packing.kind,
+        lanes=None if packing.kind is None else packing.lanes,
+        columns=packing.columns if is_matrix else None,
+        column_stride=packing.column_stride if is_matrix else None,
+        count=packing.count,
+        stride=packing.stride if is_array else None,
+    )

@@ -2,37 +2,37 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from ..documents.drawing import CapturedRow, CaptureRow
+from ..ir.primitives import DrawnPrimitive
 from ..ir.shader import Shader
 
 
-def capture_row(shader: Shader) -> dict[str, Any]:
+def capture_row(shader: Shader) -> CaptureRow:
     """What a host has to know of the buffer into which a pass captures."""
     capture = shader.capture
     assert capture is not None
     written = next(iter(shader.written), None)
     is_told = written is not None and written.each > capture.numbers
-    return {
-        "primitive": _primitive(shader),
-        "vertices": _vertices_each(shader),
-        "stride": capture.stride,
-        "buffer": None if written is None else written.buffer.name,
-        "there": capture.stride if is_told else None,
-        "members": [
-            {
-                "name": member.name,
-                "type": member.declared_type,
-                "representation": str(member.type),
-                "offset": member.offset,
-                "doc": member.doc,
-            }
+    return CaptureRow(
+        primitive=_primitive(shader),
+        vertices=_vertices_each(shader),
+        stride=capture.stride,
+        buffer=None if written is None else written.buffer.name,
+        there=capture.stride if is_told else None,
+        members=tuple(
+            CapturedRow(
+                name=member.name,
+                type=member.declared_type,
+                representation=str(member.type),
+                offset=member.offset,
+                doc=member.doc,
+            )
             for member in capture.members
-        ],
-    }
+        ),
+    )
 
 
-def _primitive(shader: Shader) -> str:
+def _primitive(shader: Shader) -> DrawnPrimitive:
     """What the captured vertices are."""
     if shader.expansion is not None:
         return shader.expansion.emits

@@ -48,4 +48,4 @@ def _unfilterable(use: Use) -> Iterator[tuple[Given, Image]]:
 def _filters(shader: FrameShader, program: Program) -> frozenset[str]:
     """The names of the textures that a shader filters."""
     rows = TextureRows(shader.shader.resources, program).textures()
-    return frozenset(row["name"] for row in rows if row["layout"]["sampleType"] == "float")
+    return frozenset(row.name for row in rows if row.layout.sample_type == "float")

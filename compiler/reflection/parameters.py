@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TypedDict
 
+from ..constraints import Lanes
+from ..documents.values import DerivedRow, LayoutRow, LightRow, MemberRow, ParameterRow
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Block, StoredMember
-from ..ir.shader import ParameterInfo
+from ..ir.shader import LightInfo, ParameterInfo
 from ..ir.types import Array
 from ..packing import PackedMember, Packing, packing, spread
 from .bytes import layout_row
 from .roles import role_of
-from .values import listed, steps
+from .values import steps
 
 
 class Places:
@@ -27,12 +29,12 @@ class Places:
             if member.parameter is not None
         }
 
-    def row(self, parameter: Parameter) -> dict[str, Any]:
+    def row(self, parameter: Parameter) -> Placed:
         """Block, offset and size; null where the program leaves the block out."""
         found = self._places.get((parameter.name, parameter.derived))
         return _place(found, 0, packing(parameter.type))
 
-    def table_rows(self, parameter: Parameter) -> list[tuple[str, dict[str, Any]]]:
+    def table_rows(self, parameter: Parameter) -> list[tuple[str, Placed]]:
         """Of each member of a table's structures its name, and as above."""
         found = self._places.get((parameter.name, parameter.derived))
         table = packing(parameter.type)
@@ -43,9 +45,16 @@ class Places:
         return [member for (_, derived), (_, member) in self._places.items() if derived]
 
 
-def _place(
-    found: tuple[Block, StoredMember] | None, further: int, packed: Packing
-) -> dict[str, Any]:
+class Placed(TypedDict):
+    """The fields of a row that say where a value lies."""
+
+    block: str | None
+    offset: int | None
+    size: int
+    layout: LayoutRow
+
+
+def _place(found: tuple[Block, StoredMember] | None, further: int, packed: Packing) -> Placed:
     return {
         "block": found[0].name if found else None,
         "offset": found[1].offset + further if found else None,
@@ -54,41 +63,52 @@ def _place(
     }
 
 
-def parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -> dict[str, Any]:
+def parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -> ParameterRow:
     """One declared parameter; ``names`` are those of all parameters."""
     parameter = info.parameter
     counter = f"{parameter.name}.count"
-    return {
-        "name": parameter.name,
+    return ParameterRow(
+        name=parameter.name,
         **_declaration(info),
-        "role": role_of(info),
-        "group": parameter.group,
+        role=role_of(info),
+        group=parameter.group,
         **places.row(parameter),
-        "members": member_rows(packing(parameter.type), info.members),
-        "count": counter if counter in names else None,
-    }
+        members=member_rows(packing(parameter.type), info.members),
+        count=counter if counter in names else None,
+    )
 
 
-def _declaration(info: ParameterInfo) -> dict[str, Any]:
+class Declared(TypedDict):
+    """The fields of a row that say how a value is declared."""
+
+    type: str
+    representation: str
+    range: tuple[float, float] | None
+    default: Lanes
+    doc: str
+    library: str | None
+
+
+def _declaration(info: ParameterInfo) -> Declared:
     return {
         "type": info.declared_type,
         "representation": str(info.parameter.type),
-        "range": listed(info.range),
-        "default": listed(info.default),
+        "range": info.range,
+        "default": info.default,
         "doc": info.doc,
         "library": info.library or None,
     }
 
 
-def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> list[dict[str, Any]]:
+def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> tuple[MemberRow, ...]:
     """Members of a struct or of an array's elements, with what was declared about them."""
     declared = {info.parameter.name.rpartition(".")[2]: info for info in infos}
-    return [_member(member, declared.get(member.name)) for member in packed.members]
+    return tuple(_member(member, declared.get(member.name)) for member in packed.members)
 
 
-def _member(member: PackedMember, info: ParameterInfo | None) -> dict[str, Any]:
+def _member(member: PackedMember, info: ParameterInfo | None) -> MemberRow:
     written = str(member.packing.type)
-    undeclared = {
+    undeclared: Declared = {
         "type": written,
         "representation": written,
         "range": None,
@@ -96,19 +116,19 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> dict[str, Any]:
         "doc": "",
         "library": None,
     }
-    return {
-        "name": member.name,
+    return MemberRow(
+        name=member.name,
         **(undeclared if info is None else _declaration(info)),
-        "offset": member.offset,
-        "size": member.packing.size,
-        "layout": layout_row(member.packing),
-        "members": member_rows(member.packing, () if info is None else info.members),
-    }
+        offset=member.offset,
+        size=member.packing.size,
+        layout=layout_row(member.packing),
+        members=member_rows(member.packing, () if info is None else info.members),
+    )
 
 
-def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> list[dict[str, Any]]:
+def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> tuple[DerivedRow, ...]:
     """What the host computes, with the steps that compute it."""
-    rows = []
+    rows: list[DerivedRow] = []
     for member in places.derived():
         parameter = member.parameter
         assert parameter is not None
@@ -119,15 +139,15 @@ def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> list[dict[
             representation = str(parameter.type)
             place = places.row(parameter)
             rows.append(_derived_row(parameter, "", representation, place, member.doc, value))
-    return rows
+    return tuple(rows)
 
 
-def _table_rows(parameter: Parameter, places: Places, element: Node) -> list[dict[str, Any]]:
+def _table_rows(parameter: Parameter, places: Places, element: Node) -> list[DerivedRow]:
     """A row for each member of the structures that stand beside an array."""
     members = zip(places.table_rows(parameter), element.operands, strict=True)
     return [
         _derived_row(
-            parameter, f".{name}", f"{value.type}[{place['layout']['count']}]", place, "", value
+            parameter, f".{name}", f"{value.type}[{place['layout'].count}]", place, "", value
         )
         for (name, place), value in members
     ]
@@ -137,39 +157,43 @@ def _derived_row(
     parameter: Parameter,
     member: str,
     representation: str,
-    place: dict[str, Any],
+    place: Placed,
     doc: str,
     value: Node,
-) -> dict[str, Any]:
-    return {
-        "name": parameter.name + member,
-        "representation": representation,
-        "group": parameter.group,
+) -> DerivedRow:
+    return DerivedRow(
+        name=parameter.name + member,
+        representation=representation,
+        group=parameter.group,
         **place,
-        "doc": doc,
-        "steps": steps(value),
-    }
+        doc=doc,
+        steps=steps(value),
+    )
 
 
-def light_rows(parameters: Sequence[ParameterInfo]) -> list[dict[str, Any]]:
+def light_rows(parameters: Sequence[ParameterInfo]) -> tuple[LightRow, ...]:
     """The rig's lights: an array is one parameter, a single light one parameter for each member.
 
     A light may have parameters of several groups, and so in several blocks.
     """
-    entries: dict[str, list[ParameterInfo]] = {}
+    entries: dict[LightInfo, list[ParameterInfo]] = {}
     for info in parameters:
-        if info.light:
+        if info.light is not None:
             entries.setdefault(info.light, []).append(info)
-    return [_light_row(name, infos) for name, infos in entries.items()]
+    return tuple(_light_row(light, infos) for light, infos in entries.items())
 
 
-def _light_row(name: str, infos: list[ParameterInfo]) -> dict[str, Any]:
+def _light_row(light: LightInfo, infos: list[ParameterInfo]) -> LightRow:
+    name = light.name
     array = next((info.parameter.type for info in infos if info.parameter.name == name), None)
     names = [info.parameter.name for info in infos]
     counter = f"{name}.count"
-    return {
-        "name": name,
-        "capacity": array.count if isinstance(array, Array) else None,
-        "count": counter if counter in names else None,
-        "parameters": [each for each in names if each != counter],
-    }
+    return LightRow(
+        name=name,
+        kind=light.kind,
+        library=light.library or None,
+        doc=light.doc,
+        capacity=array.count if isinstance(array, Array) else None,
+        count=counter if counter in names else None,
+        parameters=tuple(each for each in names if each != counter),
+    )

@@ -1,11 +1,40 @@
-"""The plan of a frame as one JSON document: ``plan.schema.json`` describes it."""
+"""Makes the document of a plan, which hosts execute."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Literal
 
 from ..diagnostics.source import Span
+from ..documents.plan import (
+    AttachmentRow,
+    CopyEnd,
+    CopyStep,
+    DrawnRow,
+    DrawStep,
+    FramePlan,
+    FrameResultRow,
+    FrameTextureRow,
+    HostSource,
+    HostTextureRow,
+    InputRow,
+    KeptRow,
+    ModelsRow,
+    OutputRow,
+    PlaceRow,
+    PreviousSource,
+    ResolveRow,
+    ResultSource,
+    RunStep,
+    ShaderRow,
+    SizeRow,
+    StencilLoad,
+    UseRow,
+    ValueRow,
+    ValueSource,
+    WrittenBuffer,
+    WrittenImage,
+)
 from ..ir.frame import (
     Drawn,
     Elements,
@@ -21,20 +50,19 @@ from ..ir.frame import (
 from ..ir.leaves import Resource
 from ..ir.shader import ResourceInfo
 from ..ir.types import Texture
-from ..planning.barriers import Barrier, BufferBarrier, Waiting
 from ..planning.plan import Copy, Plan, PlannedStep, Target
 from ..planning.textures import Shape
 from .buffers import buffer_row
 from .parameters import Places, light_rows, parameter_row
 from .values import steps
 
-VERSION = 1
+VERSION: Literal[2] = 2
 """Grows when a host that executes plans has to change."""
 
 
-def plan_document(plan: Plan) -> dict[str, Any]:
+def plan_document(plan: Plan) -> FramePlan:
     """Everything that a host needs to draw a frame, but for the reflections of its shaders."""
-    return _Document(plan).rows()
+    return _Document(plan).made()
 
 
 class _Document:
@@ -48,56 +76,57 @@ class _Document:
         self._values = {node: n for n, node in enumerate(dict.fromkeys(self._frame.values))}
         """Equal values are one node, and one row."""
 
-    def rows(self) -> dict[str, Any]:
+    def made(self) -> FramePlan:
         frame = self._frame
         names = frozenset(info.parameter.name for info in frame.parameters)
-        return {
-            "plan": VERSION,
-            "frame": frame.name,
-            "doc": frame.doc,
-            "source": _place(frame.span),
-            "rig": frame.rig,
-            "parameters": [parameter_row(info, names, Places(())) for info in frame.parameters],
-            "lights": light_rows(frame.parameters),
-            "host_textures": [_host_texture_row(info) for info in frame.resources],
-            "host_buffers": [
-                {**buffer_row(info), "count": info.buffer.count.name, "stages": []}
-                for info in frame.buffers
-            ],
-            "sources": dict(self._sources()),
-            "models": [
-                {
-                    "name": models.name,
-                    "materials": list(models.materials),
-                    "doc": models.doc,
-                    "source": _place(models.span),
-                }
+        return FramePlan(
+            plan=VERSION,
+            frame=frame.name,
+            doc=frame.doc,
+            source=_place(frame.span),
+            rig=frame.rig,
+            parameters=tuple(parameter_row(info, names, Places(())) for info in frame.parameters),
+            lights=light_rows(frame.parameters),
+            host_textures=tuple(map(_host_texture_row, frame.resources)),
+            host_buffers=tuple(map(buffer_row, frame.buffers)),
+            sources=dict(self._sources()),
+            models=tuple(
+                ModelsRow(
+                    name=models.name,
+                    materials=tuple(models.materials),
+                    doc=models.doc,
+                    source=_place(models.span),
+                )
                 for models in frame.models
-            ],
-            "shaders": [_shader_row(shader) for shader in frame.shaders],
-            "values": [
-                {"representation": str(value.type), "steps": steps(value)} for value in self._values
-            ],
-            "textures": list(self._texture_rows()),
-            "results": list(self._result_rows()),
-            "steps": [self._step_row(planned) for planned in self._plan.steps],
-            "end": _waiting_rows(self._plan.end),
-            "kept": list(self._kept_rows()),
-            "outputs": [
-                {
-                    "name": output.name,
-                    "result": output.source.name,
-                    "texture": self._texture(output.source),
-                    "doc": output.doc,
-                    "source": _place(output.span),
-                }
+            ),
+            shaders=tuple(map(_shader_row, frame.shaders)),
+            values=tuple(
+                ValueRow(representation=str(value.type), steps=steps(value))
+                for value in self._values
+            ),
+            textures=tuple(self._texture_rows()),
+            results=tuple(self._result_rows()),
+            steps=tuple(map(self._step, self._plan.steps)),
+            end=self._plan.end,
+            kept=tuple(
+                KeptRow(result=kept.left.name, texture=kept.texture, previous=kept.previous)
+                for kept in self._plan.kept
+            ),
+            outputs=tuple(
+                OutputRow(
+                    name=output.name,
+                    result=output.source.name,
+                    texture=self._texture(output.source),
+                    doc=output.doc,
+                    source=_place(output.span),
+                )
                 for output in frame.outputs
-            ],
-        }
+            ),
+        )
 
     # --- what there is ---
 
-    def _sources(self) -> Iterator[tuple[str, dict[str, Any]]]:
+    def _sources(self) -> Iterator[tuple[str, PlaceRow]]:
         """Where everything is declared that the host sets."""
         frame = self._frame
         for info in frame.parameters:
@@ -107,25 +136,25 @@ class _Document:
         for buffer in frame.buffers:
             yield buffer.buffer.name, _place(buffer.span)
 
-    def _texture_rows(self) -> Iterator[dict[str, Any]]:
+    def _texture_rows(self) -> Iterator[FrameTextureRow]:
         for texture in self._plan.textures:
             shape = texture.shape
-            yield {
-                "format": shape.format,
-                "dimension": shape.dimension,
-                "size": self._size_row(shape),
-                "layers": shape.layers,
-                "levels": shape.levels,
-                "samples": shape.samples,
-                "uses": list(texture.uses),
-                "kept": texture.kept,
-                "results": [each.name for each in texture.images],
-            }
+            yield FrameTextureRow(
+                format=shape.format,
+                dimension=shape.dimension,
+                size=self._size_row(shape),
+                layers=shape.layers,
+                levels=shape.levels,
+                samples=shape.samples,
+                uses=tuple(texture.uses),
+                kept=texture.kept,
+                results=tuple(each.name for each in texture.images),
+            )
 
-    def _size_row(self, shape: Shape) -> dict[str, Any]:
+    def _size_row(self, shape: Shape) -> SizeRow:
         if isinstance(shape.size, str):
-            return {"value": None, "extent_of": shape.size, "level": shape.halved}
-        return {"value": self._values[shape.size], "extent_of": None, "level": shape.halved}
+            return SizeRow(value=None, extent_of=shape.size, level=shape.halved)
+        return SizeRow(value=self._values[shape.size], extent_of=None, level=shape.halved)
 
     def _value(self, number: int) -> int:
         """The row of one of the frame's values."""
@@ -134,190 +163,190 @@ class _Document:
     def _optional(self, number: int | None) -> int | None:
         return None if number is None else self._value(number)
 
-    def _result_rows(self) -> Iterator[dict[str, Any]]:
+    def _result_rows(self) -> Iterator[FrameResultRow]:
         numbers = {planned.step: n for n, planned in enumerate(self._plan.steps)}
         steps_ = self._frame.steps
         lifetimes = self._plan.lifetimes
         for left, first in lifetimes.first.items():
             last = min(lifetimes.last[left], len(steps_) - 1)
-            yield {
-                "name": left.name,
-                "kind": "buffer" if isinstance(left, Elements) else "texture",
-                "texture": self._texture(left),
-                "first": numbers[steps_[first]],
-                "last": numbers[steps_[last]],
-                "doc": left.doc,
-                "source": _place(left.span),
-            }
-
-    def _kept_rows(self) -> Iterator[dict[str, Any]]:
-        for kept in self._plan.kept:
-            yield {
-                "result": kept.left.name,
-                "texture": kept.texture,
-                "previous": kept.previous,
-            }
+            yield FrameResultRow(
+                name=left.name,
+                kind="buffer" if isinstance(left, Elements) else "texture",
+                texture=self._texture(left),
+                first=numbers[steps_[first]],
+                last=numbers[steps_[last]],
+                doc=left.doc,
+                source=_place(left.span),
+            )
 
     def _texture(self, left: Image | Elements) -> int | None:
         return self._plan.texture_of.get(left) if isinstance(left, Image) else None
 
     # --- what is done ---
 
-    def _step_row(self, planned: PlannedStep) -> dict[str, Any]:
-        waiting = _waiting_rows(planned.waiting)
+    def _step(self, planned: PlannedStep) -> DrawStep | RunStep | CopyStep:
+        waiting = planned.waiting
         match planned.step:
             case Copy() as copy:
-                return {
-                    "kind": "copy",
-                    **waiting,
-                    "only_first": planned.only_first,
-                    "from": {"result": copy.image.name, "texture": self._texture(copy.image)},
-                    "to": {"result": copy.into.name, "texture": self._texture(copy.into)},
-                }
+                return CopyStep(
+                    kind="copy",
+                    barriers=waiting.barriers,
+                    buffer_barriers=waiting.buffer_barriers,
+                    only_first=planned.only_first,
+                    copied=self._copy_end(copy.image),
+                    into=self._copy_end(copy.into),
+                )
             case RenderStep() as step:
-                return {
-                    "kind": "draw",
-                    "name": step.name,
-                    "pass": step.pass_name,
-                    **waiting,
-                    "only_first": planned.only_first,
-                    "continues": planned.continues,
-                    "targets": [self._target_row(target) for target in planned.targets],
-                    "depth": planned.depth and self._target_row(planned.depth),
-                    "viewport": self._optional(step.viewport),
-                    "scissor": self._optional(step.scissor),
-                    "blend_constant": self._optional(step.blend_constant),
-                    "draws": [self._drawn_row(drawn) for drawn in step.draws],
-                    "source": _place(step.span),
-                }
+                return DrawStep(
+                    kind="draw",
+                    name=step.name,
+                    pass_=step.pass_name,
+                    barriers=waiting.barriers,
+                    buffer_barriers=waiting.buffer_barriers,
+                    only_first=planned.only_first,
+                    continues=planned.continues,
+                    targets=tuple(map(self._attachment, planned.targets)),
+                    depth=None if planned.depth is None else self._attachment(planned.depth),
+                    viewport=self._optional(step.viewport),
+                    scissor=self._optional(step.scissor),
+                    blend_constant=self._optional(step.blend_constant),
+                    draws=tuple(map(self._drawn, step.draws)),
+                    source=_place(step.span),
+                )
             case KernelStep() as step:
-                return {
-                    "kind": "run",
-                    "name": step.name,
-                    **waiting,
-                    "only_first": planned.only_first,
-                    **self._use_row(step.use),
-                    "images": [
-                        {"name": name, "result": image.name, "texture": self._texture(image)}
+                return RunStep(
+                    kind="run",
+                    name=step.name,
+                    barriers=waiting.barriers,
+                    buffer_barriers=waiting.buffer_barriers,
+                    only_first=planned.only_first,
+                    use=self._used(step.use),
+                    images=tuple(
+                        WrittenImage(
+                            name=name, result=image.name, texture=self._plan.texture_of[image]
+                        )
                         for name, image in step.images.items()
-                    ],
-                    "buffers": [
-                        {"name": name, "result": elements.name}
+                    ),
+                    buffers=tuple(
+                        WrittenBuffer(name=name, result=elements.name)
                         for name, elements in step.buffers.items()
-                    ],
-                    "source": _place(step.span),
-                }
+                    ),
+                    source=_place(step.span),
+                )
 
-    def _target_row(self, target: Target) -> dict[str, Any]:
+    def _copy_end(self, image: Image) -> CopyEnd:
+        return CopyEnd(result=image.name, texture=self._plan.texture_of[image])
+
+    def _attachment(self, target: Target) -> AttachmentRow:
         attachment = target.attachment
         texture, layer, level = target.place
-        return {
-            "name": attachment.target,
-            "result": attachment.image.name,
-            "texture": texture,
-            "layer": layer,
-            "level": level,
-            "load": "load" if target.loads else "clear",
-            "clear": None if target.loads else self._optional(attachment.clear),
-            "store": target.stores,
-            "resolve": _resolve_row(target),
-            "over": attachment.over and attachment.over.name,
-            **({"stencil": _stencil_row(target)} if target.has_stencil else {}),
-        }
+        return AttachmentRow(
+            name=attachment.target,
+            result=attachment.image.name,
+            texture=texture,
+            layer=layer,
+            level=level,
+            load=_load(target),
+            clear=None if target.loads else self._optional(attachment.clear),
+            store=target.stores,
+            resolve=_resolve_row(target),
+            over=None if attachment.over is None else attachment.over.name,
+            stencil=_stencil_load(target) if target.has_stencil else None,
+        )
 
-    def _drawn_row(self, drawn: Drawn) -> dict[str, Any]:
-        return {
-            "models": drawn.models or None,
-            "vertices": None if drawn.vertices is None else self._value(drawn.vertices),
-            "light": drawn.light or None,
-            "uses": [{"material": use.material or None, **self._use_row(use)}
-                     for use in drawn.uses],
-        }  # fmt: skip
+    def _drawn(self, drawn: Drawn) -> DrawnRow:
+        return DrawnRow(
+            models=drawn.models or None,
+            vertices=None if drawn.vertices is None else self._value(drawn.vertices),
+            light=drawn.light or None,
+            uses=tuple(self._used(use) for use in drawn.uses),
+        )
 
-    def _use_row(self, use: Use) -> dict[str, Any]:
-        return {
-            "shader": self._shaders[use.shader],
-            "inputs": [self._input_row(given) for given in use.given],
-        }
+    def _used(self, use: Use) -> UseRow:
+        return UseRow(
+            material=use.material or None,
+            shader=self._shaders[use.shader],
+            inputs=tuple(map(self._input, use.given)),
+        )
 
-    def _input_row(self, given: Given) -> dict[str, Any]:
+    def _input(self, given: Given) -> InputRow:
         source = given.source
         if isinstance(source, int):
-            return {"name": given.name, "value": self._value(source)}
+            return InputRow(
+                name=given.name, source=ValueSource(kind="value", value=self._value(source))
+            )
         if isinstance(source, Previous):
-            assert source.of is not None
-            initial = source.initially
-            if initial is not None and source.of not in self._previous:
-                return {"name": given.name, **self._read_row(initial)}
-            return {
-                "name": given.name,
-                "previous": source.of.name,
-                "texture": self._previous[source.of],
-                "initially": None if initial is None else self._read_row(initial),
-            }
-        return {"name": given.name, **self._read_row(source)}
+            return InputRow(name=given.name, source=self._before(source))
+        return InputRow(name=given.name, source=self._read(source))
 
-    def _read_row(self, source: Image | Elements | FromHost) -> dict[str, Any]:
+    def _before(self, previous: Previous) -> PreviousSource | ResultSource | HostSource:
+        """What the last frame has left; or, if nothing is kept of it, what is read initially."""
+        assert previous.of is not None
+        initially = None if previous.initially is None else self._read(previous.initially)
+        if initially is not None and previous.of not in self._previous:
+            return initially
+        return PreviousSource(
+            kind="previous",
+            previous=previous.of.name,
+            texture=self._previous[previous.of],
+            initially=initially,
+        )
+
+    def _read(self, source: Image | Elements | FromHost) -> ResultSource | HostSource:
         if isinstance(source, FromHost):
-            return {"host": source.name}
-        return {"result": source.name, "texture": self._texture(source)}
+            return HostSource(kind="host", host=source.name)
+        return self._result(source)
+
+    def _result(self, left: Image | Elements) -> ResultSource:
+        return ResultSource(kind="result", result=left.name, texture=self._texture(left))
 
 
-def _resolve_row(target: Target) -> dict[str, Any] | None:
+def _load(target: Target) -> Literal["load", "clear"]:
+    return "load" if target.loads else "clear"
+
+
+def _resolve_row(target: Target) -> ResolveRow | None:
+    at = target.attachment
     if target.resolved is None:
         return None
-    at = target.attachment
-    return {"texture": target.resolved, "layer": at.layer, "level": at.level}
+    assert at.layer is not None, "samples have one layer"
+    return ResolveRow(texture=target.resolved, layer=at.layer, level=at.level)
 
 
-def _stencil_row(target: Target) -> dict[str, Any]:
-    load = "load" if target.loads else "clear"
-    return {"load": load, "store": target.stores_stencil, "clear": 0}
+def _stencil_load(target: Target) -> StencilLoad:
+    return StencilLoad(load=_load(target), store=target.stores_stencil, clear=0)
 
 
-def _waiting_rows(waiting: Waiting) -> dict[str, Any]:
-    return {
-        "barriers": [{"texture": each.texture, **_from_to(each)} for each in waiting.textures],
-        "buffer_barriers": [
-            {"result": each.elements.name, **_from_to(each)} for each in waiting.buffers
-        ],
-    }
-
-
-def _from_to(barrier: Barrier | BufferBarrier) -> dict[str, Any]:
-    return {"from": barrier.before, "to": barrier.after, "only_first": barrier.only_first}
-
-
-def _shader_row(shader: FrameShader) -> dict[str, Any]:
+def _shader_row(shader: FrameShader) -> ShaderRow:
     made = shader.shader
-    return {
-        "name": shader.name,
-        "reflection": f"{shader.name}.json",
-        "pass": made.pass_name or None,
-        "rig": made.rig_name or None,
-    }
+    return ShaderRow(
+        name=shader.name,
+        reflection=f"{shader.name}.json",
+        pass_=made.pass_name or None,
+        rig=made.rig_name or None,
+    )
 
 
-def _host_texture_row(info: ResourceInfo) -> dict[str, Any]:
+def _host_texture_row(info: ResourceInfo) -> HostTextureRow:
     resource: Resource = info.resource
     assert isinstance(resource.type, Texture)
-    return {
-        "name": resource.name,
-        "type": str(resource.type),
-        "dimension": resource.type.dimension,
-        "sample": resource.type.sample,
-        "group": resource.group,
-        "default": resource.default,
-        "doc": info.doc,
-    }
+    return HostTextureRow(
+        name=resource.name,
+        type=str(resource.type),
+        dimension=resource.type.dimension,
+        sample=resource.type.sample,
+        group=resource.group,
+        default=resource.default,
+        doc=info.doc,
+    )
 
 
-def _place(span: Span) -> dict[str, Any]:
+def _place(span: Span) -> PlaceRow:
     """Where something is declared: lines and columns count from 1."""
     line, column = span.source.position(span.start)
-    return {
-        "file": span.source.name_in_outputs,
-        "line": line,
-        "column": column,
-        "length": span.end - span.start,
-    }
+    return PlaceRow(
+        file=span.source.name_in_outputs,
+        line=line,
+        column=column,
+        length=span.end - span.start,
+    )

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
 
+from ..documents.drawing import SamplerRow, SamplerState, TextureLayout, TextureRow
 from ..ir.leaves import Resource
 from ..ir.program import Program
 from ..ir.shader import ResourceInfo
-from ..ir.types import Texture
+from ..ir.types import Dimension, Texture
+
+VIEW_DIMENSIONS: Mapping[Dimension, Literal["2d", "2d-array", "3d", "cube"]] = {
+    "2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube",
+}  # fmt: skip
+"""GPUTextureViewDimension."""
 
 
 class TextureRows:
@@ -19,43 +25,45 @@ class TextureRows:
         self._stages = {stage.name: frozenset(stage.resources) for stage in program.stages}
         self._loaded = frozenset(program.resources) - program.sampled
 
-    def textures(self) -> list[dict[str, Any]]:
+    def textures(self) -> tuple[TextureRow, ...]:
         """A row for each declared texture."""
-        return [self._row(info) for info in self._infos]
+        return tuple(map(self._row, self._infos))
 
-    def samplers(self) -> list[dict[str, Any]]:
+    def samplers(self) -> tuple[SamplerRow, ...]:
         """The states of all samplers, by texture."""
-        return [
-            {"texture": info.resource.name, "state": dict(info.resource.state)}
+        return tuple(
+            SamplerRow(texture=info.resource.name, state=_state(info.resource))
             for info in self._infos
             if self._has_sampler(info.resource)
-        ]
+        )
 
-    def _row(self, info: ResourceInfo) -> dict[str, Any]:
+    def _row(self, info: ResourceInfo) -> TextureRow:
         resource, type_ = info.resource, _type(info.resource)
-        return {
-            "name": resource.name,
-            "type": str(type_),
-            "dimension": type_.dimension,
-            "sample": type_.sample,
-            "layout": {
-                "viewDimension": type_.dimension.replace("_", "-"),
-                "sampleType": self._sample_type(resource),
-                "sampler": self._sampler_type(resource),
-            },
-            "group": resource.group,
-            "default": resource.default,
-            "stages": [name for name, read in self._stages.items() if resource in read],
-            "doc": info.doc,
-            "library": info.library or None,
-            "brought": info.is_brought,
-        }
+        return TextureRow(
+            name=resource.name,
+            type=str(type_),
+            dimension=type_.dimension,
+            sample=type_.sample,
+            layout=TextureLayout(
+                view_dimension=VIEW_DIMENSIONS[type_.dimension],
+                sample_type=self._sample_type(resource),
+                sampler=self._sampler_type(resource),
+            ),
+            group=resource.group,
+            default=resource.default,
+            stages=tuple(name for name, read in self._stages.items() if resource in read),
+            doc=info.doc,
+            library=info.library or None,
+            brought=info.is_brought,
+        )
 
     def _has_sampler(self, resource: Resource) -> bool:
         """Whether a host has to make one: not for textures that are only loaded."""
         return bool(resource.state) and resource not in self._loaded
 
-    def _sampler_type(self, resource: Resource) -> str | None:
+    def _sampler_type(
+        self, resource: Resource
+    ) -> Literal["filtering", "non-filtering", "comparison"] | None:
         """GPUSamplerBindingType."""
         if not self._has_sampler(resource):
             return None
@@ -63,7 +71,9 @@ class TextureRows:
             return "comparison"
         return "filtering" if _filters(resource) else "non-filtering"
 
-    def _sample_type(self, resource: Resource) -> str:
+    def _sample_type(
+        self, resource: Resource
+    ) -> Literal["float", "unfilterable-float", "depth", "sint", "uint"]:
         """GPUTextureSampleType: what is never filtered may have a format that cannot be."""
         match _type(resource).sample:
             case "int":
@@ -78,6 +88,11 @@ class TextureRows:
 def _type(resource: Resource) -> Texture:
     assert isinstance(resource.type, Texture)
     return resource.type
+
+
+def _state(resource: Resource) -> SamplerState:
+    state: dict[str, Any] = dict(resource.state)
+    return SamplerState(**{"compare": None, **state})
 
 
 def _filters(resource: Resource) -> bool:

@@ -7,13 +7,13 @@ behind the last such vertex are compared, and their number has to be possible.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.stages import CAPTURED, CAPTURED_EXPANDED, COMPUTED
 from ...compiler.reference.bounds.errors import Errors
@@ -131,9 +131,7 @@ class _Compared:
         return Expected(values, everywhere, ~everywhere, lows, highs, layers)
 
 
-def _cases(
-    reflection: Mapping[str, Any], seed: int, size: Size, like: Mapping[str, Any]
-) -> list[Case]:
+def _cases(reflection: Reflection, seed: int, size: Size, like: Reflection) -> list[Case]:
     """The cases of one form of the material, with the meshes of the form that is ``like``."""
     every = series_of(reflection, seed, size, like)
     return [case for series in every if series.exact for case in series.cases]

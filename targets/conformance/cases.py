@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
+from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.steps import ParameterStep
 from ..runner.binding import shows_less
 from ..runner.cameras import looking
 from ..runner.instances.instance import Instance
@@ -71,10 +72,10 @@ class Series:
 
 
 def series_of(
-    reflection: Mapping[str, Any],
+    reflection: Reflection,
     seed: int = 0,
     size: Size = SIZE,
-    like: Mapping[str, Any] | None = None,
+    like: Reflection | None = None,
 ) -> Iterator[Series]:
     """All cases of one material; ``seed`` is the seed of its random values.
 
@@ -102,16 +103,16 @@ def series_of(
         yield Series(exact=False, cases=(replace(case, state=state),))
 
 
-def _kernel(reflection: Mapping[str, Any], seed: int, size: Size) -> Instance:
+def _kernel(reflection: Reflection, seed: int, size: Size) -> Instance:
     """A kernel with random values, whose images are about as large as other pictures."""
     instance = _sampled(reflection, seed)
-    counts = {row["count"] for row in reflection["buffers"]}
-    read = {step["parameter"] for step in reflection["extent"] if step["op"] == "parameter"}
-    for row in reflection["parameters"]:
-        if row["name"] in read - counts and row["representation"] in ("int", "uint"):
-            lo, hi = row["range"] or (1, max(size))
-            number = random.Random(f"{seed} {row['name']}").randint(min(size) // 2, max(size))
-            instance.set(row["name"], int(min(max(number, lo), hi)))
+    counts = {row.count for row in reflection.buffers}
+    read = {step.parameter for step in reflection.extent or () if isinstance(step, ParameterStep)}
+    for row in reflection.parameters:
+        if row.name in read - counts and row.representation in ("int", "uint"):
+            lo, hi = row.range or (1, max(size))
+            number = random.Random(f"{seed} {row.name}").randint(min(size) // 2, max(size))
+            instance.set(row.name, int(min(max(number, lo), hi)))
     return instance
 
 
@@ -121,11 +122,11 @@ def _cells(usual: int, form: Instance, size: Size) -> int:
     There are fewer if each patch is drawn with many vertices, or if lines are drawn: where many of
     them cross in one pixel, rounding decides which is seen.
     """
-    draw = form.reflection["draw"]
-    patches = draw["tessellation"]
-    triangles = (draw["vertices"] or 0) / 3 if patches else 0
+    draw = form.reflection.draw
+    patches = draw.tessellation
+    triangles = (draw.vertices or 0) / 3 if patches else 0
     share = min(1.0, math.sqrt(FEW_TRIANGLES / triangles)) if triangles else 1.0
-    if patches and draw["topology"] == "line":
+    if patches and draw.topology == "line":
         share = FEW_LINES
     share = min(share, _divided_share(form))
     return max(3, round(usual * share * min(1.0, max(size) / max(SIZE))))
@@ -133,14 +134,14 @@ def _cells(usual: int, form: Instance, size: Size) -> int:
 
 def _divided_share(form: Instance) -> float:
     """The share of cells that a mesh may have whose patches the values of ``form`` all divide."""
-    patches = form.reflection["draw"]["tessellation"]
-    if patches is None or patches["levels"] is None:
+    patches = form.reflection.draw.tessellation
+    if patches is None or patches.levels is None:
         return 1.0
     finest = max(1.0, *(level for levels in form.patch_levels() for level in levels))
     return min(1.0, FINEST_USUAL / finest)
 
 
-def _defaults(reflection: Mapping[str, Any], size: Size, form: Mapping[str, Any]) -> Case:
+def _defaults(reflection: Reflection, size: Size, form: Reflection) -> Case:
     instance, shaped = Instance(reflection), Instance(form)
     for each in (instance, shaped):
         sample_values(each, 0, missing=True)
@@ -150,11 +151,11 @@ def _defaults(reflection: Mapping[str, Any], size: Size, form: Mapping[str, Any]
 
 def _stretched(
     name: str,
-    reflection: Mapping[str, Any],
+    reflection: Reflection,
     seed: int,
     clear: Color,
     size: Size,
-    form: Mapping[str, Any],
+    form: Reflection,
 ) -> Case:
     """Scaled differently along each axis, with all lights, close to the mesh and inside it."""
     scene = Scene(
@@ -168,14 +169,14 @@ def _stretched(
     return _case(name, _sampled(reflection, seed), mesh, scene, size, clear)
 
 
-def _behind(reflection: Mapping[str, Any], seed: int, size: Size, form: Mapping[str, Any]) -> Case:
+def _behind(reflection: Reflection, seed: int, size: Size, form: Reflection) -> Case:
     """Back faces, and as few lights as possible."""
     scene = Scene(looking(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0)), light_count=0)
     cells = max(3, round(4 * min(1.0, 4 * _divided_share(_sampled(form, seed)))))
     return _case("behind", _sampled(reflection, seed), plane(cells), scene, size)
 
 
-def _inside(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:
+def _inside(reflection: Reflection, seed: int, size: Size) -> Case:
     """Walls around the eye, which the near and the far plane cut."""
     camera = looking(
         eye=(0.35, -0.2, 0.4),
@@ -187,7 +188,7 @@ def _inside(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:
     return _case("inside", _sampled(reflection, seed), cube(), Scene(camera), size)
 
 
-def _sampled(reflection: Mapping[str, Any], seed: int) -> Instance:
+def _sampled(reflection: Reflection, seed: int) -> Instance:
     instance = Instance(reflection)
     sample_values(instance, seed)
     sample_buffers(instance, seed)

@@ -87,8 +87,8 @@ class FramePlan:
         self.subject = subject
         self._meant = meant = _Meant(subject)
         self._size = size
-        self._count = SEVERAL if meant.plan["kept"] else 1
-        self._names = [row["name"] for row in meant.plan["outputs"] if row["texture"] is not None]
+        self._count = SEVERAL if meant.plan.kept else 1
+        self._names = [row.name for row in meant.plan.outputs if row.texture is not None]
         self._expected: Known[_Pictures] = Known()
         self._programs: Known[list[Program]] = Known()
 
@@ -119,11 +119,12 @@ class FramePlan:
         bounds = next(one for one in self._questions(route, device) if one.level == level)
         programs = self._programs_for(route.profile)
         host = self._host(self._meant)
-        row = next(row for row in host.plan["outputs"] if row["name"] == name)
-        _, height = host.size_of(row["texture"])
+        texture = next(row.texture for row in host.plan.outputs if row.name == name)
+        assert texture is not None, "it is a picture"
+        _, height = host.size_of(texture)
         drawing = FollowedFrames(
             host, bounds.rules, bounds.errors, lambda shader: programs[shader].shader,
-            texture=row["texture"], layer=pixel[1] // height, pixel=(pixel[0], pixel[1] % height),
+            texture=texture, layer=pixel[1] // height, pixel=(pixel[0], pixel[1] % height),
         )  # fmt: skip
         for _ in range(number + 1):
             drawing.draw()
@@ -212,7 +213,7 @@ class FramePlan:
 
 def host_of(subject: PlannedFrame, size: Size) -> FrameHost:
     """A frame with the scene that it is judged in: a model of each material."""
-    tags = {row["name"]: row["materials"] for row in subject.plan["models"]}
+    tags = {row.name: row.materials for row in subject.plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
     return FrameHost(subject, in_a_row(materials, tags, MESH), size)
 

@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.documents.drawing import TextureRow
+from ..runner.instances.contents import layout_of
 from ..runner.instances.instance import Instance
-from ..runner.instances.shapes import WHOLE, kind_of
+from ..runner.instances.shapes import WHOLE, Elements, Members, Numbers, Shape, kind_of, shape_of
 from ..runner.scene import set_by_scene
 from ..runner.textures.texture import Texture
 
@@ -39,33 +41,29 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
     needs none, but the material may read it, and what was left out of the program relied on its
     range.
     """
-    lights = instance.reflection["lights"]
-    counts = {light["count"] for light in lights if light["count"]}
-    counts |= {buffer["count"] for buffer in instance.reflection["buffers"]}
+    lights = instance.reflection.lights
+    counts = {light.count for light in lights if light.count}
+    counts |= {buffer.count for buffer in instance.reflection.buffers}
     placed = set_by_scene(instance.reflection) | counts
     for light in lights:
-        if light["count"]:
-            instance.set(light["count"], light["capacity"])
+        if light.count:
+            instance.set(light.count, light.capacity)
     without = [name.replace("[", ".") for name in instance.missing]
-    for row in instance.reflection["parameters"]:
-        name = row["name"]
+    for row in instance.reflection.parameters:
+        name = row.name
         unset = any(f"{each}.".startswith(f"{name}.") for each in without)
-        unset |= row["block"] is None and row["default"] is None
+        unset |= row.block is None and row.default is None
         if name not in placed and (unset or not missing):
-            instance.set(name, _value(row, random.Random(f"{seed} {name}")))
+            instance.set(name, _value(shape_of(row), random.Random(f"{seed} {name}")))
 
 
 def sample_buffers(instance: Instance, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> None:
     """Fill every storage buffer with some elements, or now and then with none."""
-    for row in instance.reflection["buffers"]:
-        chance = random.Random(f"{seed} {row['name']}")
-        element = {
-            **row,
-            "type": row["type"].removesuffix("[]"),
-            "representation": row["representation"].removesuffix("[]"),
-        }
+    for row in instance.reflection.buffers:
+        chance = random.Random(f"{seed} {row.name}")
+        element = layout_of(row).element
         count = chance.choice(sizes)
-        instance.set(row["name"], [_element(element, chance) for _ in range(count)])
+        instance.set(row.name, [_value(element, chance) for _ in range(count)])
 
 
 def sample_textures(instance: Instance, seed: int) -> None:
@@ -74,13 +72,13 @@ def sample_textures(instance: Instance, seed: int) -> None:
     Integer textures get arbitrary numbers; those with 8 bits get few different ones, as palettes
     have.
     """
-    for number, row in enumerate(instance.reflection["textures"]):
-        chance = random.Random(f"{seed} {row['name']}")
-        instance.set(row["name"], _sampled_texture(row, chance, number + seed))
+    for number, row in enumerate(instance.reflection.textures):
+        chance = random.Random(f"{seed} {row.name}")
+        instance.set(row.name, _sampled_texture(row, chance, number + seed))
 
 
-def _sampled_texture(row: Mapping[str, Any], chance: random.Random, turn: int) -> Texture:
-    dimension, sample = row["dimension"], row["sample"]
+def _sampled_texture(row: TextureRow, chance: random.Random, turn: int) -> Texture:
+    dimension, sample = row.dimension, row.sample
     size = (16, 16) if dimension == "cube" else ((32, 32), (24, 20), (17, 31))[turn % 3]
     count = {"2d": 1, "cube": 6, "2d_array": 3, "3d": 12}[dimension]
     if sample in ("int", "uint"):
@@ -91,7 +89,7 @@ def _sampled_texture(row: Mapping[str, Any], chance: random.Random, turn: int) -
         array = _volume(chance, (count, size[1], size[0]))
     else:
         array = np.stack([_waves(chance, size) for _ in range(count)])
-    if row["default"] == "flat_normal":
+    if row.default == "flat_normal":
         array = np.array([0.5, 0.5, 0.9, 0.5]) + (array - 0.5) * [0.5, 0.5, 0.2, 1.0]
     texels = array[0] if dimension == "2d" else array
     if sample == "depth":
@@ -99,40 +97,34 @@ def _sampled_texture(row: Mapping[str, Any], chance: random.Random, turn: int) -
     return Texture.of_array(np.rint(texels * 255).astype(np.uint8), dimension=dimension)
 
 
-def _value(row: Mapping[str, Any], chance: random.Random) -> Any:
-    if count := row["layout"].get("count"):
-        element = {**row, "default": None}
-        return [_element(element, chance) for _ in range(count)]
-    return _element(row, chance)
+def _value(shape: Shape, chance: random.Random) -> Any:
+    match shape:
+        case Elements():
+            return [_value(shape.element, chance) for _ in range(shape.count)]
+        case Members():
+            return {member.name: _value(member.shape, chance) for member in shape.members}
+        case Numbers():
+            return _lanes(shape, chance)
 
 
-def _element(row: Mapping[str, Any], chance: random.Random) -> Any:
-    """A single value for a row, which may declare an array of them."""
-    if row["members"]:
-        return {member["name"]: _value(member, chance) for member in row["members"]}
-    return _lanes(row, chance)
-
-
-def _lanes(row: Mapping[str, Any], chance: random.Random) -> Any:
-    """A value for a row without members, in the shape of its representation."""
-    layout = row["layout"]
-    if "columns" in layout:
-        return _matrix(row, layout["columns"], chance)
-    count = layout["lanes"]
-    if row["type"].startswith("direction") and count > 1:
+def _lanes(shape: Numbers, chance: random.Random) -> Any:
+    """A value of a number, a vector or a matrix."""
+    if shape.columns:
+        return _matrix(shape, chance)
+    count = shape.lanes
+    if shape.type.startswith("direction") and count > 1:
         return _unit(chance, count)
-    drawn = _numbers(row, count, chance)
+    drawn = _numbers(shape, chance)
     return drawn[0] if count == 1 else drawn
 
 
-def _numbers(row: Mapping[str, Any], count: int, chance: random.Random) -> list[Any]:
-    representation = row["representation"]
-    if representation.startswith("b"):
+def _numbers(shape: Numbers, chance: random.Random) -> list[Any]:
+    count, default = shape.lanes, shape.default
+    if shape.kind == "bool":
         return [chance.random() < 0.5 for _ in range(count)]
-    default = row.get("default")
     defaults = [None] * count if default is None else [default] if count == 1 else list(default)
-    bounds = [_bounds(row, each) for each in defaults]
-    if limits := WHOLE.get(kind_of(representation.partition("[")[0])):
+    bounds = [_bounds(shape, each) for each in defaults]
+    if limits := WHOLE.get(shape.kind):
         return [_whole(lo, hi, limits, chance) for lo, hi in bounds]
     return [chance.uniform(lo, hi) for lo, hi in bounds]
 
@@ -142,10 +134,10 @@ def _whole(lo: float, hi: float, limits: tuple[int, int], chance: random.Random)
     return chance.randint(least, max(least, most))
 
 
-def _bounds(row: Mapping[str, Any], default: float | None) -> tuple[float, float]:
+def _bounds(shape: Numbers, default: float | None) -> tuple[float, float]:
     """The range of a number: near its default, and within its declared range."""
-    declared = row.get("range")
-    near = _USUAL.get(row["type"].partition("<")[0].partition("[")[0])
+    declared = shape.range
+    near = _USUAL.get(shape.meaning)
     if near is None:
         near = _near(declared, default)
     if declared is None:
@@ -154,7 +146,7 @@ def _bounds(row: Mapping[str, Any], default: float | None) -> tuple[float, float
     return (lo, hi) if lo <= hi else (declared[0], declared[1])
 
 
-def _near(declared: list[float] | None, default: float | None) -> tuple[float, float]:
+def _near(declared: tuple[float, float] | None, default: float | None) -> tuple[float, float]:
     if default:
         ends = (default / SPREAD, default * SPREAD)
         return min(ends), max(ends)
@@ -163,9 +155,9 @@ def _near(declared: list[float] | None, default: float | None) -> tuple[float, f
     return -1.0, 1.0
 
 
-def _matrix(row: Mapping[str, Any], size: int, chance: random.Random) -> list[list[float]]:
+def _matrix(shape: Numbers, chance: random.Random) -> list[list[float]]:
     """A matrix near its default, or near the identity."""
-    start = row.get("default") or np.eye(size).tolist()
+    start = shape.default or np.eye(shape.columns).tolist()
     return [[lane + chance.uniform(-0.1, 0.1) for lane in column] for column in start]
 
 

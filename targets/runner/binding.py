@@ -5,15 +5,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
+from ...compiler.documents.backends import BackendRow, BindingRow, BlockBindingRow
+from ...compiler.documents.drawing import (
+    DrawRow,
+    LayersRow,
+    SamplerState,
+    TargetRow,
+    TextureRow,
+    VertexInputRow,
+)
+from ...compiler.documents.reflection import Reflection
+from ...compiler.ir import blending
+from ...compiler.ir import render_state as ir
+from ...compiler.ir.render_state import DepthState, StencilState
 from ...compiler.ir.stages import EVALUATION
 from .codes import Codes
 from .drivers.pipeline import CapturedOutput, Pipeline, StreamOutput, VertexFormat
 from .drivers.pipeline import VertexInput as Input
 from .drivers.render_state import (
     ALL_LANES,
+    NO_BIAS,
     Blend,
     BlendEquation,
     DepthBias,
@@ -65,7 +79,7 @@ VERTEX_FORMATS: Mapping[str, VertexFormat] = {
 
 
 def pipeline(
-    reflection: Mapping[str, Any],
+    reflection: Reflection,
     route: Route,
     codes: Codes,
     *,
@@ -78,146 +92,155 @@ def pipeline(
     rounded to the declared format nor blended, and each pixel has one sample. Raises ``KeyError``
     if the reflection lacks the route's profile.
     """
-    backend = reflection["backends"][route.profile]
+    backend = reflection.backends[route.profile]
     on_vulkan = EVERY_DRIVER[route.driver].module == "vulkan"
-    images, state = backend["images"], reflection["render_state"]
+    images, state = backend.images, reflection.render_state
     return Pipeline(
         stages=codes.stages,
         inputs=tuple(
-            _input(row, backend) for row in reflection["vertex_inputs"] if row["buffer"] is None
+            _input(row, backend) for row in reflection.vertex_inputs if row.buffer is None
         ),
         blocks=tuple(
-            BlockSlot(_place(backend["blocks"][row["name"]]), row["size"])
-            for row in reflection["blocks"]
+            BlockSlot(_place(backend.blocks[row.name]), row.size) for row in reflection.blocks
         ),
         textures=_textures(reflection, backend),
-        buffers=tuple(
-            BufferSlot(_place(backend["buffers"][row["name"]]), row["stride"], written=written)
-            for written in (False, True)
-            for row in reflection["results" if written else "buffers"]
-            if written or row["stages"]
-        ),
+        buffers=tuple(_buffers(reflection, backend)),
         images=tuple(
-            ImageSlot(_place(images[row["name"]]), FORMATS[row["format"]])
-            for row in reflection["targets"]
+            ImageSlot(_place(images[row.name]), FORMATS[row.format])
+            for row in reflection.targets
             if images
         ),
-        targets=tuple(
-            render_target(row, exact=exact) for row in reflection["targets"] if not images
-        ),
-        layers=_layers(reflection["draw"]["layers"]),
-        primitive=reflection["draw"]["topology"],
-        patch_points=reflection["draw"]["corners"] if _divided_natively(reflection["draw"]) else 0,
-        cull=state["cull"],
-        fill=state["fill"],
-        samples=1 if exact else state["samples"],
-        depth_compare=state["depth"]["compare"],
-        depth_write=state["depth"]["write"],
-        depth_bias=_depth_bias(state["depth"]["bias"]),
-        stencil=_stencil(state["stencil"]),
-        flip_y=backend["flip_y"],
+        targets=tuple(render_target(row, exact=exact) for row in reflection.targets if not images),
+        layers=_layers(reflection.draw.layers),
+        primitive=reflection.draw.topology,
+        patch_points=reflection.draw.corners if _divided_natively(reflection.draw) else 0,
+        cull=state.cull,
+        fill=state.fill,
+        samples=1 if exact else state.samples,
+        depth_compare=state.depth.compare,
+        depth_write=state.depth.write,
+        depth_bias=_depth_bias(state.depth),
+        stencil=_stencil(state.stencil),
+        flip_y=backend.flip_y,
         # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
-        front_face=WINDINGS[state["front"]] if on_vulkan else backend["front_face"],
-        first_row="top" if on_vulkan else backend["first_row"],
-        host_uniforms=tuple(backend["host_uniforms"]),
-        clip_control=tuple(backend["clip_control"]),
+        front_face=WINDINGS[state.front] if on_vulkan else backend.front_face,
+        first_row="top" if on_vulkan else backend.first_row,
+        host_uniforms=tuple(backend.host_uniforms),
+        clip_control=tuple(backend.clip_control),
         stream_output=_stream_output(reflection, backend),
     )
 
 
-def _stream_output(
-    reflection: Mapping[str, Any], backend: Mapping[str, Any]
-) -> StreamOutput | None:
+def _buffers(reflection: Reflection, backend: BackendRow) -> Iterator[BufferSlot]:
+    """The buffers that some stage reads, and those that a kernel writes."""
+    for read in reflection.buffers:
+        if read.stages:
+            yield BufferSlot(_place(backend.buffers[read.name]), read.stride)
+    for result in reflection.results:
+        yield BufferSlot(_place(backend.buffers[result.name]), result.stride, written=True)
+
+
+def _stream_output(reflection: Reflection, backend: BackendRow) -> StreamOutput | None:
     """How vertices are captured; ``None`` if they are drawn, or if a kernel captures."""
-    captured, names = reflection["capture"], backend["captures"]
+    captured, names = reflection.capture, backend.captures
     if captured is None or not names:
         return None
     return StreamOutput(
         outputs=tuple(
-            CapturedOutput(names[row["name"]]["identifier"], location, row["offset"])
-            for location, row in enumerate(captured["members"])
+            CapturedOutput(names[row.name].identifier, location, row.offset)
+            for location, row in enumerate(captured.members)
         ),
-        stride=captured["stride"],
-        primitive=captured["primitive"],
-        in_text=backend["stream_output"] == "text",
+        stride=captured.stride,
+        primitive=captured.primitive,
+        in_text=backend.stream_output == "text",
     )
 
 
-def _depth_bias(row: Mapping[str, Any] | None) -> DepthBias:
-    return DepthBias() if row is None else DepthBias(**row)
+def _depth_bias(depth: DepthState) -> DepthBias:
+    if not depth.is_biased:
+        return NO_BIAS
+    return DepthBias(depth.bias, depth.slope_bias, depth.bias_clamp)
 
 
-def _stencil(row: Mapping[str, Any] | None) -> Stencil | None:
-    if row is None:
+def _stencil(state: StencilState | None) -> Stencil | None:
+    if state is None:
         return None
-    sides = {name: _stencil_side(row[name]) for name in ("front", "back")}
-    return Stencil(**{**row, **sides})
+    front, back = map(_stencil_side, (state.front, state.back))
+    return Stencil(front, back, state.reference, state.read_mask, state.write_mask)
 
 
-def _stencil_side(row: Mapping[str, Any]) -> StencilSide:
-    return StencilSide(row["compare"], row["fail"], row["depth_fail"], row["pass"])
+def _stencil_side(side: ir.StencilSide) -> StencilSide:
+    return StencilSide(side.compare, side.fail_op, side.depth_fail_op, side.pass_op)
 
 
-def _divided_natively(draw: Mapping[str, Any]) -> bool:
-    return bool(draw["tessellation"]) and draw["tessellation"]["divided_by"] == EVALUATION.name
+def _divided_natively(draw: DrawRow) -> bool:
+    return draw.tessellation is not None and draw.tessellation.divided_by == EVALUATION.name
 
 
-def _layers(row: Mapping[str, Any] | None) -> int:
+def _layers(row: LayersRow | None) -> int:
     """To how many layers a single draw reaches; 0 if there are none, or a draw for each."""
-    return 0 if row is None or row["parameter"] is not None else row["count"]
+    return 0 if row is None or row.parameter is not None else row.count
 
 
-def render_target(row: Mapping[str, Any], *, exact: bool = False) -> RenderTarget:
+def render_target(row: TargetRow, *, exact: bool = False) -> RenderTarget:
     """One of the reflection's targets; an ``exact`` one keeps what the shader writes."""
     format_ = target_format(row, exact=exact)
     if exact:
         return RenderTarget(format_)
     blend = None
-    if row["blend"] is not None:
-        color, alpha = (BlendEquation(**row["blend"][part]) for part in ("color", "alpha"))
-        blend = Blend(color, alpha)
-    return RenderTarget(format_, blend, row["mask"])
+    if row.blend is not None:
+        blend = Blend(_equation(row.blend.color), _equation(row.blend.alpha))
+    return RenderTarget(format_, blend, row.mask)
 
 
-def shows_less(reflection: Mapping[str, Any]) -> bool:
+def _equation(row: blending.BlendEquation) -> BlendEquation:
+    return BlendEquation(row.source, row.destination, row.operation)
+
+
+def shows_less(reflection: Reflection) -> bool:
     """Whether targets that are drawn to as the pass declares them show something else than the
     numbers that shaders write: because of what is there before, or of several samples."""
-    joined = reflection["render_state"]["samples"] > 1
-    return joined or any(map(keeps_something, reflection["targets"]))
+    joined = reflection.render_state.samples > 1
+    return joined or any(map(keeps_something, reflection.targets))
 
 
-def keeps_something(row: Mapping[str, Any]) -> bool:
+def keeps_something(row: TargetRow) -> bool:
     """Whether something is left of what is there, where one of the reflection's targets is drawn
     to."""
-    return row["blend"] is not None or row["mask"] != ALL_LANES
+    return row.blend is not None or row.mask != ALL_LANES
 
 
-def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:
+def target_format(row: TargetRow, *, exact: bool) -> TargetFormat:
     """The format to draw to for one of the reflection's targets; see ``FORMATS`` and ``EXACT``."""
-    return EXACT[row["representation"]] if exact else FORMATS[row["format"]]
+    return EXACT[row.representation] if exact else FORMATS[row.format]
 
 
-def _input(row: Mapping[str, Any], backend: Mapping[str, Any]) -> Input:
-    identifier = backend["vertex_inputs"][row["name"]]["identifier"]
-    return Input(identifier, row["location"], VERTEX_FORMATS[row["representation"]], row["step"])
+def _input(row: VertexInputRow, backend: BackendRow) -> Input:
+    assert row.location is not None, "it is in no buffer"
+    identifier = backend.vertex_inputs[row.name].identifier
+    return Input(identifier, row.location, VERTEX_FORMATS[row.representation], row.step)
 
 
-def _place(row: Mapping[str, Any]) -> Place:
-    return Place(row["identifier"], row["group"], row["binding"])
+def _place(row: BindingRow | BlockBindingRow) -> Place:
+    return Place(row.identifier, row.group, row.binding)
 
 
-def _textures(reflection: Mapping[str, Any], backend: Mapping[str, Any]) -> tuple[TextureSlot, ...]:
-    states = {row["texture"]: row["state"] for row in reflection["samplers"]}
-    samplers = backend["samplers"]
+def _textures(reflection: Reflection, backend: BackendRow) -> tuple[TextureSlot, ...]:
+    states = {row.texture: row.state for row in reflection.samplers}
     return tuple(
-        TextureSlot(
-            texture=_place(backend["textures"][row["name"]]),
-            sampler=_place(samplers[row["name"]]) if row["name"] in samplers else None,
-            dimension=row["dimension"],
-            sample=row["layout"]["sampleType"],
-            sampling=row["layout"]["sampler"],
-            **states.get(row["name"], {}),
-        )
-        for row in reflection["textures"]
-        if row["stages"]
+        _texture(row, backend, states.get(row.name)) for row in reflection.textures if row.stages
     )
+
+
+def _texture(row: TextureRow, backend: BackendRow, state: SamplerState | None) -> TextureSlot:
+    sampler = backend.samplers.get(row.name)
+    slot = TextureSlot(
+        texture=_place(backend.textures[row.name]),
+        sampler=None if sampler is None else _place(sampler),
+        dimension=row.dimension,
+        sample=row.layout.sample_type,
+        sampling=row.layout.sampler,
+    )
+    if state is None:
+        return slot
+    return replace(slot, filter=state.filter, mip=state.mip, wrap=state.wrap, compare=state.compare)

@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.documents.drawing import CapturedRow, CaptureRow, VertexInputRow
+from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.stages import VERTICES
 from ..toolchain import Toolchain
 from .binding import pipeline
@@ -68,7 +70,7 @@ def capture(
     pass that captures nothing.
     """
     reflection = subject.reflection
-    if reflection["capture"] is None:
+    if reflection.capture is None:
         raise DriverError(f"{subject.name} is drawn by a pass that captures nothing")
     codes = compile_one(route, subject.files, toolchain)
     (found,) = captured_by(route, pipeline(reflection, route, codes), [state], runner)
@@ -83,7 +85,7 @@ def captured_by(
     All states are of one material. Raises ``DriverError``.
     """
     reflection = states[0].instance.reflection
-    if reflection["capture"]["buffer"] is None:
+    if _capture(reflection).buffer is None:
         draws = tuple(state.draw() for state in states)
         answers = runner.capture(route, CaptureJob(bound, draws, tuple(map(most, states))))
         return [vertices(reflection, answer) for answer in answers]
@@ -98,52 +100,59 @@ def captured_by(
 def give_elements(state: SceneState) -> None:
     """Give the kernel that captures of a mesh what it reads of it."""
     rows = mesh_rows(state.instance.reflection)
-    give_mesh(state.instance, {row["name"]: _of_elements(row, state) for row in rows})
+    give_mesh(state.instance, {row.name: _of_elements(row, state) for row, _ in rows})
 
 
-def _of_elements(row: Mapping[str, Any], state: SceneState) -> NDArray[Any]:
+def _of_elements(row: VertexInputRow, state: SceneState) -> NDArray[Any]:
     """The values of a vertex input for each element: a vertex, or a primitive or a patch that turns
     into others."""
     reflection, copies = state.instance.reflection, state.instance_count
-    if reflection["draw"]["expanded_by"] or reflection["draw"]["tessellation"]:
-        return state.attributes[row["name"]]
+    if reflection.draw.expanded_by or reflection.draw.tessellation:
+        return state.attributes[row.name]
     drawn = state.triangles.reshape(-1)
-    if row["mesh"] is not None and row["mesh"]["is_number"]:
-        is_vertex = row["step"] == VERTICES
+    if row.mesh is not None and row.mesh.is_number:
+        is_vertex = row.step == VERTICES
         numbers = np.tile(drawn, copies) if is_vertex else np.repeat(np.arange(copies), len(drawn))
         return numbers[:, None]
-    values = state.attributes[row["name"]]
-    if row["step"] == VERTICES:
+    values = state.attributes[row.name]
+    if row.step == VERTICES:
         return np.tile(values[drawn], (copies, 1))
     return np.repeat(values, len(drawn), axis=0)
 
 
 def _compacted(state: SceneState, written: Written) -> Captured:
     """What a kernel has written, without the vertices that are not there."""
-    row = state.instance.reflection["capture"]
-    data = elements_of(state.instance, written)[row["buffer"]]
+    row = _capture(state.instance.reflection)
+    assert row.buffer is not None, "a kernel captures"
+    data = elements_of(state.instance, written)[row.buffer]
     words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
-    if row["there"] is not None:
-        words = words[words[:, row["there"]] != 0, : row["stride"]]
+    if row.there is not None:
+        words = words[words[:, row.there] != 0, : row.stride]
     return Captured(len(words), words.tobytes())
 
 
 def most(state: SceneState) -> int:
     """How many vertices are captured of a mesh at most."""
-    row = state.instance.reflection["capture"]
-    return int(row["vertices"]) * len(state.triangles) * state.instance_count
+    row = _capture(state.instance.reflection)
+    return row.vertices * len(state.triangles) * state.instance_count
 
 
-def vertices(reflection: Mapping[str, Any], captured: Captured) -> Vertices:
+def vertices(reflection: Reflection, captured: Captured) -> Vertices:
     """What was captured, as arrays."""
-    row = reflection["capture"]
-    words = np.frombuffer(captured.data, np.uint8).reshape(captured.count, row["stride"])
-    members = {each["name"]: _member(words, each) for each in row["members"]}
-    return Vertices(members, row["primitive"], captured.count)
+    row = _capture(reflection)
+    words = np.frombuffer(captured.data, np.uint8).reshape(captured.count, row.stride)
+    members = {each.name: _member(words, each) for each in row.members}
+    return Vertices(members, row.primitive, captured.count)
 
 
-def _member(words: NDArray[np.uint8], row: Mapping[str, Any]) -> NDArray[Any]:
-    representation = row["representation"]
+def _capture(reflection: Reflection) -> CaptureRow:
+    """How a pass captures that does."""
+    assert reflection.capture is not None
+    return reflection.capture
+
+
+def _member(words: NDArray[np.uint8], row: CapturedRow) -> NDArray[Any]:
+    representation = row.representation
     lanes = lanes_of(representation)
-    part = np.ascontiguousarray(words[:, row["offset"] : row["offset"] + 4 * lanes])
+    part = np.ascontiguousarray(words[:, row.offset : row.offset + 4 * lanes])
     return part.view(stored_as(representation)).reshape(len(words), lanes)

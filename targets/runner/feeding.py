@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
-from typing import Any
 
+from ...compiler.documents.values import BufferRow, ResultRow
 from .instances.instance import Instance
 from .reference_kernels import elements_by_reference
 from .subject import Subject
@@ -38,9 +38,9 @@ class Kernel:
         return self.subject.name
 
     @property
-    def results(self) -> Mapping[str, Mapping[str, Any]]:
+    def results(self) -> Mapping[str, ResultRow]:
         """The rows of the reflection for what it writes, by name."""
-        return {row["name"]: row for row in self.subject.reflection["results"]}
+        return {row.name: row for row in self.subject.reflection.results}
 
 
 class Feeding:
@@ -69,14 +69,12 @@ class Feeding:
 
     def unfed(self, instance: Instance) -> list[str]:
         """The buffers of an instance that have no elements, and get none."""
-        rows = instance.reflection["buffers"]
+        rows = instance.reflection.buffers
         contents = instance.buffers()
         return [
-            row["name"]
+            row.name
             for row in rows
-            if row["stages"]
-            and row["name"] not in self._writers
-            and not contents[row["name"]].count
+            if row.stages and row.name not in self._writers and not contents[row.name].count
         ]
 
     def run(self, steps: int, tell: Progress) -> None:
@@ -103,18 +101,18 @@ class Feeding:
 
     def _reads(self, instance: Instance) -> Iterator[str]:
         """The buffers of an instance that kernels write."""
-        for row in instance.reflection["buffers"]:
-            found = self._writers.get(row["name"])
+        for row in instance.reflection.buffers:
+            found = self._writers.get(row.name)
             if found is not None:
                 self._check_type(instance, row, found)
-                yield row["name"]
+                yield row.name
 
-    def _check_type(self, reader: Instance, row: Mapping[str, Any], writer: Kernel) -> None:
-        written = writer.results[row["name"]]
+    def _check_type(self, reader: Instance, row: BufferRow, writer: Kernel) -> None:
+        written = writer.results[row.name]
         if _stored(row) != _stored(written):
             raise FeedError(
-                f"`{row['name']}` of {reader.reflection['material']} is {row['type']}, and "
-                f"{writer.name} writes {written['type']}"
+                f"`{row.name}` of {reader.reflection.material} is {row.type}, and "
+                f"{writer.name} writes {written.type}"
             )
 
     def _ordered(self, wanted: Sequence[str]) -> list[Kernel]:
@@ -157,15 +155,15 @@ class Feeding:
             source, target = (self._writers[name].results[name] for name in (result, buffer))
             if _stored(source) != _stored(target):
                 raise FeedError(
-                    f"`{buffer}` is {target['type']}, and cannot become `{result}`, which is "
-                    f"{source['type']}"
+                    f"`{buffer}` is {target.type}, and cannot become `{result}`, which is "
+                    f"{source.type}"
                 )
 
 
-def _stored(row: Mapping[str, Any]) -> object:
+def _stored(row: BufferRow | ResultRow) -> object:
     """How the elements of a buffer are stored; structures are told apart by their members only."""
-    members = [struct["members"] for struct in row["structs"]]
-    return row["stride"], members or row["layout"]
+    members = [struct.members for struct in row.structs]
+    return row.stride, members or row.layout
 
 
 def _writers(kernels: Sequence[Kernel]) -> dict[str, Kernel]:

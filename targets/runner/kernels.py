@@ -7,12 +7,14 @@ A kernel over images is drawn by ``render`` as well: as the scene that ``full_sc
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 
 from ...compiler.budget import check
+from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.values import ResultRow
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.stages import RASTERISED
@@ -46,64 +48,60 @@ class UndrawableError(ValueError):
         )
 
 
-def has_images(reflection: Mapping[str, Any]) -> bool:
+def has_images(reflection: Reflection) -> bool:
     """Whether something compiled is a kernel over images."""
-    return reflection["extent"] is not None and bool(reflection["targets"])
+    return reflection.extent is not None and bool(reflection.targets)
 
 
-def is_over_buffers(reflection: Mapping[str, Any]) -> bool:
+def is_over_buffers(reflection: Reflection) -> bool:
     """Whether something compiled is a kernel over buffers, which has no picture of its own."""
-    return bool(reflection["results"]) and reflection["capture"] is None
+    return bool(reflection.results) and reflection.capture is None
 
 
-def is_drawn(reflection: Mapping[str, Any]) -> bool:
+def is_drawn(reflection: Reflection) -> bool:
     """Whether it makes pictures. Kernels over buffers write elements instead, and captures do."""
-    return reflection["capture"] is None and not is_over_buffers(reflection)
+    return reflection.capture is None and not is_over_buffers(reflection)
 
 
-def job_of(
-    reflection: Mapping[str, Any], pipeline: Pipeline, dispatches: Sequence[Dispatch]
-) -> KernelJob:
+def job_of(reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]) -> KernelJob:
     """What a driver is asked to compute with the pipeline of a kernel."""
-    x, y, z = reflection["work_group"]
-    return KernelJob(pipeline, (x, y, z), tuple(dispatches))
+    assert reflection.work_group is not None, "it is a kernel"
+    return KernelJob(pipeline, reflection.work_group, tuple(dispatches))
 
 
 def dispatch_of(instance: Instance) -> Dispatch:
     """The bytes that a driver computes with, in the order of the reflection. Raises
     ``BudgetError`` for too many that a kernel would write."""
-    reflection: Mapping[str, Any] = instance.reflection
+    reflection = instance.reflection
     blocks, textures, buffers = instance.blocks(), instance.textures(), instance.buffers()
     count = instance.extent()
-    read = [buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]]
+    read = [buffers[row.name].bound for row in reflection.buffers if row.stages]
     counts = instance.result_counts()
-    size = sum(max(counts[row["name"]], 1) * row["stride"] for row in reflection["results"])
-    check("memory", size, f"the results of {reflection['material']} take")
-    written = [_before(row, counts[row["name"]]) for row in reflection["results"]]
+    size = sum(max(counts[row.name], 1) * row.stride for row in reflection.results)
+    check("memory", size, f"the results of {reflection.material} take")
+    written = [_before(row, counts[row.name]) for row in reflection.results]
     return Dispatch(
         extent=(count, 1, 1),
-        blocks=tuple(blocks[row["name"]] for row in reflection["blocks"]),
-        textures=tuple(
-            textures[row["name"]].image() for row in reflection["textures"] if row["stages"]
-        ),
+        blocks=tuple(blocks[row.name] for row in reflection.blocks),
+        textures=tuple(textures[row.name].image() for row in reflection.textures if row.stages),
         buffers=(*read, *written),
     )
 
 
-def _before(row: Mapping[str, Any], count: int) -> bytes:
+def _before(row: ResultRow, count: int) -> bytes:
     """What a buffer holds before a kernel writes it. No API binds one of no bytes."""
-    size = max(count, 1) * row["stride"]
-    if row["initial"] is None:
+    size = max(count, 1) * row.stride
+    if row.initial is None:
         return bytes(size)
-    return _WORD.pack(int(row["initial"]) & 0xFFFFFFFF) * int(size // 4)
+    return _WORD.pack(int(row.initial) & 0xFFFFFFFF) * int(size // 4)
 
 
 def elements_of(instance: Instance, written: Written) -> dict[str, bytes]:
     """The bytes of the elements of each result, by name."""
     counts = instance.result_counts()
     return {
-        row["name"]: data[: counts[row["name"]] * row["stride"]]
-        for row, data in zip(instance.reflection["results"], written.buffers, strict=True)
+        row.name: data[: counts[row.name] * row.stride]
+        for row, data in zip(instance.reflection.results, written.buffers, strict=True)
     }
 
 
@@ -114,14 +112,14 @@ def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
     """
     reflection, (width, height) = instance.reflection, instance.image_size()
     if not width * height:
-        raise EmptyImageError(reflection["material"], width, height)
+        raise EmptyImageError(reflection.material, width, height)
     corners = np.arange(CORNERS)[None]
-    cleared = (clear,) * len(reflection["targets"])
+    cleared = (clear,) * len(reflection.targets)
     return SceneState(width, height, {}, corners, instance, cleared)
 
 
 def pictures_of(
-    route: Route, runner: Runner, reflection: Mapping[str, Any], pipeline: Pipeline,
+    route: Route, runner: Runner, reflection: Reflection, pipeline: Pipeline,
     draws: Sequence[Draw],
 ) -> Sequence[Picture]:  # fmt: skip
     """The images of a kernel as pictures: drawn, or computed where the pipeline writes images.

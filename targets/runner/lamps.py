@@ -12,8 +12,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from ...compiler.documents.values import LightRow
 from .cameras import Vector
-from .instances.instance import Instance
+from .instances.host_values import HostValues
 
 LampKind = Literal["directional", "point", "spot"]
 
@@ -58,27 +59,27 @@ _DARK = Lamp("", "spot", (0.0, 0.0, 0.0), (0.0, 1000.0, 0.0), (0.0, -1.0, 0.0))
 """For the lights of a rig that a file has none for."""
 
 
-def shine(instance: Instance, lamps: Sequence[Lamp], roles: Sequence[Roles]) -> None:
+def shine(instance: HostValues, lamps: Sequence[Lamp], roles: Sequence[Roles]) -> None:
     """Set the parameters of all lights of a rig to those of a file, in their order.
 
     ``roles`` are those of each light of the rig. Lights of the rig that are left over are dark, and
     those of an array are switched off.
     """
-    lights = instance.reflection["lights"]
+    lights = instance.declared.lights
     for row, own, taken in zip(lights, roles, _shared(lights, lamps, roles), strict=True):
-        whole = taken + [_DARK] * ((row["capacity"] or 1) - len(taken))
+        whole = taken + [_DARK] * ((row.capacity or 1) - len(taken))
         _set(instance, row, [_values(own, lamp) for lamp in whole], len(taken))
 
 
-def left_over(instance: Instance, lamps: Sequence[Lamp], roles: Sequence[Roles]) -> list[Lamp]:
+def left_over(instance: HostValues, lamps: Sequence[Lamp], roles: Sequence[Roles]) -> list[Lamp]:
     """The lights of a file for which a rig has no place."""
-    shared = _shared(instance.reflection["lights"], lamps, roles)
+    shared = _shared(instance.declared.lights, lamps, roles)
     used = {id(lamp) for taken in shared for lamp in taken}
     return [lamp for lamp in lamps if id(lamp) not in used]
 
 
 def _shared(
-    lights: Sequence[Mapping[str, Any]], lamps: Sequence[Lamp], roles: Sequence[Roles]
+    lights: Sequence[LightRow], lamps: Sequence[Lamp], roles: Sequence[Roles]
 ) -> list[list[Lamp]]:
     """Which lights of a file each light of a rig gets: the next of its kind."""
     waiting: dict[LampKind, list[Lamp]] = {"directional": [], "point": [], "spot": []}
@@ -86,26 +87,26 @@ def _shared(
         waiting[lamp.kind].append(lamp)
     shared = []
     for row, own in zip(lights, roles, strict=True):
-        kind, capacity = _kind(own), row["capacity"] or 1
+        kind, capacity = _kind(own), row.capacity or 1
         shared.append(waiting[kind][:capacity])
         waiting[kind] = waiting[kind][capacity:]
     return shared
 
 
 def make_up(
-    instance: Instance, roles: Sequence[Roles], distance: float, most_of_array: int
+    instance: HostValues, roles: Sequence[Roles], distance: float, most_of_array: int
 ) -> None:
     """Set the parameters of all lights of a rig, so that they shine on what is at the origin.
 
     Lights with a place are at a distance from it. Those of an array have values beyond the number
     that shines, so that this can be raised later.
     """
-    lights = instance.reflection["lights"]
+    lights = instance.declared.lights
     counts = [_count(row, most_of_array) for row in lights]
     total = sum(counts)
     shining, spare = 0, total
     for row, own, count in zip(lights, roles, counts, strict=True):
-        further = (row["capacity"] or 1) - count
+        further = (row.capacity or 1) - count
         numbers = (*range(shining, shining + count), *range(spare, spare + further))
         shining, spare = shining + count, spare + further
         lamps = [_made_up(number, total, distance) for number in numbers]
@@ -132,21 +133,20 @@ def _values(roles: Roles, lamp: Lamp, known: frozenset[str] | None = None) -> di
 
 
 def _set(
-    instance: Instance, row: Mapping[str, Any], values: Sequence[Mapping[str, Any]], count: int
+    instance: HostValues, row: LightRow, values: Sequence[Mapping[str, Any]], count: int
 ) -> None:
     """Set a light, or all of an array of which ``count`` are switched on."""
     if values and values[0]:
-        instance.set(row["name"], values[0] if row["capacity"] is None else values)
-    if row["count"] is not None:
-        instance.set(row["count"], count)
+        instance.set(row.name, values[0] if row.capacity is None else values)
+    if row.count is not None:
+        instance.set(row.count, count)
 
 
-def _count(row: Mapping[str, Any], most_of_array: int) -> int:
+def _count(row: LightRow, most_of_array: int) -> int:
     """How many lights a row of the reflection means."""
-    if row["capacity"] is None:
+    if row.capacity is None:
         return 1
-    capacity: int = row["capacity"]
-    return capacity if row["count"] is None else min(capacity, most_of_array)
+    return row.capacity if row.count is None else min(row.capacity, most_of_array)
 
 
 def _made_up(number: int, total: int, distance: float) -> Lamp:

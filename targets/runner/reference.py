@@ -93,9 +93,9 @@ def values_for(
     wanted = [parameter for parameter in read if parameter.derived]
     if not wanted:
         return values
-    shapes = {row["name"]: shape_of(row) for row in instance.reflection["parameters"]}
-    rows = computed(instance.reflection["derived"], Inputs(shapes, values))
-    found = {row["name"]: value for row, _shape, value in rows}
+    shapes = {row.name: shape_of(row) for row in instance.reflection.parameters}
+    rows = computed(instance.reflection.derived, Inputs(shapes, values))
+    found = {row.name: value for row, _shape, value in rows}
     return values | {parameter.name: _derived(parameter, found) for parameter in wanted}
 
 

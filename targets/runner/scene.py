@@ -16,11 +16,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
-from ...compiler.ir.stages import VERTICES
+from ...compiler.documents.drawing import TextureRow, VertexInputRow
+from ...compiler.documents.plan import FramePlan
+from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.values import LightRow, MemberRow, ParameterRow
 from ...compiler.reflection.roles import scene_names
+from ...frozen import changed
 from .cameras import Camera, Matrix, looking
-from .instances.instance import Instance
+from .instances.declared import Declared
+from .instances.host_values import HostValues
 from .instances.shapes import WHOLE, kind_of, lanes_of
 from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
 from .looks import PLAIN, Look
@@ -51,17 +55,17 @@ class Scene:
     bones: Matrix | None = None
     """The transform of each bone (bones, 4, 4); ``None`` for the bones of the meshes here."""
 
-    def apply(self, instance: Instance, aspect: float, but: frozenset[str] = frozenset()) -> None:
+    def apply(self, instance: HostValues, aspect: float, but: frozenset[str] = frozenset()) -> None:
         """Set all parameters and textures that belong to a scene, but those with some names;
         ``aspect`` is width divided by height."""
-        roles = value_roles(instance.reflection)
+        roles = value_roles(instance.declared)
         given = self._values(aspect)
         if _POSE in roles.values():
             given[_POSE] = self._pose()
         for name, role in roles.items():
             if role in given and name not in but:
                 instance.set(name, given[role])
-        for name, role in texture_roles(instance.reflection).items():
+        for name, role in texture_roles(instance.declared).items():
             if role in self.look.textures and name not in but:
                 instance.set(name, self.look.textures[role])
         self._place_lights(instance)
@@ -82,63 +86,64 @@ class Scene:
     def _pose(self) -> Pose:
         return pose() if self.bones is None else _padded(self.bones)
 
-    def unused_lamps(self, instance: Instance) -> list[Lamp]:
+    def unused_lamps(self, instance: HostValues) -> list[Lamp]:
         """The lights of a file for which the rig has no place."""
         return left_over(instance, self.lamps, _all_roles(instance))
 
-    def _place_lights(self, instance: Instance) -> None:
+    def _place_lights(self, instance: HostValues) -> None:
         if self.lamps:
             shine(instance, self.lamps, _all_roles(instance))
         else:
             make_up(instance, _all_roles(instance), self.light_distance, self.light_count)
 
 
-def _all_roles(instance: Instance) -> list[dict[str, str]]:
+def _all_roles(instance: HostValues) -> list[dict[str, str]]:
     """What a scene sets of each light of the rig."""
-    parameters = _by_name(instance.reflection)
-    return [dict(light_roles(parameters, row)) for row in instance.reflection["lights"]]
+    parameters = _by_name(instance.declared)
+    return [dict(light_roles(parameters, row)) for row in instance.declared.lights]
 
 
 def light_roles(
-    parameters: Mapping[str, Mapping[str, Any]], light: Mapping[str, Any]
+    parameters: Mapping[str, ParameterRow], light: LightRow
 ) -> Iterator[tuple[str, str]]:
     """The parameters of a light that a scene sets, without the light's own name, each with what
     the scene calls its value. ``parameters`` are those of the reflection, by name."""
-    rows = [parameters[name] for name in light["parameters"]]
-    if light["capacity"] is not None:
-        members = [(member["name"], member) for row in rows for member in row["members"]]
-    else:
-        members = [(row["name"].removeprefix(f"{light['name']}."), row) for row in rows]
+    rows = [parameters[name] for name in light.parameters]
+    members: list[tuple[str, ParameterRow | MemberRow]] = (
+        [(row.name.removeprefix(f"{light.name}."), row) for row in rows]
+        if light.capacity is None
+        else [(member.name, member) for row in rows for member in row.members]
+    )
     for name, member in members:
         role = _light_role(member)
         if role is not None:
             yield name, role
 
 
-def _by_name(reflection: Mapping[str, Any]) -> Mapping[str, Mapping[str, Any]]:
-    return {row["name"]: row for row in reflection["parameters"]}
+def _by_name(declared: Declared) -> Mapping[str, ParameterRow]:
+    return {row.name: row for row in declared.parameters}
 
 
-def _light_role(row: Mapping[str, Any]) -> str | None:
+def _light_role(row: ParameterRow | MemberRow) -> str | None:
     """What a scene calls the value of a light's parameter, if it has one for it.
 
     A declaration of the library says this, or else the type of a parameter without a default. Names
     say nothing: a parameter of one's own may have any.
     """
     names = scene_names()
-    known = names["parameters"].get(row["library"])
-    by_type = names["light_types"].get(row["type"]) if row["default"] is None else None
+    known = names["parameters"].get(row.library or "")
+    by_type = names["light_types"].get(row.type) if row.default is None else None
     return known or by_type
 
 
-def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
+def set_by_scene(reflection: Reflection) -> set[str]:
     """The names of the parameters that every scene sets, including those of single lights."""
     parameters = _by_name(reflection)
-    found = {name for name, row in parameters.items() if row["role"] in _OF_VIEWS}
-    for light in reflection["lights"]:
-        if light["capacity"] is None:
+    found = {name for name, row in parameters.items() if row.role in _OF_VIEWS}
+    for light in reflection.lights:
+        if light.capacity is None:
             roles = light_roles(parameters, light)
-            found.update(f"{light['name']}.{name}" for name, role in roles if role in MADE_UP)
+            found.update(f"{light.name}.{name}" for name, role in roles if role in MADE_UP)
     return found
 
 
@@ -147,10 +152,10 @@ _OF_VIEWS = ("world_to_clip", "eye", "object_to_world", _POSE)
 """What a scene calls the values that are not a light's."""
 
 
-def value_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
+def value_roles(declared: Declared | FramePlan) -> dict[str, str]:
     """The parameters for which a scene may have a value, each with what it calls that."""
-    rows = reflection["parameters"]
-    return {row["name"]: row["role"] for row in rows if row["role"] is not None}
+    rows = declared.parameters
+    return {row.name: row.role for row in rows if row.role is not None}
 
 
 def declared_as(role: str) -> str:
@@ -158,14 +163,15 @@ def declared_as(role: str) -> str:
     return next(name for name, own in scene_names()["parameters"].items() if own == role)
 
 
-def texture_roles(reflection: Mapping[str, Any]) -> dict[str, str]:
+def texture_roles(declared: Declared) -> dict[str, str]:
     """The textures for which a look may have a picture, each with what a scene calls that."""
     names = scene_names()["textures"]
-    found = ((row["name"], names.get(row.get("library"))) for row in reflection["textures"])
+    rows = (row for row in declared.textures if isinstance(row, TextureRow))
+    found = ((row.name, names.get(row.library or "")) for row in rows)
     return {name: role for name, role in found if role is not None}
 
 
-def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[Any]]:
+def vertex_data(reflection: Reflection, mesh: Mesh) -> dict[str, NDArray[Any]]:
     """The mesh's values for each vertex input that the shader reads, of shape (vertices, lanes).
 
     For inputs per instance the shape is (instances, lanes). ``stdlib/scene.toml`` says which
@@ -175,35 +181,36 @@ def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[
     roles = scene_names()["attributes"]
     found = {}
     for row in inputs_of_mesh(reflection):
-        held = mesh.instances if row["step"] == "instance" else mesh.channels
-        channel = roles.get(row["name"], row["name"])
-        values = held.get(_own(row["name"]), held.get(row["name"], held.get(channel)))
+        held = mesh.instances if row.step == "instance" else mesh.channels
+        channel = roles.get(row.name, row.name)
+        values = held.get(_own(row.name), held.get(row.name, held.get(channel)))
         if values is None:
             raise MeshError(
-                f"{reflection['material']} reads the vertex input `{row['name']}` "
-                f"({row['type']}), which the mesh does not have for each {row['step']}: "
+                f"{reflection.material} reads the vertex input `{row.name}` "
+                f"({row.type}), which the mesh does not have for each {row.step}: "
                 f"it has {', '.join(held) or 'nothing'}"
             )
-        found[row["name"]] = _with_lanes(row, values)
+        found[row.name] = _with_lanes(row, values)
     return found
 
 
-def inputs_of_mesh(reflection: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def inputs_of_mesh(reflection: Reflection) -> list[VertexInputRow]:
     """The vertex inputs as a mesh has them, however its primitives are drawn."""
-    rows = {row["name"]: row for row in map(_of_mesh, reflection["vertex_inputs"]) if row}
+    rows = {row.name: row for row in map(_of_mesh, reflection.vertex_inputs) if row is not None}
     return list(rows.values())
 
 
-def _of_mesh(row: Mapping[str, Any]) -> Mapping[str, Any]:
-    """A vertex input as a mesh has it; nothing, if the host counts or makes it."""
-    mesh = row["mesh"]
-    if mesh is None or mesh["is_number"] or mesh["is_of_pattern"]:
-        return {} if mesh else row
-    step = PER_INSTANCE if mesh["corner"] is None else VERTICES
-    return {**row, "name": mesh["name"], "step": step}
+def _of_mesh(row: VertexInputRow) -> VertexInputRow | None:
+    """A vertex input as a mesh has it; ``None`` if the host counts or makes it."""
+    mesh = row.mesh
+    if mesh is None:
+        return row
+    if mesh.is_number or mesh.is_of_pattern:
+        return None
+    return changed(row, name=mesh.name, step="instance" if mesh.corner is None else "vertex")
 
 
-def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INSTANCES) -> Mesh:
+def with_inputs(reflection: Reflection, mesh: Mesh, instances: int = INSTANCES) -> Mesh:
     """``mesh`` with a smooth pattern for each vertex input of the shader that it lacks.
 
     If the shader distinguishes instances and the mesh has none, there are ``instances`` of them.
@@ -215,13 +222,13 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INST
     if is_instanced(reflection) and not of_instances:
         count = instances
     for row in inputs_of_mesh(reflection):
-        name = row["name"]
-        if row["step"] == "instance":
+        name = row.name
+        if row.step == "instance":
             of_instances.setdefault(name, _of_instances(row, count))
             continue
         channel = channels.get(name, channels.get(roles.get(name, name)))
         fits = channel is not None and (channel.dtype.kind == "f") == (
-            kind_of(row["representation"]) == "float"
+            kind_of(row.representation) == "float"
         )
         if not fits:
             channels[_own(name)] = _pattern(row, position)
@@ -236,23 +243,23 @@ def _own(name: str) -> str:
     return f"own {name}" if name in CHANNELS else name
 
 
-def is_instanced(reflection: Mapping[str, Any]) -> bool:
+def is_instanced(reflection: Reflection) -> bool:
     """Whether a shader distinguishes instances of the mesh."""
-    rows = reflection["vertex_inputs"]
-    draw = reflection["draw"]
-    if "instances" in (draw["expanded_by"], (draw["tessellation"] or {}).get("divided_by")):
-        of_mesh = (row["mesh"] for row in rows)
-        return any(row["corner"] is None and not row["is_of_pattern"] for row in of_mesh)
-    return any("instance_index" in read for read in reflection["pipeline_inputs"].values()) or any(
-        row["step"] == "instance" for row in rows
+    rows = reflection.vertex_inputs
+    draw = reflection.draw
+    if "instances" in (draw.expanded_by, draw.tessellation and draw.tessellation.divided_by):
+        of_mesh = [row.mesh for row in rows if row.mesh is not None]
+        return any(row.corner is None and not row.is_of_pattern for row in of_mesh)
+    return any("instance_index" in read for read in reflection.pipeline_inputs.values()) or any(
+        row.step == "instance" for row in rows
     )
 
 
-def _of_instances(row: Mapping[str, Any], count: int) -> NDArray[Any]:
+def _of_instances(row: VertexInputRow, count: int) -> NDArray[Any]:
     """The values of ``count`` instances for an input: their transforms, or a pattern."""
-    column = row["column"]
-    if column is not None and scene_names()["instances"].get(column["of"]) == "placement":
-        return placements(count)[:, :, column["index"]]
+    column = row.column
+    if column is not None and scene_names()["instances"].get(column.of) == "placement":
+        return placements(count)[:, :, column.index]
     return _pattern(row, _places(count))
 
 
@@ -273,12 +280,12 @@ def _places(count: int) -> NDArray[np.float64]:
     return np.stack([ring * np.cos(turns), ring * np.sin(turns), depth], 1)
 
 
-def _pattern(row: Mapping[str, Any], position: NDArray[np.float64]) -> NDArray[Any]:
-    representation = row["representation"]
+def _pattern(row: VertexInputRow, position: NDArray[np.float64]) -> NDArray[Any]:
+    representation = row.representation
     lanes = lanes_of(representation)
     number = int(re.sub(r"\D", "", representation) or 1)
     waves = [
-        0.5 + 0.4 * np.sin(position @ [1.3 + lane, 0.7 * number, 2.1 - lane] + len(row["name"]))
+        0.5 + 0.4 * np.sin(position @ [1.3 + lane, 0.7 * number, 2.1 - lane] + len(row.name))
         for lane in range(lanes)
     ]
     values = np.stack(waves, 1)
@@ -287,12 +294,12 @@ def _pattern(row: Mapping[str, Any], position: NDArray[np.float64]) -> NDArray[A
     return values.astype(np.float32).astype(float)
 
 
-def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
+def _with_lanes(row: VertexInputRow, values: NDArray[Any]) -> NDArray[Any]:
     """``values`` with the input's number of lanes: others are removed, a missing fourth is 1."""
-    representation = row["representation"]
+    representation = row.representation
     if kind_of(representation) in WHOLE and values.dtype.kind == "f":
         raise MeshError(
-            f"the vertex input `{row['name']}` ({row['type']}) takes whole numbers, which the mesh "
+            f"the vertex input `{row.name}` ({row.type}) takes whole numbers, which the mesh "
             "does not have there"
         )
     lanes = lanes_of(representation)

@@ -50,8 +50,8 @@ class SceneState:
         return instanced(per_vertex, per_instance, self.triangles, self.instance_count)
 
     def _stepping(self, step: str) -> dict[str, NDArray[Any]]:
-        rows = self.instance.reflection["vertex_inputs"]
-        return {row["name"]: self.attributes[row["name"]] for row in rows if row["step"] == step}
+        rows = self.instance.reflection.vertex_inputs
+        return {row.name: self.attributes[row.name] for row in rows if row.step == step}
 
     def draw(self) -> Draw:
         """The bytes that a driver draws, in the order of the reflection's inputs, blocks,
@@ -63,21 +63,17 @@ class SceneState:
             height=self.height,
             vertex_count=Geometry(self._stepping(VERTICES), self.triangles).vertex_count,
             vertices=tuple(
-                _bytes(row["representation"], self.attributes[row["name"]])
-                for row in reflection["vertex_inputs"]
-                if row["buffer"] is None
+                _bytes(row.representation, self.attributes[row.name])
+                for row in reflection.vertex_inputs
+                if row.buffer is None
             ),
             indices=self.triangles.astype("<u4").tobytes(),
             blocks=self._blocks(),
-            textures=tuple(
-                textures[row["name"]].image() for row in reflection["textures"] if row["stages"]
-            ),
+            textures=tuple(textures[row.name].image() for row in reflection.textures if row.stages),
             clear=self.clear,
-            clear_depth=reflection["render_state"]["depth"]["clear"],
+            clear_depth=reflection.render_state.depth.clear,
             blend_constant=self.blend_constant,
-            buffers=tuple(
-                buffers[row["name"]].bound for row in reflection["buffers"] if row["stages"]
-            ),
+            buffers=tuple(buffers[row.name].bound for row in reflection.buffers if row.stages),
             instance_count=self.instance_count,
             layers=tuple(state._blocks() for state in self.layers),
         )
@@ -85,17 +81,17 @@ class SceneState:
     @property
     def layers(self) -> tuple[SceneState, ...]:
         """The state of each layer of the picture, if every layer is a draw of its own."""
-        row = self.instance.reflection["draw"]["layers"]
-        if row is None or row["parameter"] is None:
+        row = self.instance.reflection.draw.layers
+        if row is None or row.parameter is None:
             return ()
         return tuple(
-            replace(self, instance=self.instance.having(row["parameter"], layer))
-            for layer in range(row["count"])
+            replace(self, instance=self.instance.having(row.parameter, layer))
+            for layer in range(row.count)
         )
 
     def _blocks(self) -> tuple[bytes, ...]:
         blocks = self.instance.blocks()
-        return tuple(blocks[row["name"]] for row in self.instance.reflection["blocks"])
+        return tuple(blocks[row.name] for row in self.instance.reflection.blocks)
 
 
 def set_up(
@@ -129,11 +125,11 @@ def drawn_state(
     """
     width, height = size
     reflection = instance.reflection
-    data, rows = vertex_data(reflection, mesh), reflection["targets"]
+    data, rows = vertex_data(reflection, mesh), reflection.targets
     drawn = as_drawn(instance, data, mesh)
-    if mesh_rows(reflection) and reflection["capture"] is None:
+    if mesh_rows(reflection) and reflection.capture is None:
         give_mesh(instance, drawn.attributes)
-    own = (background if row["clear"] is None else tuple(row["clear"]) for row in rows)
+    own = (background if row.clear is None else row.clear for row in rows)
     cleared = tuple(own) if clear is None else (clear,) * len(rows)
     return SceneState(
         width, height, drawn.attributes, drawn.corners, instance, cleared, drawn.instance_count

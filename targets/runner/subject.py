@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Protocol
+from typing import Protocol
 
+from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.shader import Shader
 from .codes import ShaderFile
 
@@ -25,7 +26,7 @@ class Subject(Protocol):
         """For profiles without texts, the reason."""
 
     @property
-    def reflection(self) -> Mapping[str, Any]:
+    def reflection(self) -> Reflection:
         """The reflection, by which a host binds."""
 
     @property

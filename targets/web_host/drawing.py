@@ -26,7 +26,7 @@ def draw_frames(
     check_textures(host, count)
     if not EVERY_DRIVER[route.driver].draws_packages:
         return by_route.draw_frames(host, route, runner, toolchain, count)
-    names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
+    names = [row.name for row in host.plan.outputs if row.texture is not None]
     package = frame_package(host, [route.profile])
     found = iter(runner.draw_package(route, package, names, count))
     return [{name: by_route.array_of(next(found)) for name in names} for _ in range(count)]

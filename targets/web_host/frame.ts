@@ -2,8 +2,8 @@
 
 import { bytesOf, halved } from "./bytes.js";
 import type {
-  Camera, FramePackage, Model, PackagedShader, Plan, PlanDraw, PlanDrawn, PlanInput, PlanRun,
-  PlanTarget, PlanUse, Value,
+  CameraRow, Package, ModelRow, PackagedShader, FramePlan, DrawStep, DrawnRow, InputRow, RunStep,
+  AttachmentRow, UseRow, Value,
 } from "./generated/documents.js";
 import { bareMesh, checkLevels, unpacked, type Mesh } from "./geometry.js";
 import type { Attachment, Bound, DrawCall, Pixels, Renderer } from "./renderer.js";
@@ -11,12 +11,12 @@ import { hostBuffer, previousOf, Resources } from "./resources.js";
 import { settingsOf } from "./settings.js";
 import { Values } from "./values.js";
 
-const VERSION = 1;
+const VERSION = 2;
 /** How many frames are told apart, and how many vertices: as many as float32 can. */
 const NUMBERS = 2 ** 24;
 
 /** An error for a package that this host cannot draw. */
-export function checkVersions({ package: version, plan, shaders }: FramePackage): void {
+export function checkVersions({ package: version, plan, shaders }: Package): void {
   const reflections = shaders.map(({ reflection }) => reflection.format);
   const found = { packages: [version], plans: [plan.plan], reflections };
   for (const [what, versions] of Object.entries(found)) {
@@ -30,12 +30,12 @@ export function checkVersions({ package: version, plan, shaders }: FramePackage)
 /** A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a
  * sentence. */
 export class PlanFrame<Texture, Buffer> {
-  readonly plan: Plan;
+  readonly plan: FramePlan;
   private readonly values: Values;
   private readonly materials: Values[];
   private readonly resources: Resources<Texture, Buffer>;
   private readonly given: Set<string>;
-  private camera: Camera;
+  private camera: CameraRow;
   private size: [number, number];
   private drawn = 0;
   private isFirst = true;
@@ -43,7 +43,7 @@ export class PlanFrame<Texture, Buffer> {
   private readonly meshes = new Map<string, { mesh: Mesh; elements: [string, Buffer][] }>();
 
   constructor(
-    private readonly from: FramePackage,
+    private readonly from: Package,
     private readonly renderer: Renderer<Texture, Buffer>,
   ) {
     const { plan, shaders } = from;
@@ -83,7 +83,7 @@ export class PlanFrame<Texture, Buffer> {
   }
 
   /** Look from elsewhere. What is left out stays as it is. */
-  setCamera(camera: Partial<Camera>): void {
+  setCamera(camera: Partial<CameraRow>): void {
     this.camera = { ...this.camera, ...camera };
   }
 
@@ -106,7 +106,7 @@ export class PlanFrame<Texture, Buffer> {
       if (step.kind === "draw") this.drawStep(step);
       else if (step.kind === "run") this.run(step);
       else {
-        const [from, to] = [step.from, step.to].map((end) => this.resources.texture(end.texture!));
+        const [from, to] = [step.copied, step.into].map((end) => this.resources.texture(end.texture));
         this.renderer.copy(from, to);
       }
     }
@@ -176,7 +176,7 @@ export class PlanFrame<Texture, Buffer> {
 
   // --- steps that draw ---
 
-  private drawStep(step: PlanDraw): void {
+  private drawStep(step: DrawStep): void {
     const first = step.targets[0] ?? step.depth!;
     const sides = this.resources.sizeOf(first.texture).map((side) => halved(side, first.level));
     const { viewport, scissor, blend_constant: constant } = step;
@@ -188,7 +188,7 @@ export class PlanFrame<Texture, Buffer> {
     const layers = first.layer === null ? this.plan.textures[first.texture].layers : 1;
     for (let layer = 0; layer < layers; layer++) {
       if (first.layer === null) this.tellLayer(calls, layer);
-      const attachment = (target: PlanTarget): Attachment<Texture> => ({
+      const attachment = (target: AttachmentRow): Attachment<Texture> => ({
         target,
         texture: this.resources.texture(target.texture),
         layer: target.layer ?? layer,
@@ -203,7 +203,7 @@ export class PlanFrame<Texture, Buffer> {
   }
 
   /** What a target is cleared to, or a depth, which is within 0 and 1. */
-  private cleared({ texture, clear }: PlanTarget): number[] {
+  private cleared({ texture, clear }: AttachmentRow): number[] {
     const isDepths = this.plan.textures[texture].format.startsWith("depth");
     if (clear === null) return isDepths ? [1] : [0, 0, 0, 0];
     const found = this.resources.number(clear);
@@ -218,7 +218,7 @@ export class PlanFrame<Texture, Buffer> {
     }
   }
 
-  private calls(drawn: PlanDrawn, aspect: number): DrawCall<Texture, Buffer>[] {
+  private calls(drawn: DrawnRow, aspect: number): DrawCall<Texture, Buffer>[] {
     const models = this.from.models.filter(({ tags }) => tags.includes(drawn.models!));
     return this.lights(drawn.light).flatMap((light) =>
       (drawn.models === null ? [null] : models).map((model) =>
@@ -227,7 +227,7 @@ export class PlanFrame<Texture, Buffer> {
     );
   }
 
-  private meshOf({ vertices }: PlanDrawn, shader: number, model: Model | null) {
+  private meshOf({ vertices }: DrawnRow, shader: number, model: ModelRow | null) {
     if (!model) return this.vertices(shader, this.resources.number(vertices!)[0]);
     const number = model.geometries[shader];
     return this.known(`${number}`, () => unpacked(this.from.geometries[number]));
@@ -263,7 +263,7 @@ export class PlanFrame<Texture, Buffer> {
   }
 
   private call(
-    drawn: PlanDrawn, model: Model | null, light: number | null, aspect: number,
+    drawn: DrawnRow, model: ModelRow | null, light: number | null, aspect: number,
   ): DrawCall<Texture, Buffer> {
     const use = useFor(drawn, model);
     const shader = this.from.shaders[use.shader];
@@ -282,7 +282,7 @@ export class PlanFrame<Texture, Buffer> {
   // --- what shaders read ---
 
   /** A shader with the values of its material, and with what the host has for it. */
-  private bind(use: Pick<PlanUse, "shader">, model: Model | null): Bound<Texture, Buffer> {
+  private bind(use: Pick<UseRow, "shader">, model: ModelRow | null): Bound<Texture, Buffer> {
     const number = use.shader;
     const shader = this.from.shaders[number];
     const values = this.materials[number].copied();
@@ -298,26 +298,31 @@ export class PlanFrame<Texture, Buffer> {
   }
 
   /** Give a shader what the frame sets. */
-  private give(bound: Bound<Texture, Buffer>, { inputs }: { inputs: PlanInput[] }): void {
-    for (const input of inputs) {
-      const source: Omit<PlanInput, "name"> = (this.isFirst && input.initially) || input;
-      const { value, texture, host, result, previous } = source;
-      if (value !== undefined) {
-        bound.values.set(input.name, this.resources.number(value));
-      } else if (texture !== undefined && texture !== null) {
-        bound.textures.set(input.name, this.resources.texture(texture));
-      } else if (host !== undefined && host in this.from.textures) {
-        bound.textures.set(input.name, this.resources.pictures[this.from.textures[host]]);
+  private give(bound: Bound<Texture, Buffer>, { inputs }: { inputs: InputRow[] }): void {
+    for (const { name, source: said } of inputs) {
+      const isEarly = this.isFirst && said.kind === "previous" && said.initially;
+      const source = isEarly || said;
+      if (source.kind === "value") {
+        bound.values.set(name, this.resources.number(source.value));
+      } else if (source.kind === "host" && source.host in this.from.textures) {
+        bound.textures.set(name, this.resources.pictures[this.from.textures[source.host]]);
+      } else if (source.kind !== "host" && source.texture !== null) {
+        bound.textures.set(name, this.resources.texture(source.texture));
       } else {
-        const left = result ?? previousOf(previous!);
-        const key = host !== undefined ? hostBuffer(this.plan.frame, host) : left;
+        const key = this.bufferOf(source);
         const buffer = this.resources.buffers.get(key);
         if (!buffer) throw new Error(`${this.plan.frame} reads ${key}, which nobody has written`);
-        const count = this.giveBuffer(bound, input.name, buffer);
+        const count = this.giveBuffer(bound, name, buffer);
+        const host = source.kind === "host" ? source.host : "";
         const row = this.plan.host_buffers.find((each) => each.name === host);
         if (row) bound.values.set(count, this.values.get(row.count) as Value);
       }
     }
+  }
+
+  private bufferOf(source: Exclude<InputRow["source"], { kind: "value" }>): string {
+    if (source.kind === "host") return hostBuffer(this.plan.frame, source.host);
+    return source.kind === "previous" ? previousOf(source.previous) : source.result;
   }
 
   /** Returns the name of the parameter that says how many elements it has. */
@@ -330,20 +335,21 @@ export class PlanFrame<Texture, Buffer> {
 
   // --- kernels ---
 
-  private run(step: PlanRun): void {
-    const bound = this.bind(step, null);
-    this.give(bound, step);
+  private run(step: RunStep): void {
+    const { use } = step;
+    const bound = this.bind(use, null);
+    this.give(bound, use);
     const extent = this.resources.extent(step, bound);
-    const { reflection } = this.from.shaders[step.shader];
+    const { reflection } = this.from.shaders[use.shader];
     const images = step.images.map(({ texture }) => this.resources.texture(texture));
     if (images.length && !Object.keys(reflection.backends[this.renderer.profile].images).length) {
       // Where a kernel cannot write images it is drawn over all of them.
-      const target = { level: 0, load: "clear", store: true } as const;
+      const target = { level: 0, load: "clear", store: true, stencil: null } as const;
       const targets = images.map((texture) => ({
         target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
       }));
       const settings = settingsOf(this.resources.sizeOf(step.images[0].texture));
-      const call = { ...bound, mesh: this.vertices(step.shader, 3).mesh };
+      const call = { ...bound, mesh: this.vertices(use.shader, 3).mesh };
       this.renderer.draw(targets, null, [call], settings);
       return;
     }
@@ -356,7 +362,7 @@ export class PlanFrame<Texture, Buffer> {
 }
 
 /** The shader of what is drawn for a model, or for vertices. */
-function useFor({ uses, models }: PlanDrawn, model: Model | null): PlanUse {
+function useFor({ uses, models }: DrawnRow, model: ModelRow | null): UseRow {
   const use = model ? uses.find(({ material }) => material === model.material) : uses[0];
   if (use) return use;
   const known = uses.map(({ material }) => material).join(", ");

@@ -1,14 +1,14 @@
 // What a draw call gets of a mesh: see `draw`, "Expansions" and "Patches" in docs/reflection.md.
 
 import { bytesOf } from "./bytes.js";
-import type { Geometry, PackagedShader, Reflection } from "./generated/documents.js";
+import type { GeometryRow, PackagedShader, Reflection } from "./generated/documents.js";
 import type { Values } from "./values.js";
 
 export type Mesh = ReturnType<typeof unpacked>;
 
 /** What packages hold in base64, as bytes. Without indices, vertices are drawn one after the
  * other. */
-export function unpacked({ count, instance_count, ...packed }: Geometry) {
+export function unpacked({ count, instance_count, ...packed }: GeometryRow) {
   return {
     count,
     instance_count,

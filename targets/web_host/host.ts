@@ -1,14 +1,14 @@
 // Opens packages of frames in a web page: see docs/hosts.md.
 
 import { checkVersions, PlanFrame } from "./frame.js";
-import type { FramePackage } from "./generated/documents.js";
+import type { Package } from "./generated/documents.js";
 import { PROFILE as ES_3_00 } from "./webgl2/programs.js";
 import { WebGl2Renderer } from "./webgl2/renderer.js";
 import { Device } from "./webgpu/device.js";
 import { PROFILE as WGSL } from "./webgpu/pipelines.js";
 import { WebGpuRenderer } from "./webgpu/renderer.js";
 
-export type { Camera, FramePackage, Value } from "./generated/documents.js";
+export type { CameraRow as Camera, Package as FramePackage, Value } from "./generated/documents.js";
 export type { Pixels } from "./renderer.js";
 
 /** A frame of any API. */
@@ -30,7 +30,7 @@ type Canvas = HTMLCanvasElement | OffscreenCanvas | null;
 
 /** The API that draws a package here: WebGPU where the browser has it and the package has its
  * texts, and else WebGL 2. An error says why neither of them does. */
-export async function apiFor(from: FramePackage): Promise<Api> {
+export async function apiFor(from: Package): Promise<Api> {
   checkVersions(from);
   const has = (profile: string) => from.shaders.every(({ texts }) => texts[profile]);
   if (has(WGSL) && (await hasApi("webgpu"))) return "webgpu";
@@ -49,7 +49,7 @@ const devices = new WeakMap<HTMLCanvasElement | OffscreenCanvas, Device>();
 
 /** A frame that draws to a canvas; without one it cannot be shown, but read. A canvas keeps the API
  * with which it was opened first. */
-export async function openFrame(canvas: Canvas, from: FramePackage, api?: Api): Promise<Frame> {
+export async function openFrame(canvas: Canvas, from: Package, api?: Api): Promise<Frame> {
   checkVersions(from);
   if ((api ?? (await apiFor(from))) === "webgl2") {
     return new PlanFrame(from, WebGl2Renderer.open(from, canvas));

@@ -19,9 +19,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.budget import check
+from ...compiler.documents.drawing import VertexInputRow
+from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.writing import to_json
 from ...compiler.ir.stages import INSTANCES, VERTICES
-from ..runner.frames.host import FrameHost, Row
+from ...frozen import changed
+from ..runner.frames.host import FrameHost
 from ..runner.frames.scenery import WHOLE, Model
+from ..runner.instances.declared import Declared
+from ..runner.instances.host_values import HostValues
 from ..runner.instances.instance import Instance
 from ..runner.instances.shapes import stored_as
 from ..runner.looks import PLAIN
@@ -83,16 +89,16 @@ class _Package:
         shaders = [self._shader(*each) for each in enumerate(host.shaders)]
         return {
             "package": VERSION,
-            "plan": host.plan,
+            "plan": to_json(host.plan),
             "shaders": shaders,
             "pipelines": list(pipelines(host.plan, shaders)),
-            "formats": [format_of(row) for row in host.plan["textures"]],
+            "formats": [format_of(row) for row in host.plan.textures],
             "size": list(host.size),
             "camera": {own: camera[name] for name, own in _CAMERA.items()},
             "models": [self._model(model) for model in host.scenery.models],
             "geometries": self._geometries,
             "values": _values(values),
-            "roles": _roles(values.reflection),
+            "roles": _roles(values.declared),
             "given": sorted(host.given),
             "textures": self._textures(values),
             "buffers": self._buffers(values),
@@ -109,7 +115,7 @@ class _Package:
         reflection, texts = instance.reflection, self._texts(shader)
         stages = texts.get(WGSL)
         return {
-            "reflection": _without_source_maps(reflection),
+            "reflection": to_json(_without_source_maps(reflection)),
             "texts": texts,
             "values": _values(instance),
             "roles": _roles(reflection),
@@ -131,29 +137,29 @@ class _Package:
                     found.setdefault(profile, {})[stage] = text
         return found
 
-    def _lights(self, number: int, reflection: Row) -> Iterator[tuple[str, str]]:
+    def _lights(self, number: int, reflection: Reflection) -> Iterator[tuple[str, str]]:
         """What the parameters of a shader's lights are of the plan's."""
         plan = self._host.plan
         lit = {
-            use["shader"]: drawn["light"]
-            for step in plan["steps"]
-            for drawn in step.get("draws", ())
-            for use in drawn["uses"]
+            use.shader: drawn.light
+            for step in plan.steps
+            for drawn in step.draws
+            for use in drawn.uses
         }
-        own = {row["name"].removeprefix(f"{plan['rig']}."): row for row in plan["lights"]}
-        for row in reflection["lights"]:
-            entry = row["name"].removeprefix(f"{reflection['rig']}.")
+        own = {row.name.removeprefix(f"{plan.rig}."): row for row in plan.lights}
+        for row in reflection.lights:
+            entry = row.name.removeprefix(f"{reflection.rig}.")
             if (of_plan := own.get(entry)) is None:
                 continue
-            if row["capacity"] is not None:
-                yield row["name"], of_plan["name"]
-                if row["count"] is not None:
-                    yield row["count"], of_plan["count"]
+            if row.capacity is not None:
+                yield row.name, of_plan.name
+                if row.count is not None and of_plan.count is not None:
+                    yield row.count, of_plan.count
                 continue
-            is_one = of_plan["capacity"] is not None and lit.get(number) == entry
-            source = f"{of_plan['name']}[]" if is_one else of_plan["name"]
-            for name in row["parameters"]:
-                yield name, source + name.removeprefix(row["name"])
+            is_one = of_plan.capacity is not None and lit.get(number) == entry
+            source = f"{of_plan.name}[]" if is_one else of_plan.name
+            for name in row.parameters:
+                yield name, source + name.removeprefix(row.name)
 
     # --- the scene -------------------------------------------------------------------------------
 
@@ -185,7 +191,7 @@ class _Package:
             },
         }
 
-    def _reflection(self, shader: int) -> Row:
+    def _reflection(self, shader: int) -> Reflection:
         return self._host.instances[shader].reflection
 
     def _shaders_of(self, model: Model) -> set[int]:
@@ -211,7 +217,7 @@ class _Package:
 
     # --- pictures --------------------------------------------------------------------------------
 
-    def _textures(self, instance: Instance) -> dict[str, int]:
+    def _textures(self, instance: HostValues) -> dict[str, int]:
         return {name: self._picture(each) for name, each in instance.textures().items()}
 
     def _picture(self, texture: Texture) -> int:
@@ -230,7 +236,7 @@ class _Package:
 
     # --- buffers ---------------------------------------------------------------------------------
 
-    def _buffers(self, instance: Instance) -> dict[str, str]:
+    def _buffers(self, instance: HostValues) -> dict[str, str]:
         buffers = instance.buffers()
         self._count(sum(len(contents.data) for contents in buffers.values()))
         return {name: _base64(contents.data) for name, contents in buffers.items()}
@@ -238,27 +244,26 @@ class _Package:
     def _count(self, size: int) -> None:
         """Count so many bytes more; raises ``BudgetError`` if these are too many."""
         self._bytes += size
-        check(
-            "memory", _COPIES * self._bytes, f"a page that draws {self._host.plan['frame']} needs"
-        )
+        check("memory", _COPIES * self._bytes, f"a page that draws {self._host.plan.frame} needs")
 
 
 def _draws_of_models(host: FrameHost) -> Mapping[tuple[str, str], set[int]]:
     """By a name of models and a material, the shaders that draw these."""
     found: dict[tuple[str, str], set[int]] = defaultdict(set)
-    for step in host.plan["steps"]:
-        for drawn in step.get("draws", ()):
-            for use in drawn["uses"] if drawn["models"] is not None else ():
-                found[drawn["models"], use["material"]].add(use["shader"])
+    for step in host.plan.steps:
+        for drawn in step.draws:
+            for use in drawn.uses:
+                if drawn.models is not None and use.material is not None:
+                    found[drawn.models, use.material].add(use.shader)
     return found
 
 
 def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
     """What a draw call gets of a mesh. The instance gets the buffer that has vertex inputs."""
     state = drawn_state(instance, mesh, (1, 1))
-    rows = [row for row in instance.reflection["vertex_inputs"] if row["buffer"] is None]
+    rows = [row for row in instance.reflection.vertex_inputs if row.buffer is None]
     steps = {
-        step: [(row, state.attributes[row["name"]]) for row in rows if row["step"] == step]
+        step: [(row, state.attributes[row.name]) for row in rows if row.step == step]
         for step in (VERTICES, INSTANCES)
     }
     corners = state.triangles.reshape(-1)
@@ -272,16 +277,16 @@ def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
         "instance_count": state.instance_count,
         "elements": {
             name: _base64(buffers[name].data)
-            for name in {row["buffer"]["name"] for row in mesh_rows(instance.reflection)}
+            for name in {place.name for _, place in mesh_rows(instance.reflection)}
         },
     }
 
 
-def _interleaved(inputs: list[tuple[Row, NDArray[Any]]]) -> str:
+def _interleaved(inputs: list[tuple[VertexInputRow, NDArray[Any]]]) -> str:
     """All inputs of one vertex or instance after the other. WebGPU guarantees 16 of them, but only
     8 buffers."""
     words = [
-        np.ascontiguousarray(values).astype(stored_as(row["representation"])).view("<u4")
+        np.ascontiguousarray(values).astype(stored_as(row.representation)).view("<u4")
         for row, values in inputs
     ]
     return _base64(np.hstack(words).tobytes()) if words else ""
@@ -289,34 +294,34 @@ def _interleaved(inputs: list[tuple[Row, NDArray[Any]]]) -> str:
 
 def _levels(instance: Instance) -> list[float] | None:
     """How finely the host divides patches, if it does; with the values that the instance has."""
-    draw = instance.reflection["draw"]
-    row = draw and draw["tessellation"]
-    if not row or row["levels"] is None:
+    draw = instance.reflection.draw
+    row = draw and draw.tessellation
+    if not row or row.levels is None:
         return None
     edges, inside = instance.patch_levels()
     return [*edges, *inside]
 
 
-def _roles(reflection: Row) -> dict[str, str]:
+def _roles(declared: Declared) -> dict[str, str]:
     """What each parameter is of the scene."""
-    found = value_roles(reflection).items()
+    found = value_roles(declared).items()
     return {name: _CAMERA.get(role, role) for name, role in found}
 
 
-def _values(instance: Instance) -> dict[str, Any]:
+def _values(instance: HostValues) -> dict[str, Any]:
     """All values that somebody has set; of lists and structures also parts without a value."""
-    counters = {row["count"] for row in instance.reflection["buffers"]}
-    names = (row["name"] for row in instance.reflection["parameters"])
+    counters = {row.count for row in instance.declared.buffers}
+    names = (row.name for row in instance.declared.parameters)
     found = {name: instance.get(name) for name in names if name not in counters}
     return {name: value for name, value in found.items() if value is not None}
 
 
-def _without_source_maps(reflection: Row) -> dict[str, Any]:
+def _without_source_maps(reflection: Reflection) -> Reflection:
     """A reflection without what is longest of it, and what no host draws with."""
     backends = {
-        profile: {**row, "source_maps": {}} for profile, row in reflection["backends"].items()
+        profile: changed(row, source_maps={}) for profile, row in reflection.backends.items()
     }
-    return {**reflection, "backends": backends}
+    return changed(reflection, backends=backends)
 
 
 def _base64(data: bytes) -> str:

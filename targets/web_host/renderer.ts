@@ -1,12 +1,12 @@
 // What an API of the browser has to do for frames: `frame.ts` says when.
 
-import type { PackagedShader, Picture, PlanTarget, PlanTexture } from "./generated/documents.js";
+import type { PackagedShader, PictureRow, AttachmentRow, FrameTextureRow } from "./generated/documents.js";
 import type { Mesh } from "./geometry.js";
 import type { Values } from "./values.js";
 
 /** A texture that a frame draws to. */
 export interface TextureSize
-  extends Pick<PlanTexture, "dimension" | "layers" | "levels" | "samples" | "uses"> {
+  extends Pick<FrameTextureRow, "dimension" | "layers" | "levels" | "samples" | "uses"> {
   format: GPUTextureFormat;
   width: number;
   height: number;
@@ -27,7 +27,7 @@ export interface DrawCall<Texture, Buffer> extends Bound<Texture, Buffer> {
 
 /** What a target, or the depths, are drawn to. */
 export interface Attachment<Texture> {
-  target: Pick<PlanTarget, "level" | "load" | "store" | "stencil">;
+  target: Pick<AttachmentRow, "level" | "load" | "store" | "stencil">;
   texture: Texture;
   layer: number;
   /** Where the means of its samples are written behind the draws. */
@@ -59,7 +59,7 @@ export interface Renderer<Texture, Buffer> {
   readonly shaders: PackagedShader[];
   /** A texture without contents: transparent black, and depths of 1. */
   makeTexture(size: TextureSize): Texture;
-  makePicture(picture: Picture): Texture;
+  makePicture(picture: PictureRow): Texture;
   makeBuffer(bytes: Uint8Array<ArrayBuffer>): Buffer;
   free(made: Texture | Buffer): void;
   sizeOf(texture: Texture): number[];

@@ -1,8 +1,9 @@
 // The textures and buffers of a plan: which size they have, and what is kept for the next frame.
 
 import { halved } from "./bytes.js";
-import type { FramePackage, PlanRun, Step } from "./generated/documents.js";
+import type { Package, RunStep } from "./generated/documents.js";
 import type { Bound, Renderer } from "./renderer.js";
+import type { Step } from "./steps.js";
 import type { Values } from "./values.js";
 
 export class Resources<Texture, Buffer> {
@@ -17,7 +18,7 @@ export class Resources<Texture, Buffer> {
   private readonly extents = new Map<string, number[]>();
 
   constructor(
-    private readonly from: FramePackage,
+    private readonly from: Package,
     private readonly renderer: Renderer<Texture, Buffer>,
     private readonly values: Values,
   ) {
@@ -90,8 +91,8 @@ export class Resources<Texture, Buffer> {
   }
 
   /** How many texels, or elements, a kernel computes that is run. */
-  extent(step: PlanRun, kernel: Bound<Texture, Buffer>): number[] {
-    const { extent } = this.from.shaders[step.shader].reflection;
+  extent(step: RunStep, kernel: Bound<Texture, Buffer>): number[] {
+    const { extent } = this.from.shaders[step.use.shader].reflection;
     const found = this.evaluated(extent!, kernel);
     this.extents.set(step.name, found);
     return found;
@@ -102,8 +103,8 @@ export class Resources<Texture, Buffer> {
   }
 
   /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
-  giveWritten({ buffers, shader }: PlanRun, bound: Bound<Texture, Buffer>): void {
-    const { results } = this.from.shaders[shader].reflection;
+  giveWritten({ buffers, use }: RunStep, bound: Bound<Texture, Buffer>): void {
+    const { results } = this.from.shaders[use.shader].reflection;
     for (const { name, result } of buffers) {
       const { count, stride, initial } = results.find((each) => each.name === name)!;
       const [elements] = this.evaluated(count, bound);

@@ -2,7 +2,11 @@
 // docs/reflection.md.
 
 import { LANEWISE, WHOLE, type Kind, type Lanes } from "./generated/builtins.js";
-import type { Step } from "./generated/documents.js";
+import type { DerivedRow } from "./generated/documents.js";
+
+/** An operation. */
+export type Step = DerivedRow["steps"][number];
+type Fold = Extract<Step, { op: "fold" }>;
 
 /** Lanes of a number or a vector, columns, elements, or members by name. */
 export type Datum = number[] | Datum[] | { [member: string]: Datum };
@@ -60,9 +64,9 @@ class Computation {
     const values = operands as number[][];
     switch (row.op) {
       case "parameter":
-        return this.parameter(row.parameter!);
+        return this.parameter(row.parameter);
       case "resource":
-        return this.sizeOf(row.texture!);
+        return this.sizeOf(row.texture);
       case "constant":
         return constantOf(row.value);
       case "native":
@@ -70,16 +74,15 @@ class Computation {
         if (row.function === "texture_size") {
           return values[0].map((side) => Math.max(side >> Math.max(values[1][0], 0), 1));
         }
-        return evaluate(row.function!, values, kindOf(this.steps[row.args[0]].type));
+        return evaluate(row.function, values, kindOf(this.steps[row.args[0]].type));
       case "bound":
-        return bound[row.binder!];
+        return bound[row.binder];
       case "index":
-      case "member": {
-        const part = (operands[0] as any)[row.member ?? values[1][0]];
-        return typeof part === "number" ? [part] : part;
-      }
+        return partOf(operands[0], values[1][0]);
+      case "member":
+        return partOf(operands[0], row.member);
       case "swizzle":
-        return row.lanes!.map((lane) => values[0][lane]);
+        return row.lanes.map((lane) => values[0][lane]);
       case "vector":
         return values.flat();
       case "splat":
@@ -96,11 +99,11 @@ class Computation {
     }
   }
 
-  private fold(row: Step, [[count], start]: number[][], bound: Datum[]): Datum {
+  private fold(row: Fold, [[count], start]: number[][], bound: Datum[]): Datum {
     let result: Lanes = start;
-    for (let turn = 0; turn < Math.min(count, row.bound!); turn++) {
+    for (let turn = 0; turn < Math.min(count, row.bound); turn++) {
       const value = this.body(row.args[2], [[turn], ...bound]) as number[];
-      result = evaluate(row.operator!, [result, value], kindOf(row.type));
+      result = evaluate(row.operator, [result, value], kindOf(row.type));
     }
     return result;
   }
@@ -121,6 +124,12 @@ export function evaluate(name: string, operands: Lanes[], kind: Kind): Lanes {
   );
 }
 
+/** An element or a member of a value; a number is one lane. */
+function partOf(value: Datum, key: string | number): Datum {
+  const part = (value as any)[key];
+  return typeof part === "number" ? [part] : part;
+}
+
 /** The arguments that are not a body under the step's binder. */
 function outside(row: Step): number[] {
   if (row.op === "fold") return row.args.slice(0, 2);
@@ -132,7 +141,7 @@ function depthsOf(steps: Step[]): number[] {
   const depths: number[] = [];
   for (const row of steps) {
     let depth = Math.max(0, ...outside(row).map((each) => depths[each]));
-    if (row.op === "bound") depth = row.binder! + 1;
+    if (row.op === "bound") depth = row.binder + 1;
     if (row.op === "fold") depth = Math.max(depth, depths[row.args[2]] - 1);
     if (row.op === "apply") depth = Math.max(depth, depths[row.args[0]] - row.args.length + 1);
     depths.push(depth);

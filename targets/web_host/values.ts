@@ -1,15 +1,15 @@
 // Named values of a frame or a shader, and the bytes of uniform blocks that they become.
 
-import type { Derived, Member, Parameter, Reflection, Step, Value } from "./generated/documents.js";
-import { compute, kindOf, type Datum, type SizeOf } from "./steps.js";
+import type { DerivedRow, MemberRow, ParameterRow, Reflection, Value } from "./generated/documents.js";
+import { compute, kindOf, type Datum, type SizeOf, type Step } from "./steps.js";
 
 /** What of a plan or a reflection says which values there are. */
 export type Declarations =
   Pick<Reflection, "parameters" | "lights" | "buffers" | "blocks" | "derived">;
 
 /** A value, and where its lanes are. */
-type Placed = Pick<Member, "name" | "representation" | "layout"> &
-  Partial<Pick<Parameter, "type" | "members" | "default" | "range" | "count">>;
+type Placed = Pick<MemberRow, "name" | "representation" | "layout"> &
+  Partial<Pick<ParameterRow, "type" | "members" | "default" | "range" | "count">>;
 
 /** A vector, or the columns of a matrix. */
 type Lanes = number[] | number[][];
@@ -19,7 +19,7 @@ const UNIT_TOLERANCE = 1e-3;
 
 /** The values of one shader, or of a frame. They begin with the declared defaults. */
 export class Values {
-  private readonly rows = new Map<string, Parameter>();
+  private readonly rows = new Map<string, ParameterRow>();
   /** Of all parts of parameters that have no parts themselves. */
   private lanes = new Map<string, Lanes>();
   /** The parameters that have a value. */
@@ -97,7 +97,7 @@ export class Values {
   blocks(): Map<string, Uint8Array<ArrayBuffer>> {
     const { blocks, parameters, derived } = this.declared;
     const found = new Map(blocks.map(({ name, size }) => [name, new ArrayBuffer(size)]));
-    const put = (row: Parameter | Derived, value: () => Datum) => {
+    const put = (row: ParameterRow | DerivedRow, value: () => Datum) => {
       if (row.block !== null) write(new DataView(found.get(row.block)!), row.offset!, row, value());
     };
     for (const row of parameters) put(row, () => this.get(row.name));
@@ -105,13 +105,13 @@ export class Values {
     return new Map([...found].map(([name, buffer]) => [name, new Uint8Array(buffer)]));
   }
 
-  private derivedOf({ steps, layout: { count } }: Derived): Datum {
+  private derivedOf({ steps, layout: { count } }: DerivedRow): Datum {
     if (count === undefined) return this.evaluated(steps);
     return Array.from({ length: count }, (_, at) => this.evaluated(steps, noTexture, at));
   }
 
   /** What a name means: a parameter, or a part of one. */
-  private find(name: string): { parameter: Parameter; part: Part } | undefined {
+  private find(name: string): { parameter: ParameterRow; part: Part } | undefined {
     for (let end = name.length; end > 0; end = name.slice(0, end).search(/[.[][^.[]*$/)) {
       const parameter = this.rows.get(name.slice(0, end));
       if (!parameter) continue;

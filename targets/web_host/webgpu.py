@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
+from ...compiler.documents.plan import DrawStep, FramePlan, FrameTextureRow, RunStep
+from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.stages import COMPUTE
 from ..runner.binding import FORMATS, pipeline
 from ..runner.codes import Codes
@@ -21,7 +23,7 @@ WGSL = _ROUTE.profile
 """The profile whose texts WebGPU takes."""
 
 
-def webgpu_pipeline(reflection: Mapping[str, Any], stages: Collection[str]) -> dict[str, Any]:
+def webgpu_pipeline(reflection: Reflection, stages: Collection[str]) -> dict[str, Any]:
     """The descriptors of the pipeline of a shader with texts for these stages, and what is bound in
     its groups."""
     made = pipeline(reflection, _ROUTE, Codes({}))
@@ -29,44 +31,42 @@ def webgpu_pipeline(reflection: Mapping[str, Any], stages: Collection[str]) -> d
     return webgpu.for_pages(made, visibility, _names(reflection))
 
 
-def pipelines(
-    plan: Mapping[str, Any], shaders: Sequence[Mapping[str, Any]]
-) -> Iterator[dict[str, Any]]:
+def pipelines(plan: FramePlan, shaders: Sequence[Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
     """The formats of what steps draw to, once for each pipeline that they use."""
     found: dict[tuple[int, tuple[str, ...], str | None], None] = {}
-    for step in plan["steps"]:
-        if step["kind"] == "draw":
-            targets = tuple(_format(plan, row) for row in step["targets"])
-            depth = step["depth"] and _format(plan, step["depth"])
-            for drawn in step["draws"]:
-                found |= {(use["shader"], targets, depth): None for use in drawn["uses"]}
-        elif step["kind"] == "run":
-            is_computed = COMPUTE.name in shaders[step["shader"]]["texts"].get(WGSL, ())
-            images = () if is_computed else step["images"]
-            found[step["shader"], tuple(_format(plan, row) for row in images), None] = None
+    for step in plan.steps:
+        if isinstance(step, DrawStep):
+            targets = tuple(_format(plan, row.texture) for row in step.targets)
+            depth = None if step.depth is None else _format(plan, step.depth.texture)
+            for drawn in step.draws:
+                found |= {(use.shader, targets, depth): None for use in drawn.uses}
+        elif isinstance(step, RunStep):
+            is_computed = COMPUTE.name in shaders[step.use.shader]["texts"].get(WGSL, ())
+            images = () if is_computed else step.images
+            found[step.use.shader, tuple(_format(plan, row.texture) for row in images), None] = None
     for shader, targets, depth in found:
         if shaders[shader]["webgpu"]:
             yield {"shader": shader, "targets": list(targets), "depth": depth}
 
 
-def _format(plan: Mapping[str, Any], row: Mapping[str, Any]) -> str:
-    return format_of(plan["textures"][row["texture"]])
+def _format(plan: FramePlan, texture: int) -> str:
+    return format_of(plan.textures[texture])
 
 
-def format_of(texture: Mapping[str, Any]) -> str:
+def format_of(texture: FrameTextureRow) -> str:
     """The format of a texture of a plan."""
-    name = texture["format"]
+    name = texture.format
     return DEPTH_FORMATS.get(name) or FORMATS[name]
 
 
-def _names(reflection: Mapping[str, Any]) -> webgpu.Names:
+def _names(reflection: Reflection) -> webgpu.Names:
     """What the reflection calls the slots of each kind, in their order."""
 
     def read(kind: str) -> list[str]:
-        return [row["name"] for row in reflection[kind] if row["stages"]]
+        return [row.name for row in getattr(reflection, kind) if row.stages]
 
     def all_of(kind: str) -> list[str]:
-        return [row["name"] for row in reflection[kind]]
+        return [row.name for row in getattr(reflection, kind)]
 
     return {
         BlockSlot: all_of("blocks"),

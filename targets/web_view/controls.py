@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from ..runner.frames.host import FrameHost, Row
-from ..runner.instances.instance import Instance
+from ...compiler.documents.plan import DrawStep, FramePlan
+from ...compiler.documents.values import LightRow, ParameterRow
+from ..runner.frames.host import FrameHost
+from ..runner.instances.declared import TextureDeclaration
+from ..runner.instances.host_values import HostValues
 from ..runner.instances.shapes import Elements, Members, Numbers, Shape, shape_of
-from ..runner.scene import value_roles
 
 _VIEW_ROLES = frozenset(
     ("world_to_clip", "eye", "object_to_world", "pose", "morph", "size", "number")
@@ -24,13 +26,13 @@ _PER_FRAME = "frame"
 """The group of what changes from frame to frame."""
 
 
-def controls(host: FrameHost) -> list[Row]:
+def controls(host: FrameHost) -> list[dict[str, Any]]:
     """A row for each number, vector, colour and texture that a person can set.
 
     What several shaders have under one name is one row, since it is set for all of them.
     """
     found: dict[str, dict[str, Any]] = {}
-    of_shaders = sorted(_of_shaders(host), key=lambda each: each["section"] == host.plan["rig"])
+    of_shaders = sorted(_of_shaders(host), key=lambda each: each["section"] == host.plan.rig)
     for control in (*_of_frame(host), *of_shaders, *_of_lights(host)):
         known = found.setdefault(control["name"], control)
         if control["section"] not in known["section"].split(", "):
@@ -38,9 +40,9 @@ def controls(host: FrameHost) -> list[Row]:
     return list(found.values())
 
 
-def _belongs(row: Row, lights: Sequence[Row]) -> bool:
+def _belongs(row: ParameterRow, lights: Sequence[LightRow]) -> bool:
     """Whether a parameter is one of a light, or tells how many there are."""
-    return any(row["name"] in (*each["parameters"], each["count"]) for each in lights)
+    return any(row.name in (*each.parameters, each.count) for each in lights)
 
 
 # --- frames --------------------------------------------------------------------------------------
@@ -48,24 +50,24 @@ def _belongs(row: Row, lights: Sequence[Row]) -> bool:
 
 def _of_frame(host: FrameHost) -> Iterator[dict[str, Any]]:
     plan = host.plan
-    for row in plan["parameters"]:
-        if not _belongs(row, plan["lights"]):
-            yield from _of_parameter(row, host.values, plan["frame"])
-    for row in plan["host_textures"]:
-        yield _texture(row, host.values, plan["frame"])
+    for row in plan.parameters:
+        if not _belongs(row, plan.lights):
+            yield from _of_parameter(row, host.values, plan.frame)
+    for texture in plan.host_textures:
+        yield _texture(texture, host.values, plan.frame)
 
 
 def _of_lights(host: FrameHost) -> Iterator[dict[str, Any]]:
     """The lights of the rig, one after the other; of an array first how many there are."""
-    rows = {row["name"]: row for row in host.plan["parameters"]}
-    for light in host.plan["lights"]:
-        counted = [light["count"]] if light["count"] else []
-        for name in (*counted, *light["parameters"]):
-            for control in _of_parameter(rows[name], host.values, light["name"], is_light=True):
+    rows = {row.name: row for row in host.plan.parameters}
+    for light in host.plan.lights:
+        counted = [light.count] if light.count else []
+        for name in (*counted, *light.parameters):
+            for control in _of_parameter(rows[name], host.values, light.name, is_light=True):
                 within = control["name"].partition("]")[0]
                 if within != control["name"]:
                     index = int(within.rpartition("[")[2])
-                    control["element"] = {"count": light["count"], "index": index}
+                    control["element"] = {"count": light.count, "index": index}
                 yield control
 
 
@@ -79,70 +81,67 @@ def _of_shaders(host: FrameHost) -> Iterator[dict[str, Any]]:
         reflection = instance.reflection
         titles = _titles(host.plan, number)
         needed = set(instance.needed)
-        counters = {row["count"] for row in reflection["buffers"]}
-        for row in reflection["parameters"]:
-            name = row["name"]
+        counters = {row.count for row in reflection.buffers}
+        for row in reflection.parameters:
+            name = row.name
             if name in given.get(number, ()) or name in counters or name not in needed:
                 continue
-            if _belongs(row, reflection["lights"]):
+            if _belongs(row, reflection.lights):
                 continue
-            section = reflection["rig"] if row["group"] == "rig" else titles
+            section = reflection.rig if row.group == "rig" else titles
             yield from _of_parameter(row, instance, section)
-        for row in reflection["textures"]:
-            if row["stages"] and row["name"] not in given.get(number, ()):
-                yield _texture(row, instance, titles)
+        for texture in reflection.textures:
+            if texture.stages and texture.name not in given.get(number, ()):
+                yield _texture(texture, instance, titles)
 
 
-def _given(plan: Row) -> Mapping[int, frozenset[str]]:
+def _given(plan: FramePlan) -> Mapping[int, frozenset[str]]:
     """For each shader the names that the frame sets wherever it is used."""
     found: dict[int, frozenset[str]] = {}
-    for step in plan["steps"]:
-        uses = [step] if step["kind"] == "run" else []
-        uses += [use for drawn in step.get("draws", ()) for use in drawn["uses"]]
-        for use in uses:
-            names = frozenset(row["name"] for row in use["inputs"])
-            found[use["shader"]] = found.get(use["shader"], names) & names
+    for step in plan.steps:
+        for use in step.uses:
+            names = frozenset(row.name for row in use.inputs)
+            found[use.shader] = found.get(use.shader, names) & names
     return found
 
 
-def _titles(plan: Row, shader: int) -> str:
+def _titles(plan: FramePlan, shader: int) -> str:
     """What a shader belongs to: its material; of one without a material, its pass or kernel."""
-    for step in plan["steps"]:
-        if step["kind"] == "run" and step["shader"] == shader:
-            return str(plan["shaders"][shader]["name"]).rpartition(".")[2]
-        for drawn in step.get("draws", ()):
-            for use in drawn["uses"]:
-                if use["shader"] == shader:
-                    return str(use["material"] or step["pass"])
-    return str(plan["frame"])
+    for step in plan.steps:
+        for use in step.uses:
+            if use.shader == shader and isinstance(step, DrawStep):
+                return use.material or step.pass_
+            if use.shader == shader:
+                return plan.shaders[shader].name.rpartition(".")[2]
+    return plan.frame
 
 
 # --- rows ----------------------------------------------------------------------------------------
 
 
-def _texture(row: Row, instance: Instance, section: str) -> dict[str, Any]:
+def _texture(row: TextureDeclaration, instance: HostValues, section: str) -> dict[str, Any]:
     return {
-        "name": row["name"], "section": section, "is_light": False, "element": None,
-        "doc": row["doc"],
-        "kind": "texture", "type": row["type"], "dimension": row["dimension"],
-        "sample": row["sample"], "value": row["default"],
-        "is_given": instance.get(row["name"]) is not None,
+        "name": row.name, "section": section, "is_light": False, "element": None,
+        "doc": row.doc,
+        "kind": "texture", "type": row.type, "dimension": row.dimension,
+        "sample": row.sample, "value": row.default,
+        "is_given": instance.get(row.name) is not None,
     }  # fmt: skip
 
 
 def _of_parameter(
-    row: Row, instance: Instance, section: str, *, is_light: bool = False
+    row: ParameterRow, instance: HostValues, section: str, *, is_light: bool = False
 ) -> Iterator[dict[str, Any]]:
-    if _VIEW_ROLES.intersection(value_roles({"parameters": [row]}).values()):
+    if row.role in _VIEW_ROLES:
         return
-    for name, shape in _parts(row["name"], shape_of(row), section if is_light else None):
+    for name, shape in _parts(row.name, shape_of(row), section if is_light else None):
         yield {
             "name": name, "section": section, "is_light": is_light, "element": None,
-            "doc": shape.doc or (row["doc"] if name == row["name"] else ""),
+            "doc": shape.doc or (row.doc if name == row.name else ""),
             "kind": _kind(shape), "type": shape.type, "lanes": shape.lanes,
             "columns": shape.columns, "whole": shape.kind in ("int", "uint"),
             "range": shape.range, "value": instance.get(name),
-            "is_timed": row["group"] == _PER_FRAME and shape.lanes == 1 and shape.range is None,
+            "is_timed": row.group == _PER_FRAME and shape.lanes == 1 and shape.range is None,
         }  # fmt: skip
 
 

@@ -51,7 +51,7 @@ def _row(what: str, found: float, aim: float) -> Row:
 
 
 def _largest() -> Path:
-    return max(EXAMPLES, key=lambda path: len(compiled(path).plan["steps"]))
+    return max(EXAMPLES, key=lambda path: len(compiled(path).plan.steps))
 
 
 def _compile() -> float:

@@ -76,11 +76,11 @@ def _row(what: str, taken: float, plain: float) -> Row:
 def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
     route, instance = ROUTES["lavapipe:glsl"], kernel.instance()
     random = np.random.default_rng(1)
-    for row in kernel.reflection["buffers"]:
-        if row["type"] == "float[]":
-            instance.set(row["name"], random.uniform(0, 1, SIZE).astype(np.float32))
+    for row in kernel.reflection.buffers:
+        if row.type == "float[]":
+            instance.set(row.name, random.uniform(0, 1, SIZE).astype(np.float32))
         else:
-            instance.set(row["name"], random.integers(0, 9, SIZE).astype(np.uint32))
+            instance.set(row.name, random.integers(0, 9, SIZE).astype(np.uint32))
     codes = compile_one(route, kernel.files, toolchain)
     bound = pipeline(kernel.reflection, route, codes)
     return job_of(kernel.reflection, bound, [dispatch_of(instance)])

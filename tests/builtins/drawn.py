@@ -64,7 +64,7 @@ def returned(
 ) -> list[Floats]:
     """What a device returns for each lane of a program, as pictures."""
     instance = material.instance()
-    wanted = {row["name"] for row in material.reflection["textures"]}
+    wanted = {row.name for row in material.reflection.textures}
     for name, texture in textures().items():
         if name in wanted:
             instance.set(name, texture)

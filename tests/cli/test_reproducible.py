@@ -90,6 +90,6 @@ def test_a_text_has_no_folder(tmp_path: Path) -> None:
     for where in (checkout(tmp_path / "one"), checkout(tmp_path / "two")):
         text = "import far.{Far}\nmaterial M : Surface + Far { a = sin(far) color = vec3(a * a) }\n"
         (material,) = burnish.compile(text, "wgsl", search_path=[where / "src", where / "lib"])
-        maps = material.reflection["backends"]["wgsl:webgpu"]["source_maps"]
-        named = {name for each in maps.values() for name in each["sources"]}
+        maps = material.reflection.backends["wgsl:webgpu"].source_maps
+        named = {name for each in maps.values() for name in each.sources}
         assert {"<text>", "../lib/far.burnish", "../lib/other.burnish"} <= named

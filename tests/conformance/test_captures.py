@@ -298,14 +298,16 @@ def _one_place_on(right: Any) -> Callable[..., Any]:
 
 
 def _member_later(right: Any) -> Callable[..., Any]:
-    return lambda words, row: right(words, {**row, "offset": row["offset"] ^ 4})
+    return lambda words, row: right(words, changed(row, offset=row.offset ^ 4))
 
 
 def _all_there(_right: Any) -> Callable[..., Any]:
     """What no strip emits is kept."""
 
     def found(state: SceneState, written: Written) -> Captured:
-        stride = state.instance.reflection["capture"]["stride"]
+        capture = state.instance.reflection.capture
+        assert capture is not None
+        stride = capture.stride
         (data,) = elements_of(state.instance, written).values()
         words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
         return Captured(len(words), words[:, :stride].tobytes())

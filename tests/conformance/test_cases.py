@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import burnish
+from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.conformance.cases import SIZE, UNCOVERED, Case, series_of
 from burnish.targets.conformance.plan import to_targets
 from burnish.targets.runner.instances.instance import Instance
@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 
 
 @cache
-def reflection_of(name: str, material: str, pass_: str | None = None) -> Mapping[str, Any]:
+def reflection_of(name: str, material: str, pass_: str | None = None) -> Reflection:
     """An example's."""
     return burnish.compile(FOLDER / f"{name}.burnish", (), pass_=pass_)[material].reflection
 
@@ -175,8 +175,8 @@ def test_the_rest_is_between_the_planes() -> None:
 def test_every_texture_has_a_picture(name: str, material: str) -> None:
     for case in ("stretched", "behind", "inside"):
         instance = cases_of(name, material)[case].state.instance
-        for row in instance.reflection["textures"]:
-            texels = instance.textures()[row["name"]].linear()[0]
+        for row in instance.reflection.textures:
+            texels = instance.textures()[row.name].linear()[0]
             assert len(texels) > 1 and np.ptp(texels) > 0.2
 
 

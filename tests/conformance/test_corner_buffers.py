@@ -16,6 +16,7 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
+from burnish.compiler.documents.drawing import MeshInputRow
 from burnish.compiler.ir import build
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.stages import VERTEX
@@ -91,7 +92,7 @@ def state_of(material: CompiledMaterial) -> SceneState:
     if "shift" in mesh.instances:
         shifts = np.array([[0.5, 0.25], [8.0, 1.0]])
         mesh = replace(mesh, instances={"shift": shifts}, instance_count=2)
-    if material.reflection["draw"]["corners"] == 16:
+    if material.reflection.draw.corners == 16:
         mesh = replace(mesh, patches=sixteens(5))
     return set_up(material.instance(), mesh, Scene(), SIZE, CLEAR)
 
@@ -106,8 +107,8 @@ def sixteens(side: int) -> Indices:
 def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:
     """What is drawn of a buffer by a route, and with stages."""
     lowered, native = made(name, route, native=False), made(name, NATIVE, native=True)
-    rows = lowered.reflection["vertex_inputs"]
-    assert sum(row["buffer"] is not None for row in rows) > corners_in_buffer.MOST_INPUTS
+    rows = lowered.reflection.vertex_inputs
+    assert sum(row.buffer is not None for row in rows) > corners_in_buffer.MOST_INPUTS
     (found,) = studio.draw(route, lowered, state_of(lowered))
     (expected,) = studio.draw(NATIVE, native, state_of(native))
     return found, expected
@@ -144,7 +145,7 @@ def _first_element(patch: pytest.MonkeyPatch, _folder: Path) -> None:
 
 
 def _other_corners(
-    wanted: dict[str, Any], data: Any, corners: Indices, copies: int
+    wanted: MeshInputRow, data: Any, corners: Indices, copies: int
 ) -> np.ndarray[Any, Any]:
     return _values(wanted, data, np.roll(corners, 1, axis=1), copies)
 

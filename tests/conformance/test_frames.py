@@ -10,6 +10,7 @@ import pytest
 
 import burnish
 from burnish.api import CompiledFrame
+from burnish.compiler.documents.plan import DrawStep
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
@@ -54,7 +55,7 @@ def outputs(text: str, where: str, studio: Studio, count: int = 1) -> list[dict[
     if where != REFERENCE:
         return draw_frames(host, ROUTES[where], studio.runner, studio.toolchain, count)
     drawing = ReferenceFrames(host)
-    names = [row["name"] for row in frame.plan["outputs"]]
+    names = [row.name for row in frame.plan.outputs]
     found = []
     for _ in range(count):
         drawing.draw()
@@ -123,8 +124,8 @@ def test_what_only_the_first_frame_draws_over_what_all_need(studio: Studio, wher
         output thrice = again.value
     }}"""
     (frame,) = burnish.compile(text, ("wgsl",)).frames
-    steps = {step.get("name", "copy"): step["only_first"] for step in frame.plan["steps"]}
-    assert {name for name, is_rare in steps.items() if is_rare} == {"copy", "first"}
+    steps = {step.name: step.only_first for step in frame.plan.steps}
+    assert {name for name, is_rare in steps.items() if is_rare} == {"a copy", "first"}
     for number, found in enumerate(outputs(text, where, studio, 3)):
         assert found["value"][0][..., :2] == pytest.approx(2 * RAMP + number + 1)
         assert found["other"][0][..., :2] == pytest.approx(RAMP)
@@ -141,7 +142,8 @@ def test_steps_that_draw_on_are_one_render_pass(studio: Studio, where: str) -> N
         output value = three.value
     }}"""
     (frame,) = burnish.compile(text, ("wgsl",)).frames
-    assert [step["continues"] for step in frame.plan["steps"]] == [False, False, True]
+    steps = [step for step in frame.plan.steps if isinstance(step, DrawStep)]
+    assert [step.continues for step in steps] == [False, False, True]
     (found,) = outputs(text, where, studio)
     assert found["value"][0][..., :2] == pytest.approx(3 * RAMP)
 
@@ -301,7 +303,7 @@ def test_what_is_drawn_in_the_first_frame_only_is_there_in_later_ones(
         output value = count.value
     }}"""
     (frame,) = burnish.compile(text, PROFILES, partial=True).frames
-    assert [step["only_first"] for step in frame.plan["steps"]] == [True, True, False]
+    assert [step.only_first for step in frame.plan.steps] == [True, True, False]
     frames = outputs(text, where, studio, 3)
     wanted = 2 * (RAMP[0, :, 0] + 0.5)
     for number, found in enumerate(frames):
@@ -501,7 +503,7 @@ def test_stencil_values_go_from_pass_to_pass(studio: Studio, where: str) -> None
         output first  = early.value
     }}"""
     (frame,) = burnish.compile(text, PROFILES, partial=True).frames
-    assert {row["format"] for row in frame.plan["textures"]} == {"rgba32f", "depth32f_stencil8"}
+    assert {row.format for row in frame.plan.textures} == {"rgba32f", "depth32f_stencil8"}
     (found,) = outputs(text, where, studio)
     rows = {name: found[name][0][..., 0].tolist() for name in ("single", "first")}
     assert rows["single"] == [[1, 2, 3, 9, 9, 0, 0, 0]] * SIZE[1]
@@ -567,7 +569,7 @@ frame F {{
 @EVERYWHERE
 def test_a_parameter_may_be_called_like_lights(studio: Studio, where: str) -> None:
     (frame,) = burnish.compile(NAMED_TWICE, ("wgsl",)).frames
-    assert [row["name"] for row in frame.plan["lights"]] == ["Studio.lamps"]
+    assert [row.name for row in frame.plan.lights] == ["Studio.lamps"]
     (found,) = outputs(NAMED_TWICE, where, studio)
     assert np.array_equal(found["value"][..., :3], np.full((1, *SIZE[::-1], 3), 3 * 0.75))
 

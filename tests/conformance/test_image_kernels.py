@@ -49,12 +49,13 @@ def test_a_planted_error_is_found(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_profiles_with_kernels_write_images_where_they_can(name: str) -> None:
-    backends = all_of(FILE)[name].reflection["backends"]
+    backends = all_of(FILE)[name].reflection.backends
     for profile in ("glsl:vulkan", "hlsl:sm6", "wgsl:webgpu"):
-        stages = [row["stage"] for row in backends[profile]["files"]]
+        stages = [row.stage for row in backends[profile].files]
         assert stages == (["compute"] if name in WRITTEN else ["vertex", "fragment"])
-        assert bool(backends[profile]["images"]) == (name in WRITTEN)
-    stages = [row["stage"] for row in backends.get("glsl:gl330", {"files": ()})["files"]]
+        assert bool(backends[profile].images) == (name in WRITTEN)
+    drawn = backends.get("glsl:gl330")
+    stages = [] if drawn is None else [row.stage for row in drawn.files]
     assert stages == ([] if name == "Floats" else ["vertex", "fragment"])
 
 

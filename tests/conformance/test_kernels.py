@@ -10,6 +10,8 @@ from typing import Any
 import pytest
 
 import burnish
+from burnish.compiler.documents.reflection import Reflection
+from burnish.compiler.documents.values import ResultRow
 from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.types import BOOL
 from burnish.frozen import changed
@@ -60,8 +62,8 @@ def _empty_before(instance: Instance) -> Dispatch:
     return replace(made, buffers=tuple(bytes(len(data)) for data in made.buffers))
 
 
-def _zeroed(row: Mapping[str, Any], count: int) -> bytes:
-    return bytes(max(count, 1) * row["stride"])
+def _zeroed(row: ResultRow, count: int) -> bytes:
+    return bytes(max(count, 1) * row.stride)
 
 
 def _one_element_less(instance: Instance) -> Dispatch:
@@ -70,7 +72,7 @@ def _one_element_less(instance: Instance) -> Dispatch:
 
 
 def _half_the_groups(
-    reflection: Mapping[str, Any], pipeline: Pipeline, dispatches: Sequence[Dispatch]
+    reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]
 ) -> KernelJob:
     made = running.job_of(reflection, pipeline, dispatches)
     x, y, z = made.work_group

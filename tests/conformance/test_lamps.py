@@ -104,9 +104,9 @@ def test_drivers_draw_it(studio: Studio, route: str) -> None:
 
 
 def test_a_host_sees_a_buffer() -> None:
-    (row,) = lit("[]").reflection["buffers"]
-    assert (row["name"], row["count"], row["group"]) == ("lamps", "lamps.count", "rig")
-    assert [member["name"] for member in row["members"]] == [
+    (row,) = lit("[]").reflection.buffers
+    assert (row.name, row.count, row.group) == ("lamps", "lamps.count", "rig")
+    assert [member.name for member in row.members] == [
         "diffuse_color", "specular_color", "place",
     ]  # fmt: skip
 

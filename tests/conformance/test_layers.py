@@ -13,6 +13,7 @@ import pytest
 
 import burnish
 from burnish.compiled import CompiledMaterial
+from burnish.compiler.documents.drawing import LayersRow
 from burnish.compiler.ir import build
 from burnish.compiler.ir.types import BOOL
 from burnish.compiler.passes import lower_expansion
@@ -134,11 +135,11 @@ def test_each_strip_is_in_its_layer_alone(studio: Studio, native: bool) -> None:
 def test_a_host_draws_the_layers_one_by_one() -> None:
     """By the reflection alone: each draw differs from the others in one parameter."""
     material = compiled(native=False)
-    assert material.reflection["draw"]["layers"] == {"count": COUNT, "parameter": "draw.layer"}
+    assert material.reflection.draw.layers == LayersRow(count=COUNT, parameter="draw.layer")
     draw = state_of(material).draw()
     assert len({*draw.layers}) == COUNT
     native = compiled(native=True)
-    assert native.reflection["draw"]["layers"] == {"count": COUNT, "parameter": None}
+    assert native.reflection.draw.layers == LayersRow(count=COUNT, parameter=None)
     assert state_of(native).draw().layers == ()
 
 

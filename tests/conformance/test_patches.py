@@ -120,7 +120,7 @@ def both(name: str) -> tuple[CompiledMaterial, CompiledMaterial]:
 def state_of(material: CompiledMaterial) -> SceneState:
     """A plane whose vertices have coordinates that are multiples of a half."""
     mesh = with_inputs(material.reflection, plane(4))
-    if material.reflection["draw"]["corners"] == 9:
+    if material.reflection.draw.corners == 9:
         mesh = replace(mesh, patches=nines(5))
     return set_up(material.instance(), mesh, Scene(), SIZE, CLEAR)
 
@@ -176,7 +176,7 @@ LEVEL_0 = """param rising : float in 0..1 = 0
 @pytest.mark.parametrize("route", ROUTES)
 def test_patches_of_level_0_are_not_drawn(studio: Studio, route: str) -> None:
     (lowered,) = burnish.compile(text(LEVEL_0), ROUTES[route].profile).materials
-    assert lowered.reflection["draw"]["tessellation"]["levels"] is not None, "the host divides"
+    assert lowered.reflection.levels is not None, "the host divides"
     state = state_of(lowered)
     assert not len(state.triangles)
     (found,) = studio.draw(route, lowered, state)
@@ -228,7 +228,8 @@ def test_vertices_find_out_where_they_lie(studio: Studio, spacing: Spacing, rout
     source = text(DIFFERING.format(spacing))
     (native,) = burnish.compile(source, PROFILES, native_stages=True).materials
     (lowered,) = burnish.compile(source, ROUTES[route].profile).materials
-    assert lowered.reflection["draw"]["tessellation"]["levels"] is None
+    assert lowered.reflection.draw.tessellation is not None
+    assert lowered.reflection.levels is None
     (found,) = studio.draw(route, lowered, state_of(lowered))
     (expected,) = studio.draw(route, given(), in_triangles(state_of(native), spacing))
     assert (found == expected).all()

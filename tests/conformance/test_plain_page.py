@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from copy import deepcopy
 from importlib.resources import files
 from typing import Any
 
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 
 import burnish
 from burnish.compiled import CompiledMaterial
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.browser.chromium import Chromium
@@ -97,7 +97,7 @@ def test_it_draws_the_same(
     studio: Studio, page: Chromium, source: str, values: Mapping[str, object]
 ) -> None:
     material, state = set_up_with(source, values)
-    found = drawn_by_page(page, material, state, material.reflection)
+    found = drawn_by_page(page, material, state, to_json(material.reflection))
     expected = drawn_by_runtime(studio, material, state)
     assert len(np.unique(expected.reshape(-1, 4), axis=0)) > 100
     assert (found == expected).all()
@@ -124,8 +124,8 @@ def test_the_page_goes_by_the_reflection(
     page: Chromium, mistake: Callable[[Reflection], None]
 ) -> None:
     material, state = set_up_with(*CASES["an expansion"])
-    right = drawn_by_page(page, material, state, material.reflection)
-    reflection = deepcopy(dict(material.reflection))
+    reflection = to_json(material.reflection)
+    right = drawn_by_page(page, material, state, reflection)
     mistake(reflection)
     assert (drawn_by_page(page, material, state, reflection) != right).any()
 

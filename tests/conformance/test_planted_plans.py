@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -13,13 +12,17 @@ from typing import Any, cast
 import pytest
 
 import burnish
+from burnish.compiler.documents import plan as documents
+from burnish.compiler.documents.plan import AttachmentRow, PlanStep
+from burnish.compiler.documents.reading import read
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.conformance.frames import FramePlan
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import Attachment, Barrier
 from burnish.targets.runner.frames import by_route
 from burnish.targets.runner.frames.by_route import draw_frames
 from burnish.targets.runner.frames.checking import PlanError
-from burnish.targets.runner.frames.host import FrameHost, FrameSubject, Row
+from burnish.targets.runner.frames.host import FrameHost, FrameSubject
 from burnish.targets.runner.frames.plan_files import read_frame
 from burnish.targets.runner.frames.scenery import in_a_row
 from burnish.targets.runner.routes import ROUTES
@@ -67,12 +70,11 @@ def _swap(plan: Plan, step: str, key: str) -> None:
 
 
 def _swapped_textures(plan: Plan) -> None:
-    for key in ("result", "texture"):
-        _swap(plan, "read", key)
+    _swap(plan, "read", "source")
 
 
 def _swapped_numbers(plan: Plan) -> None:
-    _swap(plan, "a", "value")
+    _swap(plan, "a", "source")
 
 
 def _swapped_names(plan: Plan) -> None:
@@ -88,7 +90,7 @@ def _without_a_number(plan: Plan) -> None:
 
 
 def _other_constant(plan: Plan) -> None:
-    value = plan["values"][_inputs(plan, "b")[0]["value"]]
+    value = plan["values"][_inputs(plan, "b")[0]["source"]["value"]]
     value["steps"][-1]["value"] += 1
 
 
@@ -122,10 +124,13 @@ def _half_the_size(plan: Plan) -> None:
 def _results(studio: Studio, change: Callable[[Plan], None]) -> list[bool]:
     """Whether each output agrees."""
     (frame,) = burnish.compile(FRAME, (ROUTE.profile,)).frames
-    plan = copy.deepcopy(frame.plan)
-    change(plan)
+    document = to_json(frame.plan)
+    change(document)
     planted = SimpleNamespace(
-        name="F", shaders=frame.shaders, plan=plan, plan_of_reference=frame.plan_of_reference
+        name="F",
+        shaders=frame.shaders,
+        plan=read(documents.FramePlan, document),
+        plan_of_reference=frame.plan_of_reference,
     )
     drawn = FramePlan("F", cast(FrameSubject, planted), SIZE)
     device = studio.runner.device(ROUTE)
@@ -155,9 +160,10 @@ def test_another_size_is_told(studio: Studio) -> None:
 
 def test_files_are_drawn_as_what_they_were_written_of(studio: Studio, tmp_path: Path) -> None:
     (frame,) = burnish.compile(FRAME, (ROUTE.profile,)).frames
-    (tmp_path / "F.plan.json").write_text(json.dumps(frame.plan), "utf-8")
+    (tmp_path / "F.plan.json").write_text(json.dumps(to_json(frame.plan)), "utf-8")
     for shader in frame.shaders:
-        (tmp_path / f"{shader.name}.json").write_text(json.dumps(shader.reflection), "utf-8")
+        reflection = json.dumps(to_json(shader.reflection))
+        (tmp_path / f"{shader.name}.json").write_text(reflection, "utf-8")
         for file in shader.files:
             (tmp_path / file.name).write_text(file.text, "utf-8")
     stored = read_frame(tmp_path / "F.plan.json", (ROUTE.profile,))
@@ -174,11 +180,11 @@ def test_files_are_drawn_as_what_they_were_written_of(studio: Studio, tmp_path: 
 # --- the runner ----------------------------------------------------------------------------------
 
 
-def _never_loads(job: Any, target: Row, layer: int) -> Attachment:
+def _never_loads(job: Any, target: AttachmentRow, layer: int) -> Attachment:
     return replace(ATTACHMENT(job, target, layer), loads=False)
 
 
-def _never_stores(job: Any, target: Row, layer: int) -> Attachment:
+def _never_stores(job: Any, target: AttachmentRow, layer: int) -> Attachment:
     return replace(ATTACHMENT(job, target, layer), stores=False)
 
 
@@ -187,11 +193,11 @@ def _other_textures(job: Any, draw: Any) -> tuple[tuple[int, ...], tuple[int, ..
     return textures[::-1], buffers
 
 
-def _without_barriers(job: Any, step: Row, is_first: bool) -> tuple[Barrier, ...]:
+def _without_barriers(job: Any, step: PlanStep, is_first: bool) -> tuple[Barrier, ...]:
     return BARRIERS(job, step, is_first)[1:]
 
 
-def _all_in_one_place(_plan: Row, needed: Mapping[int, int]) -> list[list[int]]:
+def _all_in_one_place(_plan: documents.FramePlan, needed: Mapping[int, int]) -> list[list[int]]:
     return [sorted(needed)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.documents.values import MemberRow, ParameterRow
+from burnish.frozen import changed
 from burnish.targets.conformance.sample import sample_textures, sample_values
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import sphere
@@ -84,15 +86,18 @@ def sampled(seed: int) -> Instance:
     return instance
 
 
-def _leaves(row: Mapping[str, Any], value: Any) -> Iterator[tuple[Mapping[str, Any], Any]]:
+Row = ParameterRow | MemberRow
+
+
+def _leaves(row: Row, value: Any) -> Iterator[tuple[Row, Any]]:
     """Rows without members, each with a value that is no array's."""
-    if row["layout"].get("count") is not None:
-        element = {**row, "layout": {**row["layout"], "count": None}}
+    if row.layout.count is not None:
+        element = changed(row, layout=changed(row.layout, count=None))
         for inner in value:
             yield from _leaves(element, inner)
-    elif row["members"]:
-        for member in row["members"]:
-            yield from _leaves(member, value[member["name"]])
+    elif row.members:
+        for member in row.members:
+            yield from _leaves(member, value[member.name])
     else:
         yield row, value
 
@@ -101,15 +106,15 @@ def _leaves(row: Mapping[str, Any], value: Any) -> Iterator[tuple[Mapping[str, A
 def test_values_keep_promises(seed: int) -> None:
     instance = sampled(seed)
     assert instance.missing == ()
-    for parameter in instance.reflection["parameters"]:
-        for row, value in _leaves(parameter, instance.get(parameter["name"])):
+    for parameter in instance.reflection.parameters:
+        for row, value in _leaves(parameter, instance.get(parameter.name)):
             lanes = np.array(value, dtype=float).ravel()
             assert np.isfinite(lanes).all()
-            if row.get("range"):
-                assert (row["range"][0] <= lanes).all() and (lanes <= row["range"][1]).all()
-            if row["type"].startswith("direction"):
+            if row.range is not None:
+                assert (row.range[0] <= lanes).all() and (lanes <= row.range[1]).all()
+            if row.type.startswith("direction"):
                 assert math.isclose(math.hypot(*lanes), 1.0, rel_tol=1e-6)
-            if row["type"].startswith("rgb"):
+            if row.type.startswith("rgb"):
                 assert (lanes >= 0).all() and (lanes <= 1).all()
 
 

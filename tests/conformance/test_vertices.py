@@ -30,6 +30,6 @@ def test_it_agrees(studio: Studio, route: str, hoist: bool) -> None:
 def test_the_materials_use_all_locations() -> None:
     """More inputs than WebGPU has buffers, which is 8."""
     (loaded,) = burnish.compile(FILE, ("wgsl",), material="Loaded").materials
-    rows = loaded.reflection["vertex_inputs"]
-    assert max(row["location"] for row in rows) == 15
-    assert {row["step"] for row in rows} == {"vertex", "instance"}
+    rows = loaded.reflection.vertex_inputs
+    assert max(row.location or 0 for row in rows) == 15
+    assert {row.step for row in rows} == {"vertex", "instance"}

@@ -109,7 +109,7 @@ def test_json(block: Block) -> None:
     rows = [
         row for key in ("parameters", "derived", "promises", "blocks") for row in reflection[key]
     ]
-    rows.append(reflection["draw"])
+    rows.append(reflection.draw)
     assert any(quoted.items() <= row.items() for row in rows)
 
 
@@ -118,14 +118,14 @@ def test_the_table_of_buffers() -> None:
     table = re.findall(
         r"^\| `(\w+)` \| (\d+) \| (\d), (\d) \| `(\w\d), space(\d)`", text, re.MULTILINE
     )
-    sizes = {block["name"]: block["size"] for block in PLASTIC.reflection["blocks"]}
+    sizes = {block.name: block.size for block in PLASTIC.reflection.blocks}
     assert {name: int(size) for name, size, *_ in table} == sizes
-    for backend in PLASTIC.reflection["backends"].values():
+    for backend in PLASTIC.reflection.backends.values():
         for name, _, set_, binding, register, space in table:
-            point = backend["blocks"][name]
-            assert (point["group"], point["binding"]) == (int(set_), int(binding))
+            point = backend.blocks[name]
+            assert (point.group, point.binding) == (int(set_), int(binding))
             assert set_ == space
-            assert point["register"] in (None, register)
+            assert point.register in (None, register)
 
 
 @pytest.fixture

@@ -1,182 +1,189 @@
 """Documents in which one list, or one object with free keys, has as many elements as one likes.
 
-The lists are found in the JSON Schemas, so that those which a schema gets later are found as well.
-``test_growing.py`` asks whether twice the elements are twice the work.
+The lists are found in the declarations of the records, so that those which a document gets later
+are found as well. ``test_growing.py`` asks whether twice the elements are twice the work.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
+from typing import Any, Literal, get_args, get_origin
 
-Path = tuple[str | int, ...]
+from burnish.compiler.constraints import Length, Nested, Pattern, Range
+from burnish.compiler.documents.shapes import (
+    alternatives_of,
+    bare,
+    constraints_of,
+    fields_of,
+    is_record,
+    may_be_null,
+    telling,
+    words_of,
+)
+
+Path = tuple[str | type, ...]
+"""Keys in JSON, ``ANY``, and the kinds of records that are meant where there may be several."""
 ANY = "*"
 """In a path, any element of a list, or any key of an object with free keys."""
-
-DEEPEST = 14
-"""How long the paths are that are followed: some definitions contain themselves."""
 
 
 @dataclass(frozen=True, slots=True)
 class Growing:
-    """A list or an object of a document, and what its elements look like."""
+    """A list or an object of a document, and what its elements are."""
 
     path: Path
-    element: Mapping[str, Any]
-    """Their schema."""
-    document: str
-    """The document whose schema that stands in."""
+    element: Any
+    """Their type."""
     is_list: bool
 
     @property
     def name(self) -> str:
         """What tests call it."""
-        return "/".join(map(str, self.path))
+        return "/".join(each if isinstance(each, str) else each.__name__ for each in self.path)
 
 
-class Schemas:
-    """Schemas that refer to each other, by their names."""
+def growing(kind: type) -> Sequence[Growing]:
+    """All lists and objects of a kind of document that can be as long as one likes."""
+    found: dict[Path, Growing] = {}
+    for each in _inside(kind, (), ()):
+        found.setdefault(each.path, each)
+    return list(found.values())
 
-    def __init__(self, documents: Mapping[str, Mapping[str, Any]]) -> None:
-        self._documents = documents
 
-    def growing(self, name: str) -> Sequence[Growing]:
-        """All lists and objects of a document that can be as long as one likes."""
-        found: dict[Path, Growing] = {}
-        for each in self._inside(self._documents[name], name, (), ()):
-            found.setdefault(each.path, each)
-        return list(found.values())
+def grown(document: Any, kind: type, where: Growing, count: int) -> Any:
+    """A document with so many elements there: like those that it has, or the least that there may
+    be. Each has names of its own."""
+    return _changed(deepcopy(document), kind, where.path, partial(_filled, where, count))
 
-    def grown(self, document: Any, where: Growing, name: str, count: int) -> Any:
-        """A document with so many elements there: like those that it has, or the least that the
-        schema allows. Each has names of its own."""
-        whole = deepcopy(document)
-        place = self._place(whole, where.path, name)
-        values = list(place) if where.is_list else list(place.values())
-        sample = values[0] if values else self.sample(where.element, where.document)
-        if where.is_list:
-            place[:] = [_numbered(sample, number) for number in range(count)]
-        else:
-            place.clear()
-            place.update({f"key {number}": _numbered(sample, number) for number in range(count)})
-        return whole
 
-    def sample(self, schema: Mapping[str, Any], name: str) -> Any:
-        """The least value that follows a schema."""
-        schema, name = self.whole(schema, name)
-        for key in ("oneOf", "anyOf"):
-            if key in schema and "properties" not in schema:
-                return self.sample(schema[key][-1], name)
-        if "const" in schema or "enum" in schema:
-            return schema.get("const", schema.get("enum", [None])[0])
-        type_ = schema.get("type", "null")
-        type_ = type_ if isinstance(type_, str) else type_[0]
-        if type_ == "object":
-            rows = schema.get("properties", {})
-            needed = schema.get("required", ())
-            return {key: self.sample(rows[key], name) for key in needed}
-        if type_ == "array":
-            least = schema.get("minItems", 0)
-            return [self.sample(schema["items"], name) for _ in range(least)]
-        least = schema.get("minimum", 0)
-        return {"string": "x", "boolean": False, "null": None}.get(type_, least)
+def _filled(where: Growing, count: int, value: Any) -> Any:
+    """A list or an object with so many elements, like the first one that it has."""
+    values = list(value.values()) if isinstance(value, dict) else value
+    sample = values[0] if isinstance(values, list) and values else _sample(where.element)
+    is_word = get_origin(bare(where.element)) is Literal
+    elements = [sample if is_word else _numbered(sample, number) for number in range(count)]
+    if where.is_list:
+        return elements
+    return {f"key {number}": element for number, element in enumerate(elements)}
 
-    def whole(self, schema: Mapping[str, Any], name: str) -> tuple[Mapping[str, Any], str]:
-        """A schema without the reference that it consists of, and the document that has it."""
-        while "$ref" in schema:
-            file, _, path = schema["$ref"].partition("#")
-            name = file or name
-            schema = self._documents[name]
-            for part in filter(None, path.split("/")):
-                schema = schema[part]
-        return schema, name
 
-    def _inside(
-        self, schema: Mapping[str, Any], name: str, path: Path, around: tuple[int, ...]
-    ) -> Iterator[Growing]:
-        schema, name = self.whole(schema, name)
-        if around.count(id(schema)) > 1 or len(path) > DEEPEST:
+# --- types ---------------------------------------------------------------------------------------
+
+
+def _inside(type_: Any, path: Path, around: tuple[type, ...]) -> Iterator[Growing]:
+    """All that can grow in a value of a type. Some records contain themselves: once is enough."""
+    inner = bare(type_)
+    if any(isinstance(each, Nested) for each in constraints_of(type_)):
+        yield Growing(path, type_, is_list=True)
+    elif is_record(inner):
+        if around.count(inner) > 1:
             return
-        around = (*around, id(schema))
-        for key in ("oneOf", "anyOf"):
-            for each in schema.get(key, ()):
-                yield from self._inside(each, name, path, around)
-        for key, row in schema.get("properties", {}).items():
-            yield from self._inside(row, name, (*path, key), around)
-        items, others = schema.get("items"), schema.get("additionalProperties")
-        if items is not None:
-            if schema.get("maxItems") is None:
-                yield Growing(path, *self.whole(items, name), is_list=True)
-            yield from self._inside(items, name, (*path, ANY), around)
-        if isinstance(others, dict):
-            yield Growing(path, *self.whole(others, name), is_list=False)
-            yield from self._inside(others, name, (*path, ANY), around)
-
-    def _place(self, value: Any, path: Path, name: str) -> Any:
-        """The container at a path, which is made where a document has none."""
-        schema, name = self.whole(self._documents[name], name)
-        for key, following in zip(path, (*path[1:], ANY), strict=True):
-            row, of = self._below(schema, name, value, key)
-            inner = _step(value, key, following)
-            if not isinstance(inner, dict | list) or not inner:
-                _put(value, key, self._container(row, of))
-                inner = _step(value, key, following)
-            value, (schema, name) = inner, self.whole(row, of)
-        return value
-
-    def _below(
-        self, schema: Mapping[str, Any], name: str, value: Any, key: str | int
-    ) -> tuple[Mapping[str, Any], str]:
-        """The schema of what stands under a key."""
-        for each, of in self._alternatives(schema, name):
-            if key == ANY:
-                found = each.get("items", each.get("additionalProperties"))
-            else:
-                found = each.get("properties", {}).get(key)
-            kind = each.get("properties", {}).get("kind", {}).get("const")
-            fits = kind is None or not isinstance(value, dict) or value.get("kind", kind) == kind
-            if isinstance(found, dict) and fits:
-                return found, of
-        raise AssertionError(f"nothing stands at {key}")
-
-    def _alternatives(
-        self, schema: Mapping[str, Any], name: str
-    ) -> Iterator[tuple[Mapping[str, Any], str]]:
-        schema, name = self.whole(schema, name)
-        yield schema, name
-        for key in ("oneOf", "anyOf"):
-            for each in schema.get(key, ()):
-                yield from self._alternatives(each, name)
-
-    def _container(self, schema: Mapping[str, Any], name: str) -> Any:
-        """The least list or object that follows a schema."""
-        for each, of in self._alternatives(schema, name):
-            if "items" in each:
-                return []
-            if "properties" in each or "additionalProperties" in each:
-                return self.sample({**each, "type": "object"}, of)
-        raise AssertionError("no container")
+        for field in fields_of(inner):
+            yield from _inside(field.type, (*path, field.key), (*around, inner))
+    elif (element := _element(inner)) is not None:
+        if get_origin(inner) is not tuple or get_args(inner)[-1] is ...:
+            yield Growing(path, element, is_list=get_origin(inner) is tuple)
+        yield from _inside(element, (*path, ANY), around)
+    elif get_origin(inner) is not Literal and len(kinds := alternatives_of(inner)) > 1:
+        for kind in kinds:
+            yield from _inside(kind, (*path, kind), around)
+    elif (only := _only(inner)) is not inner:
+        yield from _inside(only, path, around)
 
 
-def _step(value: Any, key: str | int, following: str | int) -> Any:
-    """What stands under a key; of any elements, the first one with what is wanted next."""
-    if key != ANY:
-        return value.get(key)
-    elements = list(value) if isinstance(value, list) else list(value.values())
-    fitting = (each for each in elements if isinstance(each, dict) and following in each)
-    return next(fitting, next(iter(elements), None))
+def _element(type_: Any) -> Any:
+    """The type of the elements of a list or an object; ``None`` of anything else."""
+    arguments = get_args(type_)
+    if get_origin(type_) is tuple:
+        return arguments[0] if arguments else None
+    return arguments[1] if get_origin(type_) is get_origin(Mapping[str, int]) else None
 
 
-def _put(value: Any, key: str | int, inner: Any) -> None:
-    if key != ANY:
-        value[key] = inner
-    elif isinstance(value, list):
-        value[:] = [inner]
-    else:
-        value.clear()
-        value["key"] = inner
+def _only(type_: Any) -> Any:
+    """A type that may be null, without null."""
+    kinds = alternatives_of(type_)
+    return kinds[0] if len(kinds) == 1 else type_
+
+
+def _sample(type_: Any) -> Any:
+    """The least value of a type."""
+    constraints, inner = constraints_of(type_), bare(type_)
+    if is_record(inner):
+        return {each.key: _sample(each.type) for each in fields_of(inner) if not each.is_optional}
+    if may_be_null(inner):
+        return None
+    if get_origin(inner) is Literal:
+        return get_args(inner)[0]
+    if get_origin(inner) is tuple:
+        arguments = get_args(inner)
+        least = sum(each.least for each in constraints if isinstance(each, Length))
+        count = least if arguments and arguments[-1] is ... else len(arguments)
+        return [_sample(arguments[0]) for _ in range(count)]
+    if _element(inner) is not None:
+        return {}
+    if len(kinds := alternatives_of(inner)) > 1:
+        return _sample(kinds[-1])
+    if inner is str:
+        return "" if any(isinstance(each, Pattern) for each in constraints) else "x"
+    if inner is bool:
+        return False
+    return next((each.least or 0 for each in constraints if isinstance(each, Range)), 0)
+
+
+# --- values --------------------------------------------------------------------------------------
+
+
+def _changed(value: Any, type_: Any, path: Path, change: Callable[[Any], Any]) -> Any:
+    """A value with what is made of the list or object at a path in it; what a document does not
+    have on the way there is made."""
+    inner = _only(bare(type_))
+    if not path:
+        return change(value)
+    first, *others = path
+    rest = tuple(others)
+    if isinstance(first, type):
+        right = value if _is(value, first, alternatives_of(inner)) else _sample(first)
+        return _changed(right, first, rest, change)
+    if first == ANY:
+        return _changed_element(value, inner, rest, change)
+    if value is None:
+        value = _sample(inner)
+    (type_of_member,) = [each.type for each in fields_of(inner) if each.key == first]
+    return {**value, first: _changed(value.get(first), type_of_member, rest, change)}
+
+
+def _changed_element(value: Any, type_: Any, path: Path, change: Callable[[Any], Any]) -> Any:
+    """The same for an element: the one that has most of the way."""
+    element = _element(type_)
+    change_one = partial(_changed, type_=element, path=path, change=change)
+    if not value:
+        made = change_one(_sample(element))
+        return [made] if get_origin(type_) is tuple else {"key": made}
+    rows = dict(enumerate(value)) if isinstance(value, list) else dict(value)
+    best = max(rows, key=lambda key: _fits(rows[key], element, path))
+    rows[best] = change_one(rows[best])
+    return list(rows.values()) if isinstance(value, list) else rows
+
+
+def _fits(value: Any, type_: Any, path: Path) -> bool:
+    """Whether a value has what comes next in a path."""
+    if not path or not isinstance(value, dict):
+        return False
+    first = path[0]
+    if isinstance(first, type):
+        return _is(value, first, alternatives_of(type_))
+    return bool(value.get(first))
+
+
+def _is(value: Any, kind: type, kinds: Sequence[type]) -> bool:
+    """Whether a value is a record of one of several kinds."""
+    if value is None or len(kinds) == 1:
+        return value is not None
+    key = telling(kinds)
+    return value[key] in words_of(kind)[key]
 
 
 def _numbered(sample: Any, number: int) -> Any:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import burnish
 from burnish.api import CompiledFrame
+from burnish.compiler.documents.plan import InputRow, PlanStep
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total
 from burnish.targets.runner.frames.scenery import in_a_row
@@ -34,23 +34,21 @@ def of_text(text: str) -> CompiledFrame:
     return frame
 
 
-def inputs_of(step: dict[str, Any]) -> list[dict[str, Any]]:
+def inputs_of(step: PlanStep) -> list[InputRow]:
     """What the frame sets in a step of a plan."""
-    own: list[dict[str, Any]] = step.get("inputs", [])
-    uses = [use for drawn in step.get("draws", []) for use in drawn["uses"]]
-    return [*own, *(row for use in uses for row in use["inputs"])]
+    return [row for use in step.uses for row in use.inputs]
 
 
 def memory_share(frame: CompiledFrame, size: tuple[int, int] = (512, 512)) -> float:
     """How much memory the textures of a frame need that take turns, as a share of what its results
     would need each by itself."""
     plan = frame.plan
-    tags = {row["name"]: row["materials"] for row in plan["models"]}
+    tags = {row.name: row.materials for row in plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
     host = FrameHost(frame, in_a_row(materials, tags, "torus"), size)
     needed = {
-        number: bytes_of(row, host.size_of(number)) for number, row in enumerate(plan["textures"])
+        number: bytes_of(row, host.size_of(number)) for number, row in enumerate(plan.textures)
     }
-    each = sum(needed[row["texture"]] for row in plan["results"] if row["texture"] is not None)
-    each += sum(needed[row["previous"]] for row in plan["kept"] if row["previous"] is not None)
+    each = sum(needed[row.texture] for row in plan.results if row.texture is not None)
+    each += sum(needed[row.previous] for row in plan.kept if row.previous is not None)
     return total(taking_turns(plan, needed), needed) / each

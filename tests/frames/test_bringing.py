@@ -4,12 +4,12 @@ and what is said where one is missing."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import pytest
 
 import burnish
 from burnish.compiler.diagnostics.render import render_all
+from burnish.compiler.documents.plan import ResultSource
 
 from .kit import inputs_of, of_text
 
@@ -41,12 +41,14 @@ MISSING = """error[B0806]: `Forward` needs `sun.shadow`
    = help: A texture of a pass or a kernel that has no default"""
 
 
-def steps_of(text: str) -> Mapping[str, Any]:
+def steps_of(text: str) -> Mapping[str, list[str]]:
     """What each step of a frame is given by others, by its name."""
     plan = of_text(HEAD + text).plan
     return {
-        step["name"]: [row.get("result") for row in inputs_of(step) if row.get("result")]
-        for step in plan["steps"]
+        step.name: [
+            row.source.result for row in inputs_of(step) if isinstance(row.source, ResultSource)
+        ]
+        for step in plan.steps
     }
 
 
@@ -100,7 +102,7 @@ def test_what_no_shader_reads_is_not_drawn() -> None:
 
 def test_without_a_frame_the_host_binds_what_a_light_would_bring() -> None:
     (made,) = burnish.compile(HEAD + "rig Night { lamp : ShadowedSpot }", ("wgsl",)).materials
-    assert [row["name"] for row in made.reflection["textures"]] == ["lamp.shadow"]
+    assert [row.name for row in made.reflection.textures] == ["lamp.shadow"]
 
 
 def test_a_light_without_its_texture() -> None:

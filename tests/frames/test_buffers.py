@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 
 from burnish.api import CompiledFrame
-from burnish.compiler.reflection.schema import PLAN, validate
+from burnish.compiler.documents.plan import DrawStep, FramePlan, PlanStep, RunStep, WaitingRow
+from burnish.compiler.documents.reading import read
+from burnish.compiler.documents.writing import to_json
+from burnish.frozen import changed
 from burnish.targets.runner.frames.checking import PlanError, check_plan
 
 from .changes import changes
@@ -48,17 +49,14 @@ def swarm() -> CompiledFrame:
     return of_text(SWARM)
 
 
-def waits(place: dict[str, Any]) -> dict[str, tuple[str, str, bool]]:
+def waits(place: PlanStep | WaitingRow) -> dict[str, tuple[str, str, bool]]:
     """The buffers that are waited for in one place."""
-    return {
-        row["result"]: (row["from"], row["to"], row["only_first"])
-        for row in place["buffer_barriers"]
-    }
+    return {row.result: (row.before, row.after, row.only_first) for row in place.buffer_barriers}
 
 
 def test_a_buffer_is_waited_for_where_it_is_used_in_another_way(swarm: CompiledFrame) -> None:
-    validate(swarm.plan, PLAN)
-    steps = {step["name"]: step for step in swarm.plan["steps"]}
+    assert read(FramePlan, to_json(swarm.plan)) == swarm.plan
+    steps = {step.name: step for step in swarm.plan.steps}
     assert {name: waits(step) for name, step in steps.items()} == {
         "begun": {"begun.after": ("undefined", "written", True)},
         "moved": {
@@ -74,7 +72,7 @@ def test_a_buffer_is_waited_for_where_it_is_used_in_another_way(swarm: CompiledF
         "both": {"ahead.after": ("written", "read", False)},
         "again": {},
     }
-    assert waits(swarm.plan["end"]) == {}
+    assert waits(swarm.plan.end) == {}
 
 
 def test_what_the_host_and_the_next_frame_read_is_ready_at_the_end() -> None:
@@ -86,43 +84,53 @@ def test_what_the_host_and_the_next_frame_read_is_ready_at_the_end() -> None:
         text.replace("places = moved.after", "places = previous(moved.after, begun.after)")
     ).plan
     check_plan(plan)
-    assert waits(plan["end"]) == {
+    assert waits(plan.end) == {
         "ahead.after": ("written", "read", False),
         "moved.after": ("written", "read", False),
     }
-    (barrier,) = plan["end"]["barriers"]
-    assert (barrier["from"], barrier["to"]) == ("target", "sampled")
+    (barrier,) = plan.end.barriers
+    assert (barrier.before, barrier.after) == ("target", "sampled")
 
 
 def test_a_step_that_waits_for_a_buffer_begins_a_render_pass(swarm: CompiledFrame) -> None:
-    steps = {step["name"]: step for step in swarm.plan["steps"]}
-    assert [steps[name]["continues"] for name in ("shown", "both", "again")] == [False, False, True]
+    steps = {step.name: step for step in swarm.plan.steps if isinstance(step, DrawStep)}
+    assert [steps[name].continues for name in ("shown", "both", "again")] == [False, False, True]
 
 
 def test_changed_plans_are_refused(swarm: CompiledFrame) -> None:
-    found = [each for each in changes(swarm.plan) if not MEANING.match(each.name)]
+    plan = to_json(swarm.plan)
+    found = [each for each in changes(plan) if not MEANING.match(each.name)]
     of_waiting = [each for each in found if "barriers" in each.name]
     assert len(of_waiting) > 100
-    assert [each.name for each in of_waiting if not is_refused(swarm, each.made(swarm.plan))] == []
+    assert [each.name for each in of_waiting if not is_refused(swarm, each.made(plan))] == []
 
 
 @pytest.mark.parametrize(
-    ("step", "row", "changed", "message"),
+    ("step", "row", "wrong", "message"),
     [
-        (1, 1, {"from": "read"}, "moved: the buffer of `moved.after` is undefined before"),
-        (2, 0, {"to": "written"}, "ahead: it waits for the buffer of `moved.after`, which was"),
+        (1, 1, {"before": "read"}, "moved: the buffer of `moved.after` is undefined before"),
+        (2, 0, {"after": "written"}, "ahead: it waits for the buffer of `moved.after`, which was"),
         (4, 0, {"result": "begun.after"}, "both: the buffer of `begun.after` is read before"),
         (4, 0, {"result": "shown.color"}, "both: there is no buffer `shown.color`"),
         (1, 0, {"only_first": False}, "moved: the buffer of `begun.after` is undefined before"),
     ],
 )
 def test_what_is_said_of_a_wrong_barrier(
-    swarm: CompiledFrame, step: int, row: int, changed: dict[str, Any], message: str
+    swarm: CompiledFrame, step: int, row: int, wrong: dict[str, object], message: str
 ) -> None:
-    rows = list(swarm.plan["steps"][step]["buffer_barriers"])
-    rows[row] = {**rows[row], **changed}
-    steps = list(swarm.plan["steps"])
-    steps[step] = {**steps[step], "buffer_barriers": rows}
+    rows = list(swarm.plan.steps[step].buffer_barriers)
+    rows[row] = changed(rows[row], **wrong)
+    steps = list(swarm.plan.steps)
+    steps[step] = changed(steps[step], buffer_barriers=tuple(rows))
     with pytest.raises(PlanError) as error:
-        check_plan({**swarm.plan, "steps": steps})
+        check_plan(changed(swarm.plan, steps=tuple(steps)))
     assert str(error.value).startswith(f"Swarm, {message}")
+
+
+def test_a_kernel_is_run_for_no_material(swarm: CompiledFrame) -> None:
+    begun, *others = swarm.plan.steps
+    assert isinstance(begun, RunStep)
+    wrong = changed(begun, use=changed(begun.use, material="Clay"))
+    with pytest.raises(PlanError) as error:
+        check_plan(changed(swarm.plan, steps=(wrong, *others)))
+    assert str(error.value) == "Swarm, begun: it is a kernel, and has the material `Clay`"

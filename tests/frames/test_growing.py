@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 from typing import Any
@@ -10,7 +10,9 @@ from typing import Any
 import pytest
 
 from burnish.compiler.budget import BudgetError
-from burnish.compiler.reflection.schema import PLAN, REFLECTION, errors, schema
+from burnish.compiler.documents.plan import FramePlan
+from burnish.compiler.documents.reading import read
+from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.runner.frames.checks.names import check_names
 from burnish.targets.runner.frames.checks.needs import check_needs
 from burnish.targets.runner.frames.checks.order import check_order
@@ -21,25 +23,24 @@ from burnish.targets.runner.frames.checks.shaders import check_shaders
 
 from ..diagnostics.test_growth import calls
 from ..fuzz.hostile.plans import received
-from .growing import Growing, Schemas
+from .growing import Growing, growing, grown
 from .kit import of_text
 
-SCHEMAS = Schemas({name: schema(name) for name in (PLAN, REFLECTION)})
 FRAME = received("reaction")
-SHADERS = list(FRAME.reflections.values())
+SHADERS = [read(Reflection, each) for each in FRAME.reflections.values()]
 ONCE = 100
 """How many elements there are; and then twice as many."""
 OTHER = 3000
 """So many calls more are for what does not grow."""
 
 
-WRONG = (PlanError, BudgetError, LookupError, TypeError)
-"""What ends a check of a document, which may not even follow its schema here."""
+WRONG = (PlanError, BudgetError, LookupError)
+"""What ends a check of a document: some believe what others have checked, but not here."""
 
 
-def of_a_plan(plan: Any) -> None:
+def of_a_plan(document: Any) -> None:
     """All that is done with a plan. Most of these are wrong, which each check finds for itself."""
-    errors(plan, PLAN)
+    plan = read(FramePlan, document)
     checks: list[Callable[[], None]] = [
         partial(check, plan) for check in (check_names, check_needs, check_order)
     ]
@@ -49,35 +50,43 @@ def of_a_plan(plan: Any) -> None:
             check()
 
 
-def of_a_reflection(reflection: Any) -> None:
+def of_a_reflection(document: Any) -> None:
     """All that is done with a reflection."""
-    errors(reflection)
+    reflection = read(Reflection, document)
     with suppress(*WRONG):
         check_reflection("x", reflection)
 
 
+DOCUMENTS: Mapping[type, tuple[Any, Callable[[Any], None]]] = {
+    FramePlan: (FRAME.plan, of_a_plan),
+    Reflection: (next(iter(FRAME.reflections.values())), of_a_reflection),
+}
+"""A document of each kind, and what is done with such."""
 PLACES = {
-    f"{name.partition('.')[0]} {where.name}": (name, where)
-    for name in (PLAN, REFLECTION)
-    for where in SCHEMAS.growing(name)
+    f"{kind.__name__} {where.name}": (kind, where)
+    for kind in DOCUMENTS
+    for where in growing(kind)
 }
 
 
 @pytest.mark.parametrize("place", PLACES)
 def test_twice_the_document_is_twice_the_work(place: str) -> None:
-    name, where = PLACES[place]
-    once, twice = (calls(_work(name, where, count)) for count in (ONCE, 2 * ONCE))
+    kind, where = PLACES[place]
+    once, twice = (calls(_work(kind, where, count)) for count in (ONCE, 2 * ONCE))
     assert twice < 2.2 * once + OTHER
 
 
-def _work(name: str, where: Growing, count: int) -> Callable[[], None]:
-    document, done = (FRAME.plan, of_a_plan) if name == PLAN else (SHADERS[0], of_a_reflection)
-    return partial(done, SCHEMAS.grown(document, where, name, count))
+def _work(kind: type, where: Growing, count: int) -> Callable[[], None]:
+    document, done = DOCUMENTS[kind]
+    return partial(done, grown(document, kind, where, count))
 
 
-def test_new_lists_of_schemas_are_found() -> None:
+def test_new_lists_of_documents_are_found() -> None:
     assert len(PLACES) > 100
-    assert {"plan steps/*/draws/*/uses/*/inputs", "reflection derived/*/steps/*/args"} < {*PLACES}
+    assert {
+        "FramePlan steps/*/DrawStep/draws/*/uses/*/inputs",
+        "Reflection derived/*/steps/*/CallStep/args",
+    } < {*PLACES}
 
 
 CHAIN = """

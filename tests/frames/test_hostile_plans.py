@@ -117,7 +117,7 @@ HOSTILE: dict[str, tuple[Change, str]] = {
         layers_of, "Shadows, texture 0: 2d_array does not have 1099511627776 layers"
     ),
     "no word of samplers": (
-        sampler_of, "`Shadows.Shadowed.Clay.json` does not follow reflection.schema.json:\n"
+        sampler_of, "`Shadows.Shadowed.Clay.json` is no reflection that can be read:\n"
         '  /samplers/0/state/wrap: "mirrored" is not "repeat", "clamp" or "mirror"'
     ),
     "an option as entry point": (

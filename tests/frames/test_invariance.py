@@ -33,7 +33,7 @@ def invariant(late: str, early: str = "") -> set[str]:
     return {
         shader.name.removeprefix("F.")
         for shader in frame.shaders
-        if shader.reflection["invariant_position"]
+        if shader.reflection.invariant_position
     }
 
 
@@ -60,4 +60,4 @@ def test_a_pass_may_ask_for_it_and_others_that_draw_there_follow() -> None:
 def test_depths_that_nobody_draws_over_ask_for_nothing() -> None:
     text = (FRAME % {"late": "compare = less", "early": ""}).replace(", [early.depth]", "")
     frame = of_text(text)
-    assert not any(shader.reflection["invariant_position"] for shader in frame.shaders)
+    assert not any(shader.reflection.invariant_position for shader in frame.shaders)

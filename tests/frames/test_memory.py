@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 
+from burnish.compiler.documents.plan import DrawStep, FramePlan
+from burnish.frozen import changed
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
@@ -17,22 +17,34 @@ from burnish.targets.runner.drivers.frame_job import (
 from burnish.targets.runner.drivers.frame_order import check_order
 from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total
 
-from .kit import EXAMPLES, compiled, memory_share
+from .kit import EXAMPLES, compiled, memory_share, of_text
+
+SMALL = of_text("""
+import std.frames.{FullScreen}
+pass Filled : FullScreen { target value : rgba16f = vec4(uv, 0, 1) }
+frame Small {
+    filled = Filled(screen)
+    output picture = filled.value
+}
+""").plan
+"""A plan whose rows are changed to those that a test needs."""
 
 
-def planned(*spans: tuple[int, int], kept: int = -1, once: int | None = None) -> dict[str, Any]:
+def planned(*spans: tuple[int, int], kept: int = -1, once: int | None = None) -> FramePlan:
     """A plan with a texture for each result, which is needed from one step to another; one is kept
     for the next frame, and one is drawn once."""
-    target = {"result": "a", "texture": once, "resolve": None}
-    drawn = {"kind": "draw", "only_first": True, "targets": [target]}
-    return {
-        "steps": [] if once is None else [drawn],
-        "textures": [{"kept": number == kept} for number in range(len(spans))],
-        "results": [
-            {"texture": number, "first": first, "last": last}
+    (step,), (texture,), (result,) = SMALL.steps, SMALL.textures, SMALL.results
+    assert isinstance(step, DrawStep)
+    drawn = changed(step, only_first=True, targets=(changed(step.targets[0], texture=once),))
+    return changed(
+        SMALL,
+        steps=() if once is None else (drawn,),
+        textures=tuple(changed(texture, kept=number == kept) for number in range(len(spans))),
+        results=tuple(
+            changed(result, texture=number, first=first, last=last)
             for number, (first, last) in enumerate(spans)
-        ],
-    }
+        ),
+    )
 
 
 def test_textures_take_turns_that_no_step_needs_together() -> None:
@@ -49,17 +61,16 @@ def test_what_is_kept_takes_no_turns() -> None:
 
 
 def test_bytes_are_those_of_all_levels_layers_and_samples() -> None:
-    def texture(format_: str, levels: int = 1, layers: int = 1, samples: int = 1) -> dict[str, Any]:
-        return {"format": format_, "levels": levels, "layers": layers, "samples": samples}
-
-    assert bytes_of(texture("rgba16f", levels=3, layers=6), (8, 8)) == 8 * 6 * (64 + 16 + 4)
-    assert bytes_of(texture("depth32f"), (5, 3)) == 60
-    assert bytes_of(texture("r8", levels=2), (5, 1)) == 7
-    assert bytes_of(texture("rgba8", samples=4), (5, 3)) == 4 * 4 * 15
+    (plain,) = SMALL.textures
+    cube = changed(plain, format="rgba16f", levels=3, layers=6)
+    assert bytes_of(cube, (8, 8)) == 8 * 6 * (64 + 16 + 4)
+    assert bytes_of(changed(plain, format="depth32f"), (5, 3)) == 60
+    assert bytes_of(changed(plain, format="r8", levels=2), (5, 1)) == 7
+    assert bytes_of(changed(plain, format="rgba8", samples=4), (5, 3)) == 4 * 4 * 15
 
 
 def test_the_example_with_the_most_steps_needs_at_most_60_percent() -> None:
-    frame = max(map(compiled, EXAMPLES), key=lambda frame: len(frame.plan["steps"]))
+    frame = max(map(compiled, EXAMPLES), key=lambda frame: len(frame.plan.steps))
     assert memory_share(frame) <= 0.6
 
 

@@ -4,15 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from burnish.compiler.reflection.schema import PLAN, validate
+from burnish.compiler.documents.plan import (
+    DrawStep,
+    FramePlan,
+    HostSource,
+    PlanStep,
+    PreviousSource,
+    ResultSource,
+    Source,
+    ValueSource,
+    WaitingRow,
+)
+from burnish.compiler.documents.reading import ShapeError, read
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.checking import PlanError, check_plan
-from burnish.targets.runner.frames.host import FrameHost
-from burnish.targets.runner.frames.scenery import in_a_row
 
 from ..golden import assert_golden
 from .changes import Change
@@ -22,50 +31,68 @@ from .kit import EXAMPLES, FOLDER, compiled, inputs_of, of_text
 GOLDEN = Path(__file__).parent / "golden"
 
 
-def lines(plan: dict[str, Any]) -> Iterator[str]:
+def lines(plan: FramePlan) -> Iterator[str]:
     """A plan in a form that people read."""
-    for number, row in enumerate(plan["textures"]):
-        layers = f" x {row['layers']}" if row["layers"] > 1 else ""
-        layers += f" of {row['samples']} samples" if row["samples"] > 1 else ""
-        kept = ", kept" if row["kept"] else ""
-        yield f"texture {number}: {row['format']} {row['dimension']}{layers}{kept}: " + ", ".join(
-            row["results"]
-        )
-    for step in plan["steps"]:
+    for number, row in enumerate(plan.textures):
+        layers = f" x {row.layers}" if row.layers > 1 else ""
+        layers += f" of {row.samples} samples" if row.samples > 1 else ""
+        kept = ", kept" if row.kept else ""
+        results = ", ".join(row.results)
+        yield f"texture {number}: {row.format} {row.dimension}{layers}{kept}: {results}"
+    for step in plan.steps:
         yield ""
-        first = " (first frame only)" if step.get("only_first") else ""
-        first += " (in the same render pass)" if step.get("continues") else ""
-        yield f"{step['kind']} {step.get('name', '')}{first}"
+        first = " (first frame only)" if step.only_first else ""
+        if isinstance(step, DrawStep) and step.continues:
+            first += " (in the same render pass)"
+        yield f"{step.kind} {step.name}{first}" if step.kind != "copy" else f"copy{first}"
         yield from waits(step)
-        every = [*step.get("targets", []), *([step["depth"]] if step.get("depth") else [])]
-        for row in every:
-            place = f"[{row['layer']}]" if row["layer"] else ""
-            stored = "" if row["store"] else ", dropped"
-            if "stencil" in row:
-                stored += ", with stencil" + ("" if row["stencil"]["store"] else " dropped")
-            if row["resolve"] is not None:
-                stored += f", resolved to {row['resolve']['texture']}"
-            yield f"  {row['load']} {row['name']} -> {row['texture']}{place}{stored}"
-        for row in inputs_of(step):
-            source = {k: v for k, v in row.items() if k != "name"}
-            yield f"  {row['name']} = {source}"
+        for target in step.attachments:
+            place = f"[{target.layer}]" if target.layer else ""
+            stored = "" if target.store else ", dropped"
+            if target.stencil is not None:
+                stored += ", with stencil" + ("" if target.stencil.store else " dropped")
+            if target.resolve is not None:
+                stored += f", resolved to {target.resolve.texture}"
+            yield f"  {target.load} {target.name} -> {target.texture}{place}{stored}"
+        for each in inputs_of(step):
+            yield f"  {each.name} = {source_text(each.source)}"
     yield ""
     yield "end"
-    yield from waits(plan["end"])
+    yield from waits(plan.end)
 
 
-def waits(place: dict[str, Any]) -> Iterator[str]:
+def source_text(source: Source) -> str:
+    """What an input is set to."""
+    match source:
+        case ValueSource():
+            return f"value {source.value}"
+        case HostSource():
+            return f"{source.host} of the host"
+        case ResultSource():
+            return source.result + in_texture(source.texture)
+        case PreviousSource():
+            found = f"previous({source.previous}){in_texture(source.texture)}"
+            first = source.initially
+            return found if first is None else f"{found}, first {source_text(first)}"
+
+
+def in_texture(texture: int | None) -> str:
+    """In which texture something is, if it is in any."""
+    return "" if texture is None else f" in texture {texture}"
+
+
+def waits(place: PlanStep | WaitingRow) -> Iterator[str]:
     """What is waited for before a step, or behind the last one."""
-    for row in place["barriers"]:
-        yield f"  texture {row['texture']}: {row['from']} -> {row['to']}"
-    for row in place["buffer_barriers"]:
-        yield f"  buffer {row['result']}: {row['from']} -> {row['to']}"
+    for row in place.barriers:
+        yield f"  texture {row.texture}: {row.before} -> {row.after}"
+    for each in place.buffer_barriers:
+        yield f"  buffer {each.result}: {each.before} -> {each.after}"
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_examples_are_planned_as_before(path: Path) -> None:
     plan = compiled(path).plan
-    validate(plan, PLAN)
+    assert read(FramePlan, to_json(plan)) == plan
     check_plan(plan)
     assert_golden("\n".join(lines(plan)) + "\n", GOLDEN / f"{path.stem}.txt")
 
@@ -77,7 +104,7 @@ def planted(plan: dict[str, Any]) -> Iterator[Change]:
         for t, target in enumerate(step.get("targets", [])):
             other = "clear" if target["load"] == "load" else "load"
             yield Change(("steps", s, "targets", t, "load"), f"{other} instead", other)
-        for path, row in places_of_inputs(s, step):
+        for path, row in places_of_sources(s, step):
             if row.get("texture") is None:
                 continue
             for texture in range(len(plan["textures"])):
@@ -94,23 +121,27 @@ def without_waiting(path: Place, place: dict[str, Any]) -> Iterator[Change]:
             yield Change((*path, kind), f"without row {b}", others)
 
 
-def places_of_inputs(number: int, step: dict[str, Any]) -> Iterator[tuple[Place, dict[str, Any]]]:
-    """What the frame sets in a step, and where that stands in the plan."""
-    for i, row in enumerate(step.get("inputs", [])):
-        yield ("steps", number, "inputs", i), row
-    for d, drawn in enumerate(step.get("draws", [])):
-        for u, use in enumerate(drawn["uses"]):
-            for i, row in enumerate(use["inputs"]):
-                yield ("steps", number, "draws", d, "uses", u, "inputs", i), row
+def places_of_sources(number: int, step: dict[str, Any]) -> Iterator[tuple[Place, dict[str, Any]]]:
+    """What the inputs of a step are set to, and where that stands in the plan."""
+    uses: list[tuple[Place, Any]] = [
+        (("steps", number, "draws", d, "uses", u), use)
+        for d, drawn in enumerate(step.get("draws", []))
+        for u, use in enumerate(drawn["uses"])
+    ]
+    if step["kind"] == "run":
+        uses = [(("steps", number, "use"), step["use"])]
+    for path, use in uses:
+        for i, row in enumerate(use["inputs"]):
+            yield (*path, "inputs", i, "source"), row["source"]
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_planted_errors_are_found(path: Path) -> None:
-    plan = compiled(path).plan
+    plan = to_json(compiled(path).plan)
     missed = []
     for change in planted(plan):
         try:
-            check_plan(change.made(plan))
+            check_plan(read(FramePlan, change.made(plan)))
         except PlanError:
             continue
         missed.append(change.name)
@@ -119,12 +150,12 @@ def test_planted_errors_are_found(path: Path) -> None:
 
 
 def test_a_plan_of_another_version_is_refused() -> None:
-    frame = compiled(EXAMPLES[0])
-
-    other = SimpleNamespace(name=frame.name, shaders=frame.shaders, plan={**frame.plan, "plan": 2})
-    scenery = in_a_row(["Clay", "Jade"], {}, "sphere")
-    with pytest.raises(PlanError, match="this is no plan of version 1"):
-        FrameHost(other, scenery, (8, 8))
+    plan = to_json(compiled(EXAMPLES[0]).plan)
+    with pytest.raises(ShapeError) as failed:
+        read(FramePlan, {**plan, "plan": 1, "steps": 3})
+    assert str(failed.value) == (
+        "/plan: this is version 1, and Burnish reads version 2: compile the source again"
+    )
 
 
 OVER = """
@@ -144,16 +175,17 @@ frame Both {
 
 def test_what_nobody_else_needs_is_drawn_over_in_place() -> None:
     plan = of_text(OVER.replace("OUTPUT", "")).plan
-    assert [step["kind"] for step in plan["steps"]] == ["draw", "draw"]
-    assert plan["textures"][0]["results"] == ["solid.color", "both.color"]
-    assert [target["load"] for target in plan["steps"][1]["targets"]] == ["load"]
-    assert plan["steps"][1]["depth"]["load"] == "load"
-    assert [step["continues"] for step in plan["steps"]] == [False, True]
+    assert [step.kind for step in plan.steps] == ["draw", "draw"]
+    assert plan.textures[0].results == ("solid.color", "both.color")
+    assert [(row.name, row.load) for row in plan.steps[1].attachments] == [
+        ("color", "load"), ("depth", "load")
+    ]  # fmt: skip
+    assert [isinstance(step, DrawStep) and step.continues for step in plan.steps] == [False, True]
 
 
 def test_what_others_need_is_copied_before() -> None:
     plan = of_text(OVER.replace("OUTPUT", "output before = solid.color")).plan
-    assert [step["kind"] for step in plan["steps"]] == ["draw", "copy", "draw"]
+    assert [step.kind for step in plan.steps] == ["draw", "copy", "draw"]
     check_plan(plan)
 
 
@@ -203,9 +235,9 @@ def test_what_is_the_same_in_every_frame_is_drawn_once(
     steps: str, another: str, expected: set[str]
 ) -> None:
     plan = of_text(TABLES.replace("STEPS", steps).replace("ANOTHER", another)).plan
-    validate(plan, PLAN)
+    assert read(FramePlan, to_json(plan)) == plan
     check_plan(plan)
-    assert {step["name"] for step in plan["steps"] if step["only_first"]} == expected
+    assert {step.name for step in plan.steps if step.only_first} == expected
 
 
 FACES = """
@@ -229,8 +261,8 @@ frame Faces {
 def test_all_faces_of_a_cube_are_drawn_over_in_place(output: str, copies: int) -> None:
     plan = of_text(FACES.replace("OUTPUT", output)).plan
     check_plan(plan)
-    assert [step["kind"] for step in plan["steps"]].count("copy") == copies
-    assert len(plan["textures"]) == 2 + copies
+    assert [step.kind for step in plan.steps].count("copy") == copies
+    assert len(plan.textures) == 2 + copies
 
 
 SAMPLED = """
@@ -253,31 +285,32 @@ def test_layers_and_levels_have_samples_of_their_own() -> None:
     """Faces that others draw over are kept apart, and others are drawn one after the other."""
     plan = of_text(SAMPLED).plan
     check_plan(plan)
-    several = [row for row in plan["textures"] if row["samples"] > 1]
-    assert [row["results"] for row in several] == [["cube.value", "both.value"]] * 5 + [
-        ["cube.value", "both.value", "chain.value"], ["chain.value"], ["chain.value"]
+    several = [row for row in plan.textures if row.samples > 1]
+    assert [row.results for row in several] == [("cube.value", "both.value")] * 5 + [
+        ("cube.value", "both.value", "chain.value"), ("chain.value",), ("chain.value",)
     ]  # fmt: skip
-    resolved = [row["resolve"] for step in plan["steps"] for row in step["targets"]]
-    places = [(row["layer"], row["level"]) for row in resolved if row is not None]
+    resolved = [row.resolve for step in plan.steps for row in step.attachments]
+    places = [(row.layer, row.level) for row in resolved if row is not None]
     assert places == [(face, 0) for face in range(6)] + [(0, level) for level in range(3)]
     alone = of_text(SAMPLED.replace("both.value", "cube.value")).plan
     check_plan(alone)
-    several = [row for row in alone["textures"] if row["samples"] > 1]
+    several = [row for row in alone.textures if row.samples > 1]
     assert len(several) == 3
-    assert several[0]["results"] == ["cube.value", "chain.value"]
+    assert several[0].results == ("cube.value", "chain.value")
 
 
 def test_a_step_may_be_called_like_a_word_for_what_is_repeated() -> None:
     """`each face in cube` draws six faces, also where that is a step called `cube`."""
     plan = of_text(SAMPLED.replace("chain", "mips")).plan
-    names = [step["name"] for step in plan["steps"]]
+    names = [step.name for step in plan.steps]
     assert names[0] == "cube.0" and names[-1] == "mips.level2"
 
 
 def test_what_is_exchanged_has_the_uses_of_both_textures() -> None:
     plan = compiled(FOLDER / "reaction.burnish").plan
-    (row,) = plan["kept"]
-    one, other = (plan["textures"][row[end]]["uses"] for end in ("texture", "previous"))
+    (row,) = plan.kept
+    assert row.texture is not None and row.previous is not None
+    one, other = (plan.textures[number].uses for number in (row.texture, row.previous))
     assert sorted(one) == sorted(other) == ["image", "sampled"]
 
 
@@ -297,9 +330,9 @@ frame Seen {
 
 def test_the_parameters_of_the_camera_are_marked() -> None:
     frame = of_text(CAMERA)
-    roles = {row["name"]: row["role"] for row in frame.plan["parameters"]}
+    roles = {row.name: row.role for row in frame.plan.parameters}
     assert [roles[name] for name in ("shown", "other", "size")] == ["world_to_clip", None, "size"]
     (shader,) = frame.shaders
-    roles = {row["name"]: row["role"] for row in shader.reflection["parameters"]}
+    roles = {row.name: row.role for row in shader.reflection.parameters}
     assert roles["view_projection"] == "world_to_clip"
     assert roles["object_to_world"] == "object_to_world"

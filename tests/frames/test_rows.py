@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from burnish.compiler.documents.plan import DrawStep, PlanStep
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
-from burnish.targets.runner.frames.host import FrameHost, Row
+from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 
 from .kit import FOLDER, compiled
@@ -23,10 +24,10 @@ class Steps(ReferenceFrames):
         super().__init__(host)
         self.left: dict[str, Floats] = {}
 
-    def _step(self, step: Row, is_first: bool) -> None:
+    def _step(self, step: PlanStep, is_first: bool) -> None:
         super()._step(step, is_first)
-        for row in step.get("targets", ()):
-            self.left[row["result"]] = self.textures[row["texture"]].levels[0][0, 0].copy()
+        for row in step.targets if isinstance(step, DrawStep) else ():
+            self.left[row.result] = self.textures[row.texture].levels[0][0, 0].copy()
 
 
 class Drawn:
@@ -34,7 +35,7 @@ class Drawn:
 
     def __init__(self, name: str, size: int = 16, **values: str) -> None:
         frame = compiled(FOLDER / f"{name}.burnish")
-        tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+        tags = {row.name: row.materials for row in frame.plan.models}
         materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
         self.host = FrameHost(frame, in_a_row(materials, tags, "sphere"), (size, size))
         for each, text in values.items():

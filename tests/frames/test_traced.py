@@ -25,7 +25,7 @@ AMBIENT = 0.1
 
 def drawn(frame: CompiledFrame) -> tuple[Floats, FrameHost]:
     """The picture of a frame by the reference, and the frame's values."""
-    tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+    tags = {row.name: row.materials for row in frame.plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
     host = FrameHost(frame, in_a_row(materials, tags, "sphere"), (SIZE, SIZE))
     frames = ReferenceFrames(host)

@@ -38,7 +38,7 @@ def test_waves_run_as_by_numpy() -> None:
     text = (FOLDER / "ripples.burnish").read_text("utf-8") + SHOWING_HEIGHTS
     compiled = burnish.compile(text, ("wgsl",), material="Heights", search_path=[FOLDER])
     (frame,) = compiled.frames
-    tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+    tags = {row.name: row.materials for row in frame.plan.models}
     host = FrameHost(frame, in_a_row(tags["scene"], tags, "sphere"), (8, 8))
     host.set_text("apart", str(APART))
     row, column = np.mgrid[:GRID, :GRID].astype(float)

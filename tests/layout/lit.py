@@ -3,6 +3,13 @@
 from __future__ import annotations
 
 from burnish.compiler.diagnostics.source import Source, Span
+from burnish.compiler.documents.backends import (
+    BackendRow,
+    BindingRow,
+    BlockBindingRow,
+    FileRow,
+    VertexInputNameRow,
+)
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Graph, Node
@@ -18,6 +25,7 @@ from burnish.compiler.ir.program import (
 from burnish.compiler.ir.shader import (
     AttributeInfo,
     ConstantValue,
+    LightInfo,
     Notes,
     ParameterInfo,
     RenderTarget,
@@ -39,12 +47,7 @@ from burnish.compiler.ir.types import (
     Texture,
 )
 from burnish.compiler.layout import layout_blocks
-from burnish.compiler.reflection import (
-    BackendTable,
-    BindingPoint,
-    EmittedFile,
-    FieldName,
-)
+from burnish.frozen import changed
 
 HERE = Span(Source("lit.burnish", ""), 0, 0)
 
@@ -78,27 +81,30 @@ def _info(
     default: ConstantValue | None = None,
     range_: tuple[float, float] | None = None,
     members: tuple[ParameterInfo, ...] = (),
-    light: str = "",
+    light: LightInfo | None = None,
 ) -> ParameterInfo:
     return ParameterInfo(parameter, declared, range_, default, doc, HERE, members, light)
 
 
+_TORCH = LightInfo("torch", "Spot", "std.lights.Spot", "Over the table.")
+_LAMPS = LightInfo("lamps", "Lamp", "", "")
+
 PARAMETERS = (
     _info(TIME, "float", "Seconds since the start."),
-    _info(AXIS, "direction<world>", default=(0.0, -1.0, 0.0), light="torch"),
-    _info(OUTER, "angle", default=0.5, light="torch"),
+    _info(AXIS, "direction<world>", default=(0.0, -1.0, 0.0), light=_TORCH),
+    _info(OUTER, "angle", default=0.5, light=_TORCH),
     _info(
         LAMPS,
         "Point[8]",
         "Lamps on the ceiling.",
-        light="lamps",
+        light=_LAMPS,
         members=(
             _info(Parameter("place", VEC3, "rig"), "point<world>", "Where it hangs."),
             _info(Parameter("reach", FLOAT, "rig"), "float", range_=(0.0, 50.0), default=10.0),
             _info(Parameter("on", BOOL, "rig"), "bool", default=True),
         ),
     ),
-    _info(COUNT, "uint", default=0, light="lamps"),
+    _info(COUNT, "uint", default=0, light=_LAMPS),
     _info(POWER, "float", "Specular exponent", default=48.0, range_=(1.0, 512.0)),
     _info(SHINE, "rgb", "Highlight colour", default=(1.0, 1.0, 1.0)),
 )
@@ -161,35 +167,70 @@ PROGRAM = Program(
     interfaces=(Interface("vertex", "fragment", (Varying(_SLOT, (_UV_NODE,)),)),),
 )
 
+
+def _bound(
+    identifier: str,
+    group: int | None = None,
+    binding: int | None = None,
+    register: str | None = None,
+) -> BindingRow:
+    return BindingRow(identifier=identifier, group=group, binding=binding, register=register)
+
+
+def _files(ending: str) -> tuple[FileRow, ...]:
+    return tuple(
+        FileRow(stage=stage, file=f"lit.{stage[:4]}.{ending}", entry_point="main")
+        for stage in ("vertex", "fragment")
+    )
+
+
+_PLAIN = BackendRow(
+    source_maps={},
+    language="glsl",
+    clip_depth="-1..1",
+    clip_control=(),
+    flip_y=False,
+    front_face="ccw",
+    first_row="bottom",
+    files=_files("glsl"),
+    blocks={
+        block.name: BlockBindingRow(
+            identifier=block.name, group=None, binding=None, register=None, members={}
+        )
+        for block in _BLOCKS
+    },
+    images={},
+    buffers={},
+    textures={"albedo": _bound("albedo")},
+    samplers={},
+    vertex_inputs={"uv": VertexInputNameRow(identifier="a_uv", semantic=None)},
+    stream_output=None,
+    captures={},
+    host_uniforms=("burnish_height",),
+)
+
 BACKENDS = {
-    "glsl:es300": BackendTable(
-        language="glsl",
-        files=(
-            EmittedFile("vertex", "lit.vert.glsl", "main"),
-            EmittedFile("fragment", "lit.frag.glsl", "main"),
-        ),
-        blocks={block.name: BindingPoint(block.name) for block in _BLOCKS},
-        textures={"albedo": BindingPoint("albedo")},
-        vertex_inputs={"uv": FieldName("a_uv")},
-        clip_depth="-1..1",
-        first_row="bottom",
-        host_uniforms=("burnish_height",),
-    ),
-    "hlsl:sm6": BackendTable(
+    "glsl:es300": _PLAIN,
+    "hlsl:sm6": changed(
+        _PLAIN,
         language="hlsl",
-        files=(
-            EmittedFile("vertex", "lit.vert.hlsl", "main"),
-            EmittedFile("fragment", "lit.frag.hlsl", "main"),
-        ),
+        clip_depth="0..1",
+        first_row="top",
+        files=_files("hlsl"),
         blocks={
-            block.name: BindingPoint(
-                block.name, 1, number, f"b{number}", {m.name: m.name for m in block.members}
+            block.name: BlockBindingRow(
+                identifier=block.name,
+                group=1,
+                binding=number,
+                register=f"b{number}",
+                members={m.name: m.name for m in block.members},
             )
             for number, block in enumerate(_BLOCKS)
         },
-        textures={"albedo": BindingPoint("albedo", 1, 3, "t3")},
-        samplers={"albedo": BindingPoint("albedo_sampler", 1, 4, "s4")},
-        vertex_inputs={"uv": FieldName("uv", "TEXCOORD0")},
+        textures={"albedo": _bound("albedo", 1, 3, "t3")},
+        samplers={"albedo": _bound("albedo_sampler", 1, 4, "s4")},
+        vertex_inputs={"uv": VertexInputNameRow(identifier="uv", semantic="TEXCOORD0")},
+        host_uniforms=(),
     ),
 }
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 
 import burnish
-from burnish.compiler.reflection.schema import validate
+from burnish.compiler.documents.reading import read
+from burnish.compiler.documents.reflection import Reflection
+from burnish.compiler.documents.writing import to_json
 
 LAYOUTS = {
     ("texture2d", "t(uv).rgb"): ("2d", "float", "filtering"),
@@ -23,10 +23,10 @@ LAYOUTS = {
 }
 
 
-def reflection(type_: str, color: str, state: str = "") -> dict[str, Any]:
+def reflection(type_: str, color: str, state: str = "") -> Reflection:
     source = f"material M {{ map t : {type_} {state} color = {color} }}"
     found = burnish.compile(source, ("wgsl", "glsl:es300"))["M"].reflection
-    validate(found)
+    assert read(Reflection, to_json(found)) == found
     return found
 
 
@@ -35,35 +35,37 @@ def test_a_layout_says_how_a_texture_is_read(
     given: tuple[str, str], expected: tuple[str, str, str | None]
 ) -> None:
     found = reflection(*given)
-    (row,) = found["textures"]
-    assert tuple(row["layout"].values()) == expected
-    assert row["type"] == given[0]
+    (row,) = found.textures
+    layout = row.layout
+    assert (layout.view_dimension, layout.sample_type, layout.sampler) == expected
+    assert row.type == given[0]
     samplers = ["t"] if expected[2] else []
-    assert [row["texture"] for row in found["samplers"]] == samplers
-    assert list(found["backends"]["wgsl:webgpu"]["samplers"]) == samplers
+    assert [row.texture for row in found.samplers] == samplers
+    assert list(found.backends["wgsl:webgpu"].samplers) == samplers
 
 
 def test_what_nothing_mixes_may_have_a_format_that_cannot_be_mixed() -> None:
     nearest = reflection("texture2d", "t(uv).rgb", "with { filter = nearest, mip = none }")
-    (row,) = nearest["textures"]
-    assert row["layout"]["sampleType"] == "unfilterable-float"
-    assert row["layout"]["sampler"] == "non-filtering"
+    (row,) = nearest.textures
+    assert to_json(row.layout) == {
+        "viewDimension": "2d", "sampleType": "unfilterable-float", "sampler": "non-filtering",
+    }  # fmt: skip
 
 
 STATES = {
-    "texture2d": {"filter": "linear", "mip": "linear", "wrap": "repeat"},
-    "texture_cube": {"filter": "linear", "mip": "linear", "wrap": "clamp"},
-    "depth2d": {"compare": "less_equal", "filter": "linear", "mip": "none", "wrap": "clamp"},
+    "texture2d": {"filter": "linear", "mip": "linear", "wrap": "repeat", "compare": None},
+    "texture_cube": {"filter": "linear", "mip": "linear", "wrap": "clamp", "compare": None},
+    "depth2d": {"filter": "linear", "mip": "none", "wrap": "clamp", "compare": "less_equal"},
 }
 DEFAULTS = {"texture_cube": "white", "depth_cube": "far", "utexture2d": "zero"}
 
 
 @pytest.mark.parametrize(("type_", "state"), STATES.items())
 def test_the_state_of_a_sampler_is_complete(type_: str, state: dict[str, str]) -> None:
-    (row,) = reflection(type_, "vec3(0)")["samplers"]
-    assert row["state"] == state
+    (row,) = reflection(type_, "vec3(0)").samplers
+    assert to_json(row.state) == state
 
 
 @pytest.mark.parametrize(("type_", "default"), DEFAULTS.items())
 def test_every_kind_of_texture_has_a_default(type_: str, default: str) -> None:
-    assert reflection(type_, "vec3(0)")["textures"][0]["default"] == default
+    assert reflection(type_, "vec3(0)").textures[0].default == default

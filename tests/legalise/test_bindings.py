@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import pytest
 
 import burnish
+from burnish.compiler.documents.backends import BindingRow
 from burnish.frozen import changed
 from burnish.targets.legalise.bindings import BindingSlot, assign_bindings
 from tests.targets.kit import PROFILES, Selected
@@ -108,15 +108,15 @@ def test_groups_of_the_users_share_a_set(selected: Selected) -> None:
     """
     name = f"{selected.language.name}:{selected.profile.name}"
     (compiled,) = burnish.compile(text, (name,))
-    (backend,) = compiled.reflection["backends"].values()
-    blocks = {name: (row["group"], row["binding"]) for name, row in backend["blocks"].items()}
+    (backend,) = compiled.reflection.backends.values()
+    blocks = {name: (row.group, row.binding) for name, row in backend.blocks.items()}
     assert {name for name, (group, _) in blocks.items() if group == 2} == {
         "Cascade", "CascadeDerived", "Tile", "TileDerived",
     }  # fmt: skip
-    every = [*blocks.values(), *_places(backend["textures"]), *_places(backend["samplers"])]
+    every = [*blocks.values(), *_places(backend.textures), *_places(backend.samplers)]
     assert len(set(every)) == len(every)
     assert {group for group, _ in every} <= {0, 1, 2, 3}
 
 
-def _places(rows: Mapping[str, Any]) -> list[tuple[int, int]]:
-    return [(row["group"], row["binding"]) for row in rows.values()]
+def _places(rows: Mapping[str, BindingRow]) -> list[tuple[int | None, int | None]]:
+    return [(row.group, row.binding) for row in rows.values()]

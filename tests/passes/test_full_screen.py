@@ -41,7 +41,7 @@ def test_images_become_targets_in_their_order() -> None:
 def test_what_only_the_size_reads_is_in_no_text() -> None:
     text = "kernel K { param n : int = 4  result i : image2d<r8>[ivec2(n, n)] = float(texel.x) }"
     (kernel,) = burnish.compile(text, "all").materials
-    assert not kernel.reflection["blocks"]
+    assert not kernel.reflection.blocks
     assert kernel.instance().image_size() == (4, 4)
 
 
@@ -51,7 +51,7 @@ def test_the_images_of_a_kernel_are_never_turned_over() -> None:
             burnish.compile(DRAWN, profile, flip_y=flip)["K"] for flip in (False, True)
         )
         assert [file.text for file in usual.files] == [file.text for file in flipped.files]
-        assert usual.reflection["backends"] == flipped.reflection["backends"]
+        assert usual.reflection.backends == flipped.reflection.backends
 
 
 def test_every_statement_has_its_place_in_the_source() -> None:

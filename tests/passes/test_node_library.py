@@ -28,5 +28,5 @@ def test_only_what_counts_is_left(name: str, made: dict[str, burnish.CompiledMat
 def test_no_stage_reads_a_texture_that_is_switched_off(
     made: dict[str, burnish.CompiledMaterial],
 ) -> None:
-    found = [made[name].reflection["textures"] for name in NAMES]
-    assert [[texture["stages"] for texture in each] for each in found] == [[[]], [["fragment"]]]
+    found = [made[name].reflection.textures for name in NAMES]
+    assert [[texture.stages for texture in each] for each in found] == [[[]], [["fragment"]]]

@@ -13,6 +13,9 @@ import pytest
 
 from burnish.commands.graph.build import picture
 from burnish.commands.graph.text import written
+from burnish.compiler.documents.reading import read
+from burnish.compiler.documents.reflection import Reflection
+from burnish.compiler.documents.writing import to_json
 from burnish.compiler.ir import build
 from burnish.compiler.ir.program import Field, Stage
 from burnish.compiler.ir.shader import (
@@ -39,7 +42,6 @@ from burnish.compiler.ir.types import FLOAT, INT, UINT, VEC2, VEC3, VEC4
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reflection import reflect
-from burnish.compiler.reflection.schema import validate
 from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.description.spellings import PipelineInput
@@ -166,19 +168,19 @@ def test_names_of_varyings_differ_in_the_whole_program() -> None:
 def test_it_is_reflected(between: tuple[Shader, Staged]) -> None:
     shader, staged = between
     derived = {value.parameter: value.expression for value in staged.derived}
-    found = json.loads(json.dumps(reflect(shader, staged.program, {}, derived)))
-    validate(found)
-    assert found["pipeline_inputs"] == {
-        "vertex": [], "geometry": ["primitive_index"], "fragment": []
+    found = reflect(shader, staged.program, {}, derived)
+    assert read(Reflection, json.loads(json.dumps(to_json(found)))) == found
+    assert found.pipeline_inputs == {
+        "vertex": (), "geometry": ("primitive_index",), "fragment": ()
     }  # fmt: skip
-    joined = [(row["name"], row["from"], row["to"]) for row in found["varyings"]]
+    joined = [(row.name, row.from_stage, row.to_stage) for row in found.varyings]
     assert joined == [
         ("wave", "vertex", "geometry"),
         ("uv", "vertex", "geometry"),
         ("coordinate", "geometry", "fragment"),
     ]
-    stages = {block["name"]: block["stages"] for block in found["blocks"]}
-    assert stages == {"Material": ["geometry"], "MaterialDerived": ["fragment"]}
+    stages = {block.name: block.stages for block in found.blocks}
+    assert stages == {"Material": ("geometry",), "MaterialDerived": ("fragment",)}
 
 
 def test_it_is_emitted(between: tuple[Shader, Staged]) -> None:
@@ -294,9 +296,9 @@ def test_there_may_be_no_fragments() -> None:
     assert fields(only.outputs) == [("moved", "vec3", 0), ("distance", "float", 1)]
     assert (kinds(only), staged.program.interfaces) == (["capture", "capture"], ())
     derived = {value.parameter: value.expression for value in staged.derived}
-    found = json.loads(json.dumps(reflect(shader, staged.program, {}, derived)))
-    validate(found)
-    assert (found["targets"], found["varyings"]) == ([], [])
+    found = reflect(shader, staged.program, {}, derived)
+    assert read(Reflection, json.loads(json.dumps(to_json(found)))) == found
+    assert (found.targets, found.varyings) == ((), ())
     (cluster,) = picture(shader, staged, everything=False).clusters
     assert {box.name for box in cluster.boxes if box.kind == "result"} == {"moved", "distance"}
 

@@ -143,8 +143,8 @@ def _known(kernels: Sequence[CompiledMaterial], *, keeps_bounds: bool) -> dict[s
     known: dict[str, Contents] = {}
     for kernel in kernels:
         instance = Instance(kernel.reflection)
-        for row in kernel.reflection["buffers"]:
-            instance.set_bytes(row["name"], known[row["name"]].data)
+        for row in kernel.reflection.buffers:
+            instance.set_bytes(row.name, known[row.name].data)
         held = known if keeps_bounds else {}
         known |= elements_by_reference(kernel.shader, instance, {}, held, None, ERRORS)
     return known

@@ -64,10 +64,11 @@ def complete(instance: Instance) -> Instance:
 
 
 def state(instance: Instance) -> dict[str, Any]:
-    return {row["name"]: instance.get(row["name"]) for row in REFLECTION["parameters"]}
+    return {row.name: instance.get(row.name) for row in REFLECTION.parameters}
 
 
 def at(name: str) -> tuple[str, int]:
     """Block and offset of a parameter."""
-    (row,) = (row for row in REFLECTION["parameters"] if row["name"] == name)
-    return row["block"], row["offset"]
+    (row,) = (row for row in REFLECTION.parameters if row.name == name)
+    assert row.block is not None and row.offset is not None
+    return row.block, row.offset

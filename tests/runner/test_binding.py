@@ -7,6 +7,7 @@ from typing import Any, get_args
 import pytest
 
 import burnish
+from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.semantics.shading.formats import FORMATS as TARGET_FORMATS
 from burnish.targets.runner.binding import EXACT, FORMATS, VERTEX_FORMATS, pipeline
 from burnish.targets.runner.codes import Codes
@@ -42,7 +43,7 @@ pass Fronts : Both {
 """
 
 
-def reflection(text: str = TEXT, pass_: str | None = "Both", **options: Any) -> dict[str, Any]:
+def reflection(text: str = TEXT, pass_: str | None = "Both", **options: Any) -> Reflection:
     (material,) = burnish.compile(text, PROFILES, pass_=pass_, **options).materials
     return material.reflection
 
@@ -120,8 +121,8 @@ def test_a_flipped_material(route: str, front_face: str, first_row: str) -> None
 
 
 def test_what_hosts_of_flipped_texts_are_told() -> None:
-    backends = reflection(flip_y=True)["backends"]
-    assert {name: (row["front_face"], row["first_row"]) for name, row in backends.items()} == {
+    backends = reflection(flip_y=True).backends
+    assert {name: (row.front_face, row.first_row) for name, row in backends.items()} == {
         "glsl:vulkan": ("ccw", "top"),
         "glsl:gl330": ("cw", "top"),
         "glsl:gl450": ("cw", "bottom"),
@@ -137,11 +138,10 @@ def test_exact_targets_keep_what_is_written(route: Any) -> None:
     described = reflection()
     made = pipeline(described, route, CODES, exact=True)
     assert made.targets == (RenderTarget("r32float"), RenderTarget("rgba32float"))
-    assert [slot.size for slot in made.blocks] == [row["size"] for row in described["blocks"]]
+    assert [slot.size for slot in made.blocks] == [row.size for row in described.blocks]
     identifiers = [slot.place.identifier for slot in made.blocks]
     assert identifiers == [
-        described["backends"][route.profile]["blocks"][row["name"]]["identifier"]
-        for row in described["blocks"]
+        described.backends[route.profile].blocks[row.name].identifier for row in described.blocks
     ]
 
 
@@ -152,7 +152,8 @@ def test_names_that_a_language_reserves() -> None:
     )
     described = reflection(text, None)
     rows = {route: pipeline(described, ROUTES[route], CODES).inputs for route in ROUTES}
-    (number,) = {row["location"] for row in described["vertex_inputs"] if row["name"] == "sample"}
+    (number,) = {row.location for row in described.vertex_inputs if row.name == "sample"}
+    assert number is not None
     assert VertexInput("sample", number, "uint32") not in rows["lavapipe:hlsl-dxc"]
     assert VertexInput("sample", number, "uint32") in rows["lavapipe:wgsl-naga"]
 

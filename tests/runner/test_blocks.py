@@ -7,8 +7,10 @@ from typing import Any
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import burnish
 from burnish import Instance
 from burnish.compiler.diagnostics.source import Source, Span
+from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.shader import ParameterInfo
@@ -16,6 +18,7 @@ from burnish.compiler.ir.types import Array, Struct, Type
 from burnish.compiler.layout import layout_blocks
 from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.compiler.reflection.parameters import Places, parameter_row
+from burnish.frozen import changed
 
 from ..layout.declarations import parameters, values
 from ..layout.evaluate import evaluate
@@ -28,20 +31,24 @@ Case = tuple[list[Parameter], tuple[Any, ...]]
 NOWHERE = Span(Source("<none>", ""), 0, 0)
 
 
-def reflected(declared: list[Parameter]) -> dict[str, Any]:
-    """As much of a reflection as an instance reads."""
+PLAIN = burnish.compile("material M { param a : float = 1  color = vec3(a) }", ())["M"].reflection
+"""A reflection whose blocks and parameters are changed to others."""
+
+
+def reflected(declared: list[Parameter]) -> Reflection:
+    """A reflection, of which the parts are right that an instance reads."""
     blocks = layout_blocks(declared)
     infos = [ParameterInfo(p, str(p.type), None, None, "", NOWHERE) for p in declared]
     names = frozenset(p.name for p in declared)
-    return {
-        "format": 1,
-        "material": "Random",
-        "blocks": [{"name": block.name, "size": block.size} for block in blocks],
-        "parameters": [parameter_row(info, names, Places(blocks)) for info in infos],
-        **{key: [] for key in ("buffers", "derived", "lights", "results", "textures")},
-        "draw": None,
-        "extent": None,
-    }
+    plain = PLAIN.blocks[0]
+    return changed(
+        PLAIN,
+        material="Random",
+        blocks=tuple(changed(plain, name=block.name, size=block.size) for block in blocks),
+        parameters=tuple(parameter_row(info, names, Places(blocks)) for info in infos),
+        derived=(),
+        lights=(),
+    )
 
 
 def host(type_: Type, value: Any) -> Any:

@@ -13,6 +13,7 @@ import pytest
 
 import burnish
 from burnish import Instance
+from burnish.compiler.documents.writing import to_json
 from burnish.compiler.ir import build
 from burnish.compiler.ir.build import constant, index, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
@@ -77,7 +78,7 @@ def test_the_blocks_of_examples_hold_what_the_graphs_say(path: Path, hoist: bool
         derived = {value.parameter: value.expression for value in staged.derived}
         reflection = reflect(shader, staged.program, {}, derived)
         for seed in range(4):
-            check(json.loads(json.dumps(reflection)), leaves, staged, seed)
+            check(json.loads(json.dumps(to_json(reflection))), leaves, staged, seed)
 
 
 def check(reflection: dict[str, Any], leaves: list[Node], staged: Staged, seed: int) -> None:
@@ -208,7 +209,7 @@ def run(root: Node) -> Any:
     def leaves(node: Node) -> Any:
         return VALUES[node.data.name] if isinstance(node.data, Parameter) else None
 
-    rows = json.loads(json.dumps(steps(root)))
+    rows = steps(root)
     value = compute(rows, Inputs(SHAPES, VALUES))
     assert value == meaning(root, leaves)
     return value

@@ -13,6 +13,7 @@ import pytest
 
 import burnish
 from burnish import Instance, ParameterError
+from burnish.compiler.documents.writing import to_json
 
 from ..suite.processes import run
 from .instance_kit import REFLECTION, at, complete, state
@@ -195,13 +196,13 @@ def test_values_have_the_reference_evaluators_form(instance: Instance) -> None:
     assert values["lamps.count"] == (0,)
     zero = (0.0, 0.0, 0.0)
     assert values["lamps"] == (((1.0,) * 3, (1.0,) * 3, zero),) * 3
-    assert list(values) == [row["name"] for row in REFLECTION["parameters"]]
+    assert list(values) == [row.name for row in REFLECTION.parameters]
 
 
 def test_bytes_lie_where_the_reflection_says(instance: Instance) -> None:
     blocks = complete(instance).blocks()
     assert {name: len(data) for name, data in blocks.items()} == {
-        row["name"]: row["size"] for row in REFLECTION["blocks"]
+        row.name: row.size for row in REFLECTION.blocks
     }
     for name, code, expected in (
         ("power", "<f", (48.0,)),
@@ -215,7 +216,7 @@ def test_bytes_lie_where_the_reflection_says(instance: Instance) -> None:
 
 
 def test_a_reflection_from_a_file_serves_as_well(instance: Instance) -> None:
-    read = Instance(json.loads(json.dumps(REFLECTION)))
+    read = Instance(json.loads(json.dumps(to_json(REFLECTION))))
     assert complete(read).blocks() == complete(instance).blocks()
 
 
@@ -231,7 +232,7 @@ for name in ("numpy", "PIL", "lark", "burnish.compiler.semantics"):
 def test_blocks_need_neither_numpy_nor_the_compiler() -> None:
     source = "material M { param a : float = 1  color = vec3(uv.x * cos(a)) }"
     reflection = burnish.compile(source, ("wgsl",))["M"].reflection
-    run([sys.executable, "-c", LEAN], text=json.dumps(reflection), check=True)
+    run([sys.executable, "-c", LEAN], text=json.dumps(to_json(reflection)), check=True)
 
 
 def test_a_light_is_found_in_its_rig_whatever_the_material_calls_so() -> None:

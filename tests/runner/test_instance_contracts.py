@@ -9,8 +9,7 @@ import pytest
 
 import burnish
 from burnish import Instance, ParameterError
-from burnish.compiler.reflection.reflect import FORMAT as WRITTEN_FORMAT
-from burnish.targets.runner.instances.instance import FORMAT
+from burnish.compiler.documents.writing import to_json
 
 from .instance_kit import REFLECTION, complete, state
 
@@ -172,8 +171,12 @@ def test_a_derived_value_cannot_be_set() -> None:
 
 
 def test_another_format_is_refused() -> None:
-    with pytest.raises(ValueError, match="this is no reflection of format 1"):
-        Instance({**REFLECTION, "format": 2})
-    with pytest.raises(ValueError, match="this is no reflection of format 1"):
+    document = to_json(REFLECTION)
+    assert Instance(document).reflection == REFLECTION
+    with pytest.raises(ValueError) as caught:
+        Instance({**document, "format": 1})
+    assert str(caught.value) == (
+        "/format: this is version 1, and Burnish reads version 2: compile the source again"
+    )
+    with pytest.raises(ValueError, match=r"^/: there is no `format`\n/: there is no `material`\n"):
         Instance({})
-    assert FORMAT == WRITTEN_FORMAT

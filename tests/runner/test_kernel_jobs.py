@@ -102,6 +102,6 @@ def test_results_without_elements_are_bound_with_one_that_nobody_reads() -> None
 def test_opengl_numbers_storage_buffers_on_their_own(profile: str) -> None:
     """ES 3.1 guarantees four places for them, and uniform blocks take none of these."""
     (kernel,) = burnish.compile(SOURCE, profile)
-    backend = kernel.reflection["backends"][profile]
-    assert [row["binding"] for row in backend["blocks"].values()] == [0, 1]
-    assert [row["binding"] for row in backend["buffers"].values()] == [0, 1, 2]
+    backend = kernel.reflection.backends[profile]
+    assert [row.binding for row in backend.blocks.values()] == [0, 1]
+    assert [row.binding for row in backend.buffers.values()] == [0, 1, 2]

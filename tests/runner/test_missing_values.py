@@ -76,9 +76,11 @@ def test_of_counted_lights_those_that_do_not_shine_are_harmless() -> None:
     )
     instance = burnish.compile(source, ("wgsl",))["M"].instance()
     instance.spots = [{"place": (0, 1, 0), "inner": "20deg", "outer": "60deg"}]
-    (row,) = [r for r in instance.reflection["derived"] if r["name"].endswith("falloff_cos")]
-    block = instance.blocks()[row["block"]]
-    offsets = [row["offset"] + i * row["layout"]["stride"] for i in range(row["layout"]["count"])]
+    (row,) = [r for r in instance.reflection.derived if r.name.endswith("falloff_cos")]
+    first, stride, count = row.offset, row.layout.stride, row.layout.count
+    assert row.block is not None and first is not None and stride is not None and count is not None
+    block = instance.blocks()[row.block]
+    offsets = [first + i * stride for i in range(count)]
     cosines = [struct.unpack_from("<f", block, offset)[0] for offset in offsets]
     assert cosines == pytest.approx([0.5, np.cos(np.pi / 6), np.cos(np.pi / 6)])
     with pytest.raises(ParameterError, match=r"is not set but derived, from `spots`"):

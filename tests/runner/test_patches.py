@@ -7,7 +7,7 @@ import pytest
 
 import burnish
 from burnish.targets.runner.expanding import as_drawn
-from burnish.targets.runner.instances.instance import MissingValuesError
+from burnish.targets.runner.instances.host_values import MissingValuesError
 from burnish.targets.runner.meshes import Mesh, MeshError, mesh
 from burnish.targets.runner.patches import patches, pattern
 
@@ -186,13 +186,13 @@ def test_every_patch_is_an_instance_of_the_pattern() -> None:
         color = vec3(uv, 0)
     }"""
     (material,) = burnish.compile(text, "wgsl")
-    row = material.reflection["draw"]
-    assert (row["primitive"], row["corners"]) == ("patch", 4)
-    assert row["tessellation"]["divided_by"] == "instances"
+    row = material.reflection.draw
+    assert (row.primitive, row.corners) == ("patch", 4)
+    assert row.tessellation is not None and row.tessellation.divided_by == "instances"
     instance, plane = material.instance(), mesh("plane")
     instance.set("detail", 2.5)
     assert instance.patch_levels() == ((2.5,) * 4, (2.5,) * 2)
-    names = {each["mesh"]["name"] for each in material.reflection["vertex_inputs"]}
+    names = {each.mesh.name for each in material.reflection.vertex_inputs if each.mesh}
     data = {name: np.zeros((len(plane), 3)) for name in names}
     data["vertex_position"] = plane.channels["position"]
     drawn = as_drawn(instance, data, plane)

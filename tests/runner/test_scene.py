@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import (
     BONES,
@@ -132,7 +130,7 @@ def test_a_mesh_without_instances_is_refused() -> None:
         set_up(material.instance(), mesh("plane"), Scene(), (8, 8))
 
 
-def _crowd(reflection: Mapping[str, Any], count: int) -> Mesh:
+def _crowd(reflection: Reflection, count: int) -> Mesh:
     return with_inputs(reflection, mesh("cube"), count)
 
 
@@ -161,11 +159,11 @@ def test_a_scene_sets_no_parameter_for_its_name(name: str, declared: str) -> Non
     (material,) = burnish.compile(text, "wgsl", pass_="P").materials
     instance = material.instance()
     Scene().apply(instance, 1.0)
-    names = {row["name"] for row in material.reflection["parameters"]}
+    names = {row.name for row in material.reflection.parameters}
     own = f"P.{name}" if f"P.{name}" in names else name
     assert own not in set_by_scene(material.reflection)
-    row = next(row for row in material.reflection["parameters"] if row["name"] == own)
-    assert row["library"] is None
+    row = next(row for row in material.reflection.parameters if row.name == own)
+    assert row.library is None
 
 
 def test_a_light_s_parameters_are_set_for_what_they_are() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cache
 from itertools import combinations
 from pathlib import Path
@@ -73,11 +73,9 @@ def test_all_ways_to_spirv_draw_the_same(vulkan: Asker, file: str) -> None:
 def test_blocks_lie_where_the_reflection_says(way: str) -> None:
     """In both stages together all blocks are read, each within the bytes that it has."""
     reflection = material("plastic.burnish").reflection
-    places: Mapping[str, Mapping[str, int]]
-    places = reflection["backends"][ROUTES[way].profile]["blocks"]
+    places = reflection.backends[ROUTES[way].profile].blocks
     stated = {
-        (places[row["name"]]["group"], places[row["name"]]["binding"]): row["size"]
-        for row in reflection["blocks"]
+        (places[row.name].group, places[row.name].binding): row.size for row in reflection.blocks
     }
     made = codes("plastic.burnish", way)
     stages = [block_sizes(code.spirv) for code in made.stages.values()]

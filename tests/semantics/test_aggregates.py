@@ -112,8 +112,8 @@ material M {
 def test_a_range_holds_for_all_elements() -> None:
     (compiled,) = burnish.compile(RANGED, ("wgsl",), hoist=False)
     assert compiled.guards == ()
-    ranges = {row["name"]: row["range"] for row in compiled.reflection["parameters"]}
-    assert ranges["w"] == [0.5, 2] and ranges["v"] == [-1, 1]
+    ranges = {row.name: row.range for row in compiled.reflection.parameters}
+    assert (ranges["w"], ranges["v"]) == ((0.5, 2), (-1, 1))
     instance = compiled.instance()
     with pytest.raises(burnish.ParameterError, match=r"declared in 0.5..2: 3 is not"):
         instance.set("w[1]", 3)

@@ -97,10 +97,10 @@ def test_lights_and_passes_have_buffers() -> None:
     pass P { buffer gains : float[]  target c : rgba8 = vec4(color * gains[0], 1) }
     """
     (made,) = burnish.compile(text, targets=("wgsl",), rig="R", pass_="P").materials
-    rows = {row["name"]: row for row in made.reflection["buffers"]}
+    rows = {row.name: row for row in made.reflection.buffers}
     assert list(rows) == ["P.gains", "gains", "bulbs.tints"]
-    assert [row["group"] for row in rows.values()] == ["frame", "material", "rig"]
-    assert [row["count"] for row in rows.values()] == [
+    assert [row.group for row in rows.values()] == ["frame", "material", "rig"]
+    assert [row.count for row in rows.values()] == [
         "P.gains.count", "gains.count", "bulbs.tints.count",
     ]  # fmt: skip
 

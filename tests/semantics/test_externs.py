@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.compiler.documents.backends import BindingRow, BlockBindingRow
 from burnish.compiler.ir.types import Array, Vector
 
 from .kit import color, shader
@@ -48,28 +49,28 @@ def test_the_block_lies_as_it_is_declared() -> None:
     (compiled,) = burnish.compile(
         f"{BLOCK} material M {{ color = tint * uv.x + far * uv.y }}", ("glsl", "hlsl", "wgsl")
     )
-    (block, *_) = compiled.reflection["blocks"]
-    offsets = {row["parameter"]: row["offset"] for row in block["members"] if row["parameter"]}
-    assert (block["name"], block["extern"], block["size"]) == ("PerFrame", True, 208)
+    (block, *_) = compiled.reflection.blocks
+    offsets = {row.parameter: row.offset for row in block.members if row.parameter}
+    assert (block.name, block.extern, block.size) == ("PerFrame", True, 208)
     assert offsets == {
         "PerFrame.time": 0, "PerFrame.tint": 16, "PerFrame.places": 48, "PerFrame.far": 200,
     }  # fmt: skip
     end = 0
-    for row in block["members"]:
-        assert row["offset"] == end
-        end += row["size"]
-    for backend in compiled.reflection["backends"].values():
-        place = backend["blocks"]["PerFrame"]
-        assert place["members"] == {name: name for name in ("time", "tint", "places", "far")}
-        assert (place["group"], place["binding"]) == (0, 3)
+    for row in block.members:
+        assert row.offset == end
+        end += row.size
+    for backend in compiled.reflection.backends.values():
+        place = backend.blocks["PerFrame"]
+        assert place.members == {name: name for name in ("time", "tint", "places", "far")}
+        assert (place.group, place.binding) == (0, 3)
 
 
 def test_wide_gaps_are_filled_by_rows() -> None:
     (compiled,) = burnish.compile(
         f"{BLOCK} material M {{ color = tint * uv.x + far * uv.y }}", ("wgsl",)
     )
-    (block, *_) = compiled.reflection["blocks"]
-    fillers = [row["type"] for row in block["members"] if row["parameter"] is None]
+    (block, *_) = compiled.reflection.blocks
+    fillers = [row.type for row in block.members if row.parameter is None]
     assert fillers.count(str(Array(Vector("float", 4), 7))) == 1
     assert len(fillers) < 10
 
@@ -86,15 +87,14 @@ def test_our_own_blocks_keep_out_of_the_way() -> None:
     }
     """
     (compiled,) = burnish.compile(text, ("wgsl",))
-    (backend,) = compiled.reflection["backends"].values()
-    places = [
-        (row["group"], row["binding"])
-        for kind in ("blocks", "textures", "samplers")
-        for row in backend[kind].values()
-    ]
+    (backend,) = compiled.reflection.backends.values()
+    rows: list[BindingRow | BlockBindingRow] = [
+        *backend.blocks.values(), *backend.textures.values(), *backend.samplers.values()
+    ]  # fmt: skip
+    places = [(row.group, row.binding) for row in rows]
     assert len(set(places)) == len(places)
     assert {(2, 0), (0, 1)} <= set(places)
-    assert len(compiled.reflection["blocks"]) == len(backend["blocks"])
+    assert len(compiled.reflection.blocks) == len(backend.blocks)
 
 
 def test_members_are_imported_by_name(tmp_path: Path) -> None:
@@ -102,13 +102,13 @@ def test_members_are_imported_by_name(tmp_path: Path) -> None:
     file = tmp_path / "own.burnish"
     file.write_text('import "engine.burnish".{tint}\nmaterial M { color = tint }', encoding="utf-8")
     (compiled,) = burnish.compile(file, ("glsl",))
-    assert [row["name"] for row in compiled.reflection["blocks"] if row["extern"]] == ["PerFrame"]
+    assert [row.name for row in compiled.reflection.blocks if row.extern] == ["PerFrame"]
 
 
 def test_what_depends_on_the_hosts_block_alone_is_still_hoisted() -> None:
     (compiled,) = burnish.compile(f"{BLOCK} material M {{ color = tint * sin(time) }}", ("wgsl",))
-    (derived,) = compiled.reflection["derived"]
-    assert (derived["group"], derived["block"]) == ("frame", "FrameDerived")
+    (derived,) = compiled.reflection.derived
+    assert (derived.group, derived.block) == ("frame", "FrameDerived")
 
 
 @pytest.mark.parametrize(

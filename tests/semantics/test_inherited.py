@@ -102,13 +102,13 @@ def test_a_derived_value_is_never_called_as_a_parameter() -> None:
     heir = "material M : Base { param g : float = 1  plain = inherited.k  k = cos(g) }"
     base = BASE.replace("vec3(k, 0, 0)", "k * vec3(uv, 0)")
     (material,) = burnish.compile(base + heir, "glsl")
-    names = [each["name"] for each in material.reflection["parameters"]]
+    names = [each.name for each in material.reflection.parameters]
     derived = [
-        member["name"]
-        for block in material.reflection["blocks"]
-        if block["derived"]
-        for member in block["members"]
-        if member["parameter"]
+        member.name
+        for block in material.reflection.blocks
+        if block.derived
+        for member in block.members
+        if member.parameter
     ]
     assert "k" in names
     assert len(derived) == 1

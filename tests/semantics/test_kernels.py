@@ -84,7 +84,7 @@ def test_kernels_have_bases_and_mixins() -> None:
     kernel K : Base + Own { k = 3 }
     """
     (made,) = burnish.compile(text, ("wgsl",)).materials
-    assert made.reflection["extent"] is not None
+    assert made.reflection.extent is not None
     assert "3.0 * f32(index)" in made.text("wgsl", "compute")
 
 

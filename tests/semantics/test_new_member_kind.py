@@ -144,8 +144,8 @@ material Half : Bright {
 COMPILE = f"""
 import burnish
 for made in burnish.compile({PROGRAM!r}, targets=("wgsl",)).materials:
-    shown = [(p["name"], p["type"], p["default"], p["doc"]) for p in made.reflection["parameters"]
-             if p["name"] in ("gain", "bias")]
+    shown = [(p.name, p.type, p.default, p.doc) for p in made.reflection.parameters
+             if p.name in ("gain", "bias")]
     print(made.name, shown)
 """
 
@@ -177,9 +177,10 @@ material M { color = #fff }
 
 BLENDING = f"""
 import burnish
+from burnish.compiler.documents.writing import to_json
 for name in ("Over", "Added", "Both"):
     (made,) = burnish.compile({MIXED!r}, targets=("wgsl",), pass_=name).materials
-    print(name, [row["blend"] and row["blend"]["color"] for row in made.reflection["targets"]])
+    print(name, [row.blend and to_json(row.blend.color) for row in made.reflection.targets])
 """
 
 

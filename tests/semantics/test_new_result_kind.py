@@ -90,8 +90,8 @@ pass Dim : Glowing {
 COMPILE = f"""
 import burnish
 (made,) = burnish.compile({PROGRAM!r} + "material M {{ }}", ("wgsl",), pass_="Dim").materials
-for output in made.reflection["targets"]:
-    print(output["name"], output["format"], output["doc"])
+for output in made.reflection.targets:
+    print(output.name, output.format, output.doc)
 for line in made.text("wgsl", "fragment").splitlines():
     if "@location" in line:
         print(line.strip())

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import burnish
+from burnish.compiler.documents.values import PromiseRow
+from burnish.compiler.documents.writing import to_json
 from burnish.stdlib.builtins.geometry import SHORTEST
 
 from ..cli.kit import invoke
@@ -18,19 +19,18 @@ material M { color = lambert(vec3(0.8)) }
 AT_VERTICES = LIT.replace("= lambert", "= @vertex lambert")
 
 
-def promised(source: str) -> list[dict[str, Any]]:
+def promised(source: str) -> tuple[PromiseRow, ...]:
     (material,) = burnish.compile(source, ("wgsl",)).materials
-    rows: list[dict[str, Any]] = material.reflection["promises"]
-    return rows
+    return material.reflection.promises
 
 
 def rows(source: str) -> list[tuple[str, list[str]]]:
     """The values that are promised, and the parameters that they depend on."""
-    return [(row["value"], row["parameters"]) for row in promised(source)]
+    return [(row.value, [*row.parameters]) for row in promised(source)]
 
 
 def test_the_reflection_tells_what_is_promised_of_which_parameters() -> None:
-    assert promised(LIT + "rig R { lamp : Point }") == [
+    assert to_json(promised(LIT + "rig R { lamp : Point }")) == [
         {
             "value": "lamp.place - position",
             "least_length": SHORTEST,
@@ -68,7 +68,7 @@ def test_a_promise_in_a_function_that_is_called_repeatedly_is_about_its_argument
 
 
 def test_what_no_result_needs_is_not_promised() -> None:
-    assert promised("material M { unread = nonzero(uv)  color = vec3(1) }") == []
+    assert promised("material M { unread = nonzero(uv)  color = vec3(1) }") == ()
 
 
 def test_a_promise_computes_nothing() -> None:

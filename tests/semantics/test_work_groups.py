@@ -46,8 +46,8 @@ def test_the_host_computes_how_many_groups_there_are(group: str, n: int, count: 
 
 def test_the_length_is_nothing_that_a_device_computes() -> None:
     (made,) = burnish.compile(kernel(), ("wgsl",))
-    assert [row["name"] for row in made.reflection["parameters"]] == ["n"]
-    assert not made.reflection["derived"]
+    assert [row.name for row in made.reflection.parameters] == ["n"]
+    assert not made.reflection.derived
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,8 @@ import pytest
 import burnish
 from burnish.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
+from burnish.compiler.documents.drawing import InBuffer
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.toolchain import Toolchain
 
 from ..examples.kit import jobs_of
@@ -84,15 +86,15 @@ def test_kernels_hand_on_what_stands_nowhere(captured: str) -> None:
 def test_what_a_kernel_reads_and_writes_is_told() -> None:
     (material,) = burnish.compile(SPARKS, "wgsl:webgpu", pass_="Step").materials
     reflection = material.reflection
-    assert {key: reflection["capture"][key] for key in ("buffer", "there", "stride")} == {
-        "buffer": "captured", "there": 20, "stride": 20,
-    }  # fmt: skip
-    assert [row["stride"] for row in reflection["results"]] == [24]
-    assert {row["name"]: row["buffer"] for row in reflection["vertex_inputs"]} == {
-        "corner0.vertex_position": {"name": "mesh", "member": "corner0_vertex_position"},
-        "corner0.age": {"name": "mesh", "member": "corner0_age"},
+    capture = reflection.capture
+    assert capture is not None
+    assert (capture.buffer, capture.there, capture.stride) == ("captured", 20, 20)
+    assert [row.stride for row in reflection.results] == [24]
+    assert {row.name: row.buffer for row in reflection.vertex_inputs} == {
+        "corner0.vertex_position": InBuffer(name="mesh", member="corner0_vertex_position"),
+        "corner0.age": InBuffer(name="mesh", member="corner0_age"),
     }
-    assert reflection["draw"]["primitive"] == "point"
+    assert reflection.draw.primitive == "point"
 
 
 def test_names_that_the_material_has_are_left_to_it() -> None:
@@ -136,35 +138,34 @@ def test_compilers_accept_them() -> None:
 
 def test_the_reflection_says_where_values_lie() -> None:
     reflection = compiled(SPARKS, "hlsl:sm6").reflection
-    capture = reflection["capture"]
-    assert {key: capture[key] for key in ("primitive", "vertices", "stride")} == {
-        "primitive": "point", "vertices": 2, "stride": 20,
-    }  # fmt: skip
-    assert [tuple(row.values()) for row in capture["members"]] == [
+    capture = reflection.capture
+    assert capture is not None
+    assert (capture.primitive, capture.vertices, capture.stride) == ("point", 2, 20)
+    assert [tuple(row.values()) for row in to_json(capture.members)] == [
         ("position", "vec3", "vec3", 0, "In world space"),
         ("age", "float", "float", 12, ""),
         ("mark", "uint", "uint", 16, ""),
     ]
-    assert reflection["targets"] == []
-    backend = reflection["backends"]["hlsl:sm6"]
-    assert backend["stream_output"] == "semantics"
-    assert [row["semantic"] for row in backend["captures"].values()] == [
+    assert reflection.targets == ()
+    backend = reflection.backends["hlsl:sm6"]
+    assert backend.stream_output == "semantics"
+    assert [row.semantic for row in backend.captures.values()] == [
         "TEXCOORD0", "TEXCOORD1", "TEXCOORD2",
     ]  # fmt: skip
 
 
 def test_names_are_told_where_the_text_does_not_place_outputs() -> None:
-    backend = compiled(SPARKS, "glsl:gl330").reflection["backends"]["glsl:gl330"]
-    assert backend["stream_output"] == "names"
-    assert [row["identifier"] for row in backend["captures"].values()] == [
+    backend = compiled(SPARKS, "glsl:gl330").reflection.backends["glsl:gl330"]
+    assert backend.stream_output == "names"
+    assert [row.identifier for row in backend.captures.values()] == [
         "v_position", "v_age", "v_mark",
     ]  # fmt: skip
 
 
 def test_what_is_drawn_has_no_capture() -> None:
     (material,) = burnish.compile("material M { color = vec3(1) }", "glsl:vulkan").materials
-    assert material.reflection["capture"] is None
-    assert material.reflection["backends"]["glsl:vulkan"]["captures"] == {}
+    assert material.reflection.capture is None
+    assert material.reflection.backends["glsl:vulkan"].captures == {}
 
 
 def test_more_captures_than_outputs_are_told() -> None:
@@ -187,12 +188,12 @@ def test_of_a_patch_come_as_many_vertices_as_its_levels_allow(*, native_stages: 
         DIVIDED, "glsl:vulkan", pass_="Step", native_stages=native_stages
     ).materials
     reflection = material.reflection
-    assert reflection["capture"]["primitive"] == "triangle"
-    assert reflection["capture"]["vertices"] == 3 * 13
-    assert reflection["draw"]["tessellation"]["divided_by"] == (
-        "evaluation" if native_stages else "instances"
-    )
-    assert reflection["capture"]["there"] == (None if native_stages else 12)
+    capture, tessellation = reflection.capture, reflection.draw.tessellation
+    assert capture is not None and tessellation is not None
+    assert capture.primitive == "triangle"
+    assert capture.vertices == 3 * 13
+    assert tessellation.divided_by == ("evaluation" if native_stages else "instances")
+    assert capture.there == (None if native_stages else 12)
 
 
 @pytest.mark.parametrize("native_stages", [True, False])

@@ -12,6 +12,7 @@ import pytest
 import burnish
 from burnish.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.toolchain import Toolchain
 
 from ..examples.kit import jobs_of
@@ -150,12 +151,12 @@ def test_every_line_has_its_place_in_the_source() -> None:
 
 def test_the_reflection_says_that_the_stage_is_there() -> None:
     (material,) = burnish.compile(TENT, "glsl:vulkan", native_stages=True).materials
-    assert material.reflection["draw"] == {
+    assert to_json(material.reflection.draw) == {
         "primitive": "triangle", "corners": 3, "expanded_by": "geometry", "vertices": 18,
         "topology": "triangle", "tessellation": None, "layers": None,
     }  # fmt: skip
-    rows = material.reflection["vertex_inputs"]
-    assert {(row["name"], row["step"], row["mesh"]) for row in rows} == {
+    rows = material.reflection.vertex_inputs
+    assert {(row.name, row.step, row.mesh) for row in rows} == {
         ("vertex_position", "vertex", None), ("vertex_normal", "vertex", None),
         ("vertex_uv", "vertex", None), ("shift", "instance", None),
     }  # fmt: skip
@@ -207,8 +208,9 @@ def test_more_inputs_than_there_are() -> None:
   = help: each corner that is read has inputs of its own, unless the vertex stage reads storage buffers: read fewer slots by corner, or compile for a profile that has these, or with `--native-stages` for one that has the stage"""  # noqa: E501
     ]
     (drawn,) = burnish.compile(WIDE, "wgsl").materials
-    (buffer,) = drawn.reflection["buffers"]
-    assert (buffer["name"], buffer["stages"]) == ("mesh", ["vertex"])
-    assert len(drawn.reflection["vertex_inputs"]) == 18
-    assert {row["buffer"]["name"] for row in drawn.reflection["vertex_inputs"]} == {"mesh"}
+    (buffer,) = drawn.reflection.buffers
+    assert (buffer.name, buffer.stages) == ("mesh", ("vertex",))
+    assert len(drawn.reflection.vertex_inputs) == 18
+    rows = drawn.reflection.vertex_inputs
+    assert {row.buffer and row.buffer.name for row in rows} == {"mesh"}
     burnish.compile(WIDE, PROFILES, native_stages=True)

@@ -154,4 +154,4 @@ def test_downstream_compilers_take_it(native_stages: bool) -> None:
 def test_the_reflection_tells_hosts() -> None:
     for asked in ("true", "false"):
         (material,) = burnish.compile(PLAIN + PASS % asked, ("wgsl",), pass_="P")
-        assert material.reflection["invariant_position"] == (asked == "true")
+        assert material.reflection.invariant_position == (asked == "true")

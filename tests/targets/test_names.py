@@ -113,8 +113,8 @@ def test_no_two_attributes_have_one_semantic() -> None:
     declared = "".join(f"attribute {name} : float  " for name in names)
     text = f"material M {{ {declared} alpha = {' + '.join(names)} }}"
     (made,) = burnish.compile(text, "hlsl").materials
-    rows = made.reflection["backends"]["hlsl:sm6"]["vertex_inputs"]
-    semantics = [rows[name]["semantic"] for name in names]
+    rows = made.reflection.backends["hlsl:sm6"].vertex_inputs
+    semantics = [rows[name].semantic or "" for name in names]
     assert semantics[:4] == ["TINT", "TINT_AT4_", "A", "A0_AT6_"]
     parted = [re.fullmatch(r"(.*?)([0-9]*)", semantic) for semantic in semantics]
     keys = {(part[1].upper(), int(part[2] or 0)) for part in parted if part}

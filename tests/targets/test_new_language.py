@@ -214,9 +214,9 @@ def test_a_material_is_written_in_it(ledger: str) -> None:
     for part in WRITTEN.strip("\n").split("\n...\n"):
         assert f"\n{part}\n" in text
     assert not set("{};") & set(text)
-    backend = compiled.reflection["backends"]["ledger:only"]
-    assert backend["blocks"]["Material"]["register"] == "paper 3"
-    assert {row["entry_point"] for row in backend["files"]} == {"the_vs_main", "the_fs_main"}
+    backend = compiled.reflection.backends["ledger:only"]
+    assert backend.blocks["Material"].register == "paper 3"
+    assert {row.entry_point for row in backend.files} == {"the_vs_main", "the_fs_main"}
 
 
 def test_every_statement_has_its_place_in_the_material(ledger: str) -> None:

@@ -133,8 +133,9 @@ LINES = "material M { tessellate isoline by 4 { } }"
 @pytest.mark.parametrize(("native", "topology"), [(False, "line"), (True, "patch")])
 def test_lines_are_drawn_with_the_stages_and_without(native: bool, topology: str) -> None:
     (material,) = burnish.compile(LINES, "glsl:vulkan", native_stages=native).materials
-    draw = material.reflection["draw"]
-    assert (draw["topology"], draw["tessellation"]["kind"]) == (topology, "isoline")
+    draw = material.reflection.draw
+    assert draw.tessellation is not None
+    assert (draw.topology, draw.tessellation.kind) == (topology, "isoline")
     assert (CONTROL in material.shader.chain) == native
 
 
@@ -159,16 +160,17 @@ def test_what_a_host_draws_where_parts_of_patches_are_expanded(
     level: str, native: bool, vertices: int
 ) -> None:
     (made,) = burnish.compile(EXPANDED.format(level), "glsl:vulkan", native_stages=native).materials
-    draw = made.reflection["draw"]
-    assert (draw["primitive"], draw["corners"]) == ("patch", 3)
-    assert draw["topology"] == ("patch" if native else "triangle")
-    assert draw["tessellation"]["divided_by"] == ("evaluation" if native else "instances")
-    assert draw["expanded_by"] == ("geometry" if native else "instances")
-    assert draw["vertices"] == vertices
+    draw = made.reflection.draw
+    assert (draw.primitive, draw.corners) == ("patch", 3)
+    assert draw.topology == ("patch" if native else "triangle")
+    assert draw.tessellation is not None
+    assert draw.tessellation.divided_by == ("evaluation" if native else "instances")
+    assert draw.expanded_by == ("geometry" if native else "instances")
+    assert draw.vertices == vertices
     pattern = [
-        (row["name"], row["step"], row["mesh"]["corner"])
-        for row in made.reflection["vertex_inputs"]
-        if row["mesh"] is not None and row["mesh"]["is_of_pattern"]
+        (row.name, row.step, row.mesh.corner)
+        for row in made.reflection.vertex_inputs
+        if row.mesh is not None and row.mesh.is_of_pattern
     ]
     by_host = [(f"pattern.corner{k}.patch_weights", "vertex", k) for k in range(3)]
     assert pattern == ([] if native or level != "4" else by_host)

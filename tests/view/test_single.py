@@ -47,7 +47,7 @@ def test_it_draws_the_same(name: str) -> None:
     assert host.values.get(SIZE) == (WIDTH, HEIGHT)
     drawing = ReferenceFrames(host)
     drawing.draw()
-    found = drawing.output(material.reflection["targets"][0]["name"]).levels[0][0]
+    found = drawing.output(material.reflection.targets[0].name).levels[0][0]
 
     mesh = with_inputs(material.reflection, MESHES["sphere"](), 2)
     state = set_up(material.instance(), mesh, Scene(), (WIDTH, HEIGHT))
@@ -61,22 +61,22 @@ def test_it_draws_the_same(name: str) -> None:
 def test_a_kernel_over_images_is_run() -> None:
     (kernel,) = burnish.compile(EXAMPLES / "ray_tracer.burnish", ("wgsl",)).materials
     plan = single_frame(kernel).plan
-    assert [step["kind"] for step in plan["steps"]] == ["run"]
-    assert plan["textures"][0]["size"] == {"value": None, "extent_of": "shown", "level": 0}
-    assert plan["models"] == []
+    assert [step.kind for step in plan.steps] == ["run"]
+    assert plan.textures[0].size == {"value": None, "extent_of": "shown", "level": 0}
+    assert plan.models == []
 
 
 def test_a_kernel_over_buffers_is_run() -> None:
     """Each of its results is an output that is a buffer."""
     kernel = burnish.compile(EXAMPLES / "cloth.burnish", ("wgsl",))["Hung"]
     plan = single_frame(kernel).plan
-    assert [row["buffers"] for row in plan["steps"]] == [[
+    assert [row.buffers for row in plan.steps] == [[
         {"name": "now", "result": "shown.now"}, {"name": "before", "result": "shown.before"},
     ]]  # fmt: skip
-    assert [(row["name"], row["texture"]) for row in plan["outputs"]] == [
+    assert [(row.name, row.texture) for row in plan.outputs] == [
         ("now", None), ("before", None),
     ]  # fmt: skip
-    assert plan["textures"] == []
+    assert plan.textures == []
 
 
 def test_what_leaves_nothing_has_no_frame() -> None:

@@ -68,23 +68,23 @@ def seen(reflection: Mapping[str, Any], geometry: Any) -> dict[str, Any]:
 )
 def test_the_same_is_drawn_of_a_mesh(name: str) -> None:
     host, package = hosted(name)
-    (step,) = host.plan["steps"]
+    (step,) = host.plan.steps
     (drawn,) = host.draws(step, is_first=True)
     wanted, reflection = drawn.state.draw(), drawn.state.instance.reflection
     (model,) = package["models"]
     geometry = package["geometries"][model["geometries"]["0"]]
     found = seen(reflection, geometry)
 
-    rows = [row for row in reflection["vertex_inputs"] if row["buffer"] is None]
-    assert found["attributes"].keys() == {row["name"] for row in rows}
+    rows = [row for row in reflection.vertex_inputs if row.buffer is None]
+    assert found["attributes"].keys() == {row.name for row in rows}
     for row, data in zip(rows, wanted.vertices, strict=True):
-        assert found["attributes"][row["name"]] == np.frombuffer(data, "<u4").tolist(), row["name"]
+        assert found["attributes"][row.name] == np.frombuffer(data, "<u4").tolist(), row.name
     indices = np.frombuffer(wanted.indices, "<u4").tolist()
     assert found["count"] == len(indices)
     assert (found["indices"] or list(range(found["count"]))) == indices
     assert found["instances"] == wanted.instance_count
-    buffers = [row["name"] for row in reflection["buffers"] if row["stages"]]
-    of_mesh = {row["buffer"]["name"] for row in reflection["vertex_inputs"] if row["buffer"]}
+    buffers = [row.name for row in reflection.buffers if row.stages]
+    of_mesh = {row.buffer.name for row in reflection.vertex_inputs if row.buffer}
     assert found["elements"].keys() == of_mesh
     for buffer, data in zip(buffers, wanted.buffers, strict=True):
         if buffer in of_mesh:

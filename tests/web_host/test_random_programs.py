@@ -50,7 +50,7 @@ def materials() -> Iterator[tuple[int, CompiledMaterial]]:
             continue
         material = result.materials[-1]
         reflection = material.reflection
-        if reflection["capture"] is None and reflection["extent"] is None:
+        if reflection.capture is None and reflection.extent is None:
             found += 1
             yield number, material
 
@@ -65,7 +65,7 @@ def test_random_programs_draw_as_jobs_do(runner: Runner) -> None:
                 sample_values(instance, number, missing=instance is host.values)
                 sample_buffers(instance, number)
                 sample_textures(instance, number)
-            (step,) = host.plan["steps"]
+            (step,) = host.plan.steps
             (drawn,) = host.draws(step, is_first=True)
             codes = compile_one(ROUTE, material.files, toolchain)
             job = Job(pipeline(material.reflection, ROUTE, codes), (drawn.state.draw(),))

@@ -54,7 +54,7 @@ def test_blocks_have_the_same_bytes() -> None:
     instances = [set_up(each) for name in NAMES for each in reflections(name)]
     given = []
     for instance in instances:
-        names = [row["name"] for row in instance.reflection["parameters"]]
+        names = [row.name for row in instance.reflection.parameters]
         values = {name: instance.get(name) for name in names}
         given.append({"reflection": instance.reflection, "values": values})
     found = in_node("values.js", "Values", _BLOCKS, given)
@@ -65,7 +65,7 @@ def test_blocks_have_the_same_bytes() -> None:
         for name, data in wanted.items():
             one = np.array(blocks[name], np.uint8).view("<i4").astype(np.int64)
             other = np.frombuffer(data, "<i4").astype(np.int64)
-            label = instance.reflection["material"], name
+            label = instance.reflection.material, name
             assert one.shape == other.shape, label
             assert np.abs(one - other).max() <= 1, label
             compared += len(other)

@@ -3,19 +3,35 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from ....compiler.documents.plan import (
+    AttachmentRow,
+    CopyStep,
+    DrawStep,
+    FrameTextureRow,
+    HostSource,
+    OutputRow,
+    PlaceRow,
+    PlanStep,
+    PreviousSource,
+    ResultSource,
+    RunStep,
+    SizeRow,
+    Source,
+    ValueSource,
+)
+from ....compiler.documents.steps import ParameterStep
 from ....compiler.formula import Formulas
 from ....compiler.ir.shader import Notes
+from ....targets.runner.frames.checks.rows import inputs
 from .model import Arrow, ArrowKind, Box, FramePicture, MarkKind, Port
-from .time_line import attachments, mark_of, time_line
+from .time_line import mark_of, time_line
 
 if TYPE_CHECKING:
     from ....api import CompiledFrame
 
-    Rows = Mapping[str, Any]
-    """A part of the plan."""
 
 EVERYWHERE = "size"
 """A parameter that every frame has, and nearly every step reads."""
@@ -28,7 +44,7 @@ def frame_picture(frame: CompiledFrame) -> FramePicture:
 
 class _Builder:
     def __init__(self, frame: CompiledFrame) -> None:
-        self._plan: Rows = frame.plan
+        self._plan = frame.plan
         self._formulas = Formulas(Notes())
         # The rows of the plan's values are the different ones of the frame's, in order.
         self._values = list(dict.fromkeys(frame.frame.values))
@@ -37,21 +53,21 @@ class _Builder:
         self._arrows: dict[Arrow, None] = {}
         self._makers: dict[str, tuple[str, str]] = {}
         """For each result, the box of the step that leaves it, and the key of the box's row."""
-        self._lights = {name: light["name"] for light in self._plan["lights"]
-                        for name in light["parameters"]}  # fmt: skip
+        self._lights = {name: light.name for light in self._plan.lights
+                        for name in light.parameters}  # fmt: skip
 
     def picture(self) -> FramePicture:
         plan = self._plan
-        groups = list(_groups(plan["steps"]))
+        groups = list(_groups(plan.steps))
         for group in groups:
             self._steps.append(self._step(group))
-        outputs = list(map(self._output, plan["outputs"]))
+        outputs = list(map(self._output, plan.outputs))
         self._loops()
         columns, rows = time_line(plan, [len(group.steps) for group in groups], self._what)
-        rig = f", rig {plan['rig']}" if plan["rig"] else ""
+        rig = f", rig {plan.rig}" if plan.rig else ""
         boxes = [*self._host.values(), *self._steps, *outputs]
         return FramePicture(
-            f"{plan['frame']}{rig}", plan["doc"], boxes, list(self._arrows), columns, rows
+            f"{plan.frame}{rig}", plan.doc, boxes, list(self._arrows), columns, rows
         )
 
     # --- steps ---
@@ -59,22 +75,22 @@ class _Builder:
     def _step(self, group: _Group) -> Box:
         """The box of one step, or of several that one equation repeats."""
         last = group.steps[-1]
-        if last["kind"] == "copy":
+        if isinstance(last, CopyStep):
             return self._copy(last)
-        steps = [step for step in group.steps if step["kind"] != "copy"]
+        steps = [step for step in group.steps if not isinstance(step, CopyStep)]
         turns = [step for step in steps if not group.within(step)]
-        box = Box(f"step {last['name']}", last["kind"], group.name)
-        box.only_first = last["only_first"]
+        box = Box(f"step {last.name}", last.kind, group.name)
+        box.only_first = last.only_first
         box.repeated = self._repeated(turns)
         box.lines = list(dict.fromkeys(line for step in steps for line in self._does(step)))
-        box.notes.append(_place(last["source"]))
+        box.notes.append(_place(last.source))
         for step in steps:
             self._read(step, box)
             self._leave(step, box, group.within(step))
         return box
 
-    def _copy(self, step: Rows) -> Box:
-        before, after, texture = step["from"]["result"], step["to"]["result"], step["to"]["texture"]
+    def _copy(self, step: CopyStep) -> Box:
+        before, after, texture = step.copied.result, step.into.result, step.into.texture
         box = Box(f"copy {after}", "copy", "copy", [f"of {before}"])
         self._arrow_from(before, box.key, "read")
         port = Port(f"{after} (copied)", after, self._texture(texture), texture, "written", "")
@@ -82,97 +98,100 @@ class _Builder:
         self._makers[after] = box.key, port.key
         return box
 
-    def _does(self, step: Rows) -> Iterator[str]:
+    def _does(self, step: DrawStep | RunStep) -> Iterator[str]:
         """What a step does, as lines of its box."""
-        if step["kind"] == "run":
-            yield self._shader(step["shader"])
+        if isinstance(step, RunStep):
+            yield self._shader(step.use.shader)
             return
-        yield step["pass"]
-        for drawn in step["draws"]:
-            if drawn["models"] is not None:
-                yield f"draws {drawn['models']}"
-            else:
-                yield f"draws {self._number(drawn['vertices'])} vertices"
-            if drawn["light"] is not None:
-                yield f"once for each light of {drawn['light']}"
+        yield step.pass_
+        for drawn in step.draws:
+            if drawn.models is not None:
+                yield f"draws {drawn.models}"
+            elif drawn.vertices is not None:
+                yield f"draws {self._number(drawn.vertices)} vertices"
+            if drawn.light is not None:
+                yield f"once for each light of {drawn.light}"
 
     def _shader(self, number: int) -> str:
         """The name of a shader, without that of the frame."""
-        name: str = self._plan["shaders"][number]["name"]
-        return name.removeprefix(f"{self._plan['frame']}.")
+        name = self._plan.shaders[number].name
+        return name.removeprefix(f"{self._plan.frame}.")
 
-    def _repeated(self, steps: Sequence[Rows]) -> str:
+    def _repeated(self, steps: Sequence[PlanStep]) -> str:
         """For what the steps of one equation are repeated; empty if there is only one."""
         if len(steps) == 1:
             return ""
-        drawn = [attachments(step)[0] for step in steps if attachments(step)]
-        levels, layers = ({target[key] for target in drawn} for key in ("level", "layer"))
+        drawn = [step.attachments[0] for step in steps if step.attachments]
+        levels, layers = {target.level for target in drawn}, {target.layer for target in drawn}
         words, turns = [], len(steps)
-        for found, word in ((levels, "mip levels"), (layers, self._layers(drawn))):
-            if len(found) > 1 and turns % len(found) == 0:
-                words.append(f"{len(found)} {word}")
-                turns //= len(found)
+        counts = ((len(levels), "mip levels"), (len(layers), self._layers(drawn)))
+        for found, word in counts:
+            if found > 1 and turns % found == 0:
+                words.append(f"{found} {word}")
+                turns //= found
         return " × ".join([*([f"{turns} turns"] if turns > 1 else []), *words])
 
-    def _layers(self, drawn: Sequence[Rows]) -> str:
-        of = {self._plan["textures"][target["texture"]]["dimension"] for target in drawn}
+    def _layers(self, drawn: Sequence[AttachmentRow]) -> str:
+        of = {self._plan.textures[target.texture].dimension for target in drawn}
         return "faces" if of == {"cube"} else "layers"
 
-    def _read(self, step: Rows, box: Box) -> None:
+    def _read(self, step: PlanStep, box: Box) -> None:
         """Add the arrows from what a step reads, and notes of what the frame sets."""
-        for drawn in step.get("draws", ()):
-            if drawn["models"] is not None:
-                self._arrow("given", self._given_models(drawn["models"]), box)
-            if drawn["light"] is not None:
-                self._arrow("given", self._given("light", drawn["light"], ""), box)
-        for use in [use for drawn in step.get("draws", ()) for use in drawn["uses"]] or [step]:
-            for row in use["inputs"]:
-                self._input(row, box)
-        for target in attachments(step):
-            if target["over"] is not None:
+        for drawn in step.draws:
+            if drawn.models is not None:
+                self._arrow("given", self._given_models(drawn.models), box)
+            if drawn.light is not None:
+                self._arrow("given", self._given("light", drawn.light, ""), box)
+        for row in inputs(step):
+            self._input(row.name, row.source, box)
+        for target in step.attachments:
+            if target.over is not None:
                 # Where others need what was there, it has been copied to where this step draws.
-                copied = target["result"] in self._makers
-                over = target["result"] if copied else target["over"]
+                copied = target.result in self._makers
+                over = target.result if copied else target.over
                 self._arrow_from(over, box.key, "over")
 
-    def _input(self, row: Rows, box: Box) -> None:
-        if "value" in row:
-            note = f"{row['name']} = {self._number(row['value'])}"
-            if note not in box.notes:
-                box.notes.append(note)
-            for name in self._parameters(row["value"]):
-                self._arrow("given", self._given_parameter(name), box)
-        elif "host" in row:
-            self._arrow("given", self._given_resource(row["host"]), box)
-        elif "previous" in row:
-            self._arrow("read", self._given("previous", row["previous"], "of the last frame"), box)
-            if row["initially"] is not None and "host" in row["initially"]:
-                self._arrow("initial", self._given_resource(row["initially"]["host"]), box)
-            elif row["initially"] is not None:
-                self._arrow_from(row["initially"]["result"], box.key, "initial")
-        else:
-            self._arrow_from(row["result"], box.key, "read")
+    def _input(self, name: str, source: Source, box: Box) -> None:
+        match source:
+            case ValueSource():
+                note = f"{name} = {self._number(source.value)}"
+                if note not in box.notes:
+                    box.notes.append(note)
+                for parameter in self._parameters(source.value):
+                    self._arrow("given", self._given_parameter(parameter), box)
+            case HostSource():
+                self._arrow("given", self._given_resource(source.host), box)
+            case PreviousSource():
+                before = self._given("previous", source.previous, "of the last frame")
+                self._arrow("read", before, box)
+                match source.initially:
+                    case HostSource(host=host):
+                        self._arrow("initial", self._given_resource(host), box)
+                    case ResultSource(result=result):
+                        self._arrow_from(result, box.key, "initial")
+            case ResultSource():
+                self._arrow_from(source.result, box.key, "read")
 
-    def _leave(self, step: Rows, box: Box, within: str) -> None:
+    def _leave(self, step: PlanStep, box: Box, within: str) -> None:
         """Add what a step leaves, as rows of its box."""
         prefix = f"{within}." if within else ""
-        for target in attachments(step):
-            what = self._texture(target["texture"])
-            self._port(box, target["result"], prefix + target["name"], what, target["texture"],
+        for target in step.attachments:
+            what = self._texture(target.texture)
+            self._port(box, target.result, prefix + target.name, what, target.texture,
                        mark_of(target))  # fmt: skip
-        for image in step.get("images", ()):
-            what = self._texture(image["texture"])
-            self._port(box, image["result"], prefix + image["name"], what, image["texture"],
+        for image in step.images:
+            what = self._texture(image.texture)
+            self._port(box, image.result, prefix + image.name, what, image.texture,
                        "written")  # fmt: skip
-        for buffer in step.get("buffers", ()):
-            self._port(box, buffer["result"], prefix + buffer["name"], "buffer", None, "written")
+        for buffer in step.buffers:
+            self._port(box, buffer.result, prefix + buffer.name, "buffer", None, "written")
 
     def _port(
         self, box: Box, result: str, name: str, what: str, texture: int | None, mark: MarkKind
     ) -> None:
         """What several steps of a box leave by one name is one row: that of the last of them."""
-        row = next((r for r in self._plan["results"] if r["name"] == result), None)
-        place = "" if row is None else _place(row["source"])
+        row = next((r for r in self._plan.results if r.name == result), None)
+        place = "" if row is None else _place(row.source)
         port = Port(result, name, what, texture, mark, place)
         known = next((p for p in box.ports if p.name == name), None)
         if known is None:
@@ -203,50 +222,50 @@ class _Builder:
         return key
 
     def _given_models(self, name: str) -> str:
-        (row,) = (row for row in self._plan["models"] if row["name"] == name)
+        (row,) = (row for row in self._plan.models if row.name == name)
         key = self._given("models", name, "")
-        self._host[key].lines = [", ".join(row["materials"])]
-        self._host[key].notes = [_place(row["source"])]
+        self._host[key].lines = [", ".join(row.materials)]
+        self._host[key].notes = [_place(row.source)]
         return key
 
     def _given_resource(self, name: str) -> str:
-        textures = {row["name"]: row["type"] for row in self._plan["host_textures"]}
+        textures = {row.name: row.type for row in self._plan.host_textures}
         if name in textures:
             return self._declared("texture", name, textures[name])
-        (row,) = (row for row in self._plan["host_buffers"] if row["name"] == name)
-        return self._declared("buffer", name, row.get("type", "buffer"))
+        (row,) = (row for row in self._plan.host_buffers if row.name == name)
+        return self._declared("buffer", name, row.type)
 
     def _given_parameter(self, name: str) -> str:
         if name in self._lights:
             return self._given("light", self._lights[name], "")
-        (row,) = (row for row in self._plan["parameters"] if row["name"] == name)
-        return self._declared("parameter", name, row["type"])
+        (row,) = (row for row in self._plan.parameters if row.name == name)
+        return self._declared("parameter", name, row.type)
 
     def _declared(self, kind: str, name: str, type_: str) -> str:
         key = self._given(kind, name, type_)
-        source = self._plan["sources"].get(name)
+        source = self._plan.sources.get(name)
         self._host[key].notes = [] if source is None else [_place(source)]
         return key
 
     def _parameters(self, value: int) -> Iterator[str]:
         """The parameters on which a number depends."""
-        names = {step["parameter"] for step in self._plan["values"][value]["steps"]
-                 if step["op"] == "parameter"}  # fmt: skip
+        steps = self._plan.values[value].steps
+        names = {step.parameter for step in steps if isinstance(step, ParameterStep)}
         return (name for name in sorted(names) if name != EVERYWHERE)
 
-    def _output(self, row: Rows) -> Box:
-        box = Box(f"output {row['name']}", "output", row["name"])
-        box.lines = [row["doc"]] if row["doc"] else []
-        box.notes = [_place(row["source"])]
-        self._arrow_from(row["result"], box.key, "read")
+    def _output(self, row: OutputRow) -> Box:
+        box = Box(f"output {row.name}", "output", row.name)
+        box.lines = [row.doc] if row.doc else []
+        box.notes = [_place(row.source)]
+        self._arrow_from(row.result, box.key, "read")
         return box
 
     def _loops(self) -> None:
         """Add the arrows from what is left to what the next frame finds."""
-        for kept in self._plan["kept"]:
-            target = f"previous {kept['result']}"
+        for kept in self._plan.kept:
+            target = f"previous {kept.result}"
             if target in self._host:
-                self._arrow_from(kept["result"], target, "back")
+                self._arrow_from(kept.result, target, "back")
 
     # --- arrows and words ---
 
@@ -266,30 +285,28 @@ class _Builder:
         return f"{node.type}(…)" if "…" in text else text
 
     def _texture(self, number: int) -> str:
-        return self._what(self._plan["textures"][number])
+        return self._what(self._plan.textures[number])
 
-    def _what(self, texture: Rows) -> str:
+    def _what(self, texture: FrameTextureRow) -> str:
         """The format, the size and the layers of a texture."""
-        parts = [texture["format"], self._size(texture["size"])]
-        if texture["dimension"] == "cube":
+        parts = [texture.format, self._size(texture.size)]
+        if texture.dimension == "cube":
             parts.append("cube")
-        elif texture["layers"] > 1:
-            parts.append(f"{texture['layers']} layers")
-        if texture["levels"] > 1:
-            parts.append(f"{texture['levels']} levels")
+        elif texture.layers > 1:
+            parts.append(f"{texture.layers} layers")
+        if texture.levels > 1:
+            parts.append(f"{texture.levels} levels")
         return " · ".join(parts)
 
-    def _size(self, size: Rows) -> str:
-        if size["value"] is None:
-            return f"as large as {size['extent_of']}"
-        text = self._number(size["value"])
+    def _size(self, size: SizeRow) -> str:
+        if size.value is None:
+            return f"as large as {size.extent_of}"
+        text = self._number(size.value)
         found = re.fullmatch(r"ivec2\((\d+)(?:, (\d+))?\)", text)
         if found is not None:
-            sides = [
-                max(int(side) >> size["level"], 1) for side in (found[1], found[2] or found[1])
-            ]
+            sides = [max(int(side) >> size.level, 1) for side in (found[1], found[2] or found[1])]
             return f"{sides[0]} x {sides[1]}"
-        return f"({text}) / {2 ** size['level']}" if size["level"] else text
+        return f"({text}) / {2**size.level}" if size.level else text
 
 
 class _Group(NamedTuple):
@@ -300,11 +317,11 @@ class _Group(NamedTuple):
     """
 
     name: str
-    steps: list[Rows]
+    steps: list[PlanStep]
 
-    def within(self, step: Rows) -> str:
+    def within(self, step: PlanStep) -> str:
         """The name of a step within a turn of the equation; empty for the turn itself."""
-        parts = step["name"].removeprefix(self.name).strip(".").split(".")
+        parts = step.name.removeprefix(self.name).strip(".").split(".")
         return ".".join(part for part in parts if not re.fullmatch(r"(level)?\d+", part))
 
 
@@ -312,17 +329,17 @@ _NUMBERED = re.compile(r"(.+?)\.(level)?\d+(\.|$)")
 """The name of one of several steps; the first group is what all of them have in common."""
 
 
-def _groups(steps: Sequence[Rows]) -> Iterator[_Group]:
+def _groups(steps: Sequence[PlanStep]) -> Iterator[_Group]:
     """The steps of each equation; a copy belongs to the step behind it, if that is not the first
     one of its equation, and otherwise stands alone."""
-    repeated = {found[1] for step in steps if (found := _NUMBERED.match(step.get("name", "")))}
+    repeated = {found[1] for step in steps if (found := _NUMBERED.match(step.name))}
     group = _Group("", [])
-    copies: list[Rows] = []
+    copies: list[PlanStep] = []
     for step in steps:
-        if step["kind"] == "copy":
+        if isinstance(step, CopyStep):
             copies.append(step)
             continue
-        name = _base(step["name"], repeated)
+        name = _base(step.name, repeated)
         if name == group.name:
             group.steps.extend([*copies, step])
         else:
@@ -340,5 +357,5 @@ def _base(name: str, repeated: Collection[str]) -> str:
     return next((base for base in bases if base in repeated), name)
 
 
-def _place(source: Rows) -> str:
-    return f"{source['file']}:{source['line']}:{source['column']}"
+def _place(source: PlaceRow) -> str:
+    return f"{source.file}:{source.line}:{source.column}"

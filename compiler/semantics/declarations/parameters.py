@@ -118,10 +118,16 @@ def _library_name(record: Record, of_leaf: str) -> str:
     name = of_leaf.rpartition(".")[2]
     declared = (ast.Param, ast.Map)
     owners = (each.owner for each in record.definitions[name] if isinstance(each.member, declared))
-    owner = next((owner for owner in owners if owner.module.is_standard), None)
-    if owner is None or owner.module.path is None:
+    found = next(filter(None, map(library_name, owners)), "")
+    return found and f"{found}.{name}"
+
+
+def library_name(symbol: Symbol) -> str:
+    """Which declaration of the library something is: ``std.lights.Spot``; empty for others."""
+    module = symbol.module
+    if not module.is_standard or module.path is None:
         return ""
-    return f"std.{owner.module.path.stem}.{owner.name}.{name}"
+    return f"std.{module.path.stem}.{symbol.name}"
 
 
 def _of_param(ctx: Context, definition: Definition, name: str) -> Leaves:

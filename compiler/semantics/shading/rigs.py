@@ -7,6 +7,7 @@ from collections.abc import Container
 from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...ir.shader import LightInfo
 from ...syntax import ast
 from ..checking.turns import LONGEST
 from ..declarations.buffers import light_buffer
@@ -16,6 +17,7 @@ from ..declarations.parameters import (
     as_array,
     count_parameter,
     leaves_of,
+    library_name,
 )
 from ..declarations.written_types import count_of
 from ..hints.advice import nearest_or_all
@@ -96,7 +98,8 @@ def _entry(
     given = _overrides(ctx, rig, written, record)
     replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
     leaves = leaves_of(ctx, record, f"{name}.", given)
-    infos = tuple(changed(info, light=name) for info in leaves.parameters)
+    light = LightInfo(name, record.name, library_name(record.symbol), written.doc)
+    infos = tuple(changed(info, light=light) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)
     buffers = tuple(info.buffer for info in leaves.buffers)
     if written.number == "one":
@@ -122,7 +125,7 @@ def _entry(
         )  # fmt: skip
         return entry, Leaves(buffers=(info,))
     array = as_array(ctx, name, record.name, leaves.parameters, bound, group)
-    array = changed(array, span=written.name.span, light=name)
+    array = changed(array, span=written.name.span, light=light)
     count = count_parameter(name, bound, group, array) if written.number == "at_most" else None
     entry = RigEntry(
         name, written.name.span, record, "array", (array.parameter,), (), (), bound,

@@ -15,6 +15,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....compiler.budget import holding
+from ....compiler.documents.plan import (
+    AttachmentRow,
+    CopyStep,
+    DrawnRow,
+    DrawStep,
+    FramePlan,
+    KeptRow,
+    PlanStep,
+    RunStep,
+)
 from ....compiler.ir.shader import Shader
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
@@ -34,8 +44,8 @@ from ..instances.instance import Instance
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
-from .drawn import Drawn, attachments, load, size_of_drawn, store
-from .host import FrameDraw, FrameHost, Row
+from .drawn import Drawn, load, size_of_drawn, store
+from .host import FrameDraw, FrameHost
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -77,102 +87,102 @@ class ReferenceFrames:
         plan = self.host.plan
         is_first = self.frames == 0
         self.host.begin(self.frames)
-        with holding(self._size(), f"the frame `{plan['frame']}` needs"):
+        with holding(self._size(), f"the frame `{plan.frame}` needs"):
             self._draw_all(plan, progress, is_first=is_first)
 
     def _size(self) -> int:
         """How many bytes the textures of the frame take, as far as their sizes are known yet; those
         of kernels are when these have run."""
         sizes = 0
-        for number, row in enumerate(self.host.plan["textures"]):
-            if row["size"]["value"] is not None:
+        for number, row in enumerate(self.host.plan.textures):
+            if row.size.value is not None:
                 sizes += size_of_drawn(row, self.host.size_of(number))
         return sizes
 
-    def _draw_all(self, plan: Row, progress: Progress | None, *, is_first: bool) -> None:
+    def _draw_all(self, plan: FramePlan, progress: Progress | None, *, is_first: bool) -> None:
         self._keep()
-        steps = plan["steps"]
+        steps = plan.steps
         for number, step in enumerate(steps):
-            if is_first or not step.get("only_first", False):
+            if is_first or not step.only_first:
                 self.told = _part_of(progress, number, len(steps))
                 self._step(step, is_first)
             if progress is not None:
                 progress((number + 1) / len(steps))
-        for row in plan["kept"]:
+        for row in plan.kept:
             self._exchange(row)
         self.frames += 1
 
     def output(self, name: str) -> Drawn:
         """What an output of the last frame shows."""
-        row = next(row for row in self.host.plan["outputs"] if row["name"] == name)
-        kept = {row["result"]: row["previous"] for row in self.host.plan["kept"]}
-        return self.textures[kept.get(row["result"], row["texture"])]
+        texture = self.host.plan.output_texture(name)
+        assert texture is not None, "it is no buffer"
+        return self.textures[texture]
 
     # --- steps -----------------------------------------------------------------------------------
 
     def _keep(self) -> None:
         """Make the textures that the first frame finds as the last one would have left them."""
-        for row in self.host.plan["kept"]:
-            previous = row["previous"]
+        for row in self.host.plan.kept:
+            previous = row.previous
             if previous is not None and previous not in self.textures:
                 self._make(previous)
 
-    def _exchange(self, row: Row) -> None:
-        if row["texture"] is None:
-            self.buffers[f"previous({row['result']})"] = self.buffers[row["result"]]
+    def _exchange(self, row: KeptRow) -> None:
+        if row.texture is None or row.previous is None:
+            self.buffers[f"previous({row.result})"] = self.buffers[row.result]
             return
-        one, other = row["texture"], row["previous"]
+        one, other = row.texture, row.previous
         if one in self.textures:
             self.textures[one], self.textures[other] = self.textures[other], self.textures[one]
 
     def _make(self, texture: int) -> Drawn:
-        row = self.host.plan["textures"][texture]
+        row = self.host.plan.textures[texture]
         made = Drawn.empty(row, self.host.size_of(texture))
         self.textures[texture] = made
         return made
 
-    def _step(self, step: Row, is_first: bool) -> None:
-        match step["kind"]:
-            case "copy":
-                source, target = step["from"]["texture"], step["to"]["texture"]
+    def _step(self, step: PlanStep, is_first: bool) -> None:
+        match step:
+            case CopyStep():
+                source, target = step.copied.texture, step.into.texture
                 self.textures[target] = self.textures[source].copy()
-            case "run":
+            case RunStep():
                 self._run(step, self.host.kernel(step, is_first=is_first))
-            case _:
+            case DrawStep():
                 self._draw(step, is_first)
 
-    def _draw(self, step: Row, is_first: bool) -> None:
+    def _draw(self, step: DrawStep, is_first: bool) -> None:
         draws = list(self.host.draws(step, is_first=is_first))
-        targets = list(attachments(step))
+        targets = list(step.attachments)
         for target in targets:
-            for place in filter(None, (target, target["resolve"])):
-                is_first_part = place["layer"] in (0, None) and place["level"] == 0
-                is_new = target["load"] == "clear" and is_first_part
-                if is_new or place["texture"] not in self.textures:
-                    self._make(place["texture"])
+            for place in target.places:
+                is_first_part = place.layer in (0, None) and place.level == 0
+                is_new = target.load == "clear" and is_first_part
+                if is_new or place.texture not in self.textures:
+                    self._make(place.texture)
         layers = (
             1
-            if targets[0]["layer"] is not None
-            else (self.host.plan["textures"][targets[0]["texture"]]["layers"])
+            if targets[0].layer is not None
+            else (self.host.plan.textures[targets[0].texture].layers)
         )
         whole = self.told
         for layer in range(layers):
             self.told = _part_of(whole, layer, layers)
             self._draw_layer(step, draws, layer)
 
-    def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
-        shader = drawable(self._shader(step["draws"][0]["uses"][0]["shader"]))
+    def _draw_layer(self, step: DrawStep, draws: list[FrameDraw], layer: int) -> None:
+        shader = drawable(self._shader(step.draws[0].uses[0].shader))
         rules = self._rules_of(step, shader)
-        size = canvas_size(rules.sample_count, len(step["targets"]))
-        with holding(size, f"the step `{step['name']}` needs"):
+        size = canvas_size(rules.sample_count, len(step.targets))
+        with holding(size, f"the step `{step.name}` needs"):
             self._draw_on_canvas(step, draws, layer, shader, rules)
 
     def _draw_on_canvas(
-        self, step: Row, draws: list[FrameDraw], layer: int, shader: Shader, rules: RasterRules
+        self, step: DrawStep, draws: list[FrameDraw], layer: int, shader: Shader, rules: RasterRules
     ) -> None:
-        depth = step["depth"]
+        depth = step.depth
         canvas = Canvas(
-            rules.sample_count, [self.host.clear_of(target) for target in step["targets"]],
+            rules.sample_count, [self.host.clear_of(target) for target in step.targets],
             written_by(shader), rounds=self.errors is not None, has_depth=depth is not None,
             depth=1.0 if depth is None else self.host.clear_of(depth)[0],
             blend_constant=self.host.state_of(step).blend_constant, places=self.places,
@@ -186,7 +196,7 @@ class ReferenceFrames:
         store(canvas, hulls, step, layer, rules, self.textures)
         self.counted |= canvas.counted
 
-    def _rules_of(self, step: Row, shader: Shader) -> RasterRules:
+    def _rules_of(self, step: DrawStep, shader: Shader) -> RasterRules:
         """The rules for the pictures of one step."""
         width, height = self.host.drawn_size(step)
         state = self.host.state_of(step)
@@ -240,7 +250,7 @@ class ReferenceFrames:
 
     # --- kernels ---------------------------------------------------------------------------------
 
-    def _run(self, step: Row, draw: FrameDraw) -> None:
+    def _run(self, step: RunStep, draw: FrameDraw) -> None:
         instance = draw.state.instance
         given = self._give_buffers(instance, draw)
         if not has_images(instance.reflection):
@@ -248,31 +258,29 @@ class ReferenceFrames:
                 self._shader(draw.shader), instance, self._texels(draw), given, self.rules,
                 self.errors,
             )  # fmt: skip
-            self.buffers |= {row["result"]: written[row["name"]] for row in step["buffers"]}
+            self.buffers |= {row.result: written[row.name] for row in step.buffers}
             return
-        rows = [
-            {
-                "texture": row["texture"],
-                "layer": 0,
-                "level": 0,
-                "load": "clear",
-                "clear": None,
-                "resolve": None,
-                "result": row["result"],
-            }
-            for row in step["images"]
-        ]
-        for row in rows:
-            self._make(row["texture"])
+        for image in step.images:
+            self._make(image.texture)
         drawn = replace(draw, state=full_screen_state(instance))
-        self._draw_layer(
-            {
-                "name": step["name"], "targets": rows, "depth": None, "viewport": None,
-                "scissor": None, "blend_constant": None,
-                "draws": [{"uses": [{"shader": draw.shader}]}],
-            },
-            [drawn], 0,
-        )  # fmt: skip
+        self._draw_layer(_as_pass(step), [drawn], 0)
+
+
+def _as_pass(step: RunStep) -> DrawStep:
+    """A kernel over images as a pass that draws them."""
+    targets = (
+        AttachmentRow(
+            name=image.name, result=image.result, texture=image.texture, layer=0, level=0,
+            load="clear", clear=None, store=True, resolve=None, over=None, stencil=None,
+        )
+        for image in step.images
+    )  # fmt: skip
+    drawn = DrawnRow(models=None, vertices=None, light=None, uses=step.uses)
+    return DrawStep(
+        kind="draw", name=step.name, pass_="", barriers=(), buffer_barriers=(), only_first=False,
+        targets=tuple(targets), depth=None, viewport=None, scissor=None, blend_constant=None,
+        draws=(drawn,), source=step.source, continues=False,
+    )  # fmt: skip
 
 
 def _part_of(progress: Progress | None, number: int, total: int) -> Progress | None:

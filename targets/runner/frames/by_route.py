@@ -14,6 +14,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....compiler.budget import Tally, check
+from ....compiler.documents.plan import (
+    AttachmentRow,
+    CopyStep,
+    DrawStep,
+    FramePlan,
+    KeptRow,
+    PlanStep,
+    ResolveRow,
+    RunStep,
+    WaitingRow,
+)
 from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
 from ..codes import Codes, compile_one
@@ -38,7 +49,7 @@ from ..kernels import dispatch_of, full_screen_state, has_images
 from ..routes import Route
 from ..runner import Runner
 from .host import FrameDraw as HostDraw
-from .host import FrameHost, FrameSubject, Row
+from .host import FrameHost, FrameSubject
 from .memory import bytes_of, taking_turns
 
 Floats = NDArray[np.float64]
@@ -62,7 +73,7 @@ def draw_frames(
     Raises ``CodeError`` if a compiler refuses a text, and ``DriverError``.
     """
     codes = [compile_one(route, shader.files, toolchain) for shader in host.shaders]
-    names = [row["name"] for row in host.plan["outputs"] if row["texture"] is not None]
+    names = [row.name for row in host.plan.outputs if row.texture is not None]
     found = iter(runner.draw_frame(route, frame_job(host, route, codes, names, count)).texels)
     return [{name: array_of(next(found)) for name in names} for _ in range(count)]
 
@@ -109,7 +120,7 @@ class _Job:
         self._textures = _Textures()
         self._buffers: list[FrameBuffer] = []
         self._buffer_of: dict[str, int] = {}
-        self._bytes = Tally("memory", f"the buffers and textures of {host.plan['frame']} take")
+        self._bytes = Tally("memory", f"the buffers and textures of {host.plan.frame} take")
         """What kernels write, whose sizes are known when they are run; ``_shared_memory`` counts
         all other textures."""
         self._memory: dict[int, int] = {}
@@ -122,17 +133,17 @@ class _Job:
         self._host.begin(number)
         if is_first:
             self._memory = _shared_memory(self._host)
-        for row in self._plan["kept"]:
-            for texture in (row["texture"], row["previous"]):
+        for row in self._plan.kept:
+            for texture in (row.texture, row.previous):
                 if texture is not None and texture not in self._textures.at:
-                    self._make(texture, is_black=texture == row["previous"])
-        for step in self._plan["steps"]:
-            if is_first or not step.get("only_first", False):
+                    self._make(texture, is_black=texture == row.previous)
+        for step in self._plan.steps:
+            if is_first or not step.only_first:
                 self._steps += self._translated(step, is_first)
             else:
                 self._wait_at(step, is_first)
-        self._wait_at(self._plan["end"], is_first)
-        for row in self._plan["kept"]:
+        self._wait_at(self._plan.end, is_first)
+        for row in self._plan.kept:
             self._exchange(row)
 
     def add_reading(self, outputs: Sequence[str]) -> None:
@@ -154,28 +165,26 @@ class _Job:
         )
 
     def _output(self, name: str) -> int:
-        row = next(row for row in self._plan["outputs"] if row["name"] == name)
-        kept = {row["result"]: row["previous"] for row in self._plan["kept"]}
-        return self._textures.at[kept.get(row["result"], row["texture"])]
+        return self._textures.at[_texture_of(self._plan, name)]
 
     # --- textures and buffers --------------------------------------------------------------------
 
     def _make(self, number: int, *, is_black: bool = False) -> int:
-        row = self._plan["textures"][number]
+        row = self._plan.textures[number]
         width, height = self._host.size_of(number)
-        if row["size"]["value"] is None:
+        if row.size.value is None:
             self._bytes.add(bytes_of(row, (width, height)))
-        name: Any = DEPTH_FORMATS.get(row["format"]) or FORMATS[row["format"]]
+        name: Any = DEPTH_FORMATS.get(row.format) or FORMATS[row.format]
         self._textures.made.append(
             FrameTexture(
                 name,
                 width,
                 height,
-                row["layers"],
-                row["levels"],
-                row["dimension"],
+                row.layers,
+                row.levels,
+                row.dimension,
                 is_black,
-                row["samples"],
+                row.samples,
                 self._memory.get(number),
             )
         )
@@ -187,10 +196,10 @@ class _Job:
         found = self._textures.at.get(number)
         return self._make(number) if found is None else found
 
-    def _exchange(self, row: Row) -> None:
-        one, other = row["texture"], row["previous"]
-        if one is None:
-            name = row["result"]
+    def _exchange(self, row: KeptRow) -> None:
+        one, other = row.texture, row.previous
+        if one is None or other is None:
+            name = row.result
             self._buffer_of[f"previous({name})"] = self._buffer_of.pop(name)
             return
         at = self._textures.at
@@ -198,28 +207,29 @@ class _Job:
 
     # --- steps -----------------------------------------------------------------------------------
 
-    def _translated(self, step: Row, is_first: bool) -> list[FrameStep]:
-        match step["kind"]:
-            case "copy":
+    def _translated(self, step: PlanStep, is_first: bool) -> list[FrameStep]:
+        match step:
+            case CopyStep():
                 return [self._copied(step, is_first)]
-            case "run":
+            case RunStep():
                 return [self._run(step, is_first)]
-        return self._drawn(step, is_first)
+            case DrawStep():
+                return self._drawn(step, is_first)
 
-    def _wait_at(self, place: Row, is_first: bool) -> None:
+    def _wait_at(self, place: PlanStep | WaitingRow, is_first: bool) -> None:
         """Wait where nothing is done: at the end, and in place of a step of the first frame."""
         barriers = self._barriers(place, is_first)
         buffers = self._buffer_barriers(place, is_first)
         if barriers or buffers:
             self._steps.append(FrameStep(barriers, buffer_barriers=buffers))
 
-    def _barriers(self, place: Row, is_first: bool) -> tuple[Barrier, ...]:
+    def _barriers(self, place: PlanStep | WaitingRow, is_first: bool) -> tuple[Barrier, ...]:
         found = []
-        for row in place["barriers"]:
-            if row["only_first"] and not is_first:
+        for row in place.barriers:
+            if row.only_first and not is_first:
                 continue
-            number = self._texture(row["texture"])
-            before, after = self._use(row["from"]), self._use(row["to"])
+            number = self._texture(row.texture)
+            before, after = self._use(row.before), self._use(row.after)
             if before == "undefined" and self._textures.made[number].memory is None:
                 # The last frame may still read what it left there.
                 before = self._textures.uses[number]
@@ -227,42 +237,43 @@ class _Job:
             self._textures.uses[number] = after
         return tuple(found)
 
-    def _buffer_barriers(self, place: Row, is_first: bool) -> tuple[BufferBarrier, ...]:
+    def _buffer_barriers(
+        self, place: PlanStep | WaitingRow, is_first: bool
+    ) -> tuple[BufferBarrier, ...]:
         """What is waited for of the job's own buffers; a kernel's have been made."""
         return tuple(
-            BufferBarrier(self._buffer_of[row["result"]], row["from"], row["to"])
-            for row in place["buffer_barriers"]
-            if is_first or not row["only_first"]
+            BufferBarrier(self._buffer_of[row.result], row.before, row.after)
+            for row in place.buffer_barriers
+            if is_first or not row.only_first
         )
 
     def _use(self, planned: TextureUse) -> TextureUse:
         return self._written_as if planned == "image" else planned
 
-    def _copied(self, step: Row, is_first: bool) -> FrameStep:
+    def _copied(self, step: CopyStep, is_first: bool) -> FrameStep:
         barriers = self._barriers(step, is_first)
-        source, target = (self._texture(step[end]["texture"]) for end in ("from", "to"))
+        source, target = (self._texture(end.texture) for end in (step.copied, step.into))
         return FrameStep(barriers, copied=(source, target))
 
-    def _drawn(self, step: Row, is_first: bool) -> list[FrameStep]:
+    def _drawn(self, step: DrawStep, is_first: bool) -> list[FrameStep]:
         barriers = self._barriers(step, is_first)
         draws = list(self._host.draws(step, is_first=is_first))
         for draw in draws:
             self._tell_counts(draw)
-        every = [*step["targets"], *([step["depth"]] if step["depth"] else [])]
         layers = (
             [0]
-            if every[0]["layer"] is not None
-            else range(self._plan["textures"][every[0]["texture"]]["layers"])
+            if step.attachments[0].layer is not None
+            else range(self._plan.textures[step.attachments[0].texture].layers)
         )
         found, state = [], self._host.state_of(step)
         buffers = self._buffer_barriers(step, is_first)
         for layer in layers:
-            depth = step["depth"] and self._attachment(step["depth"], layer)
+            depth = None if step.depth is None else self._attachment(step.depth, layer)
             found.append(
                 FrameStep(
                     barriers if layer == 0 else (),
-                    tuple(self._attachment(target, layer) for target in step["targets"]),
-                    depth or None,
+                    tuple(self._attachment(target, layer) for target in step.targets),
+                    depth,
                     tuple(self._draw(draw, layer) for draw in draws),
                     state.viewport,
                     state.scissor,
@@ -270,33 +281,32 @@ class _Job:
                     buffer_barriers=buffers if layer == 0 else (),
                 )
             )
-        if step.get("continues", False):
+        if step.continues:
             (alone,) = found
             return _drawn_on(self._steps.pop(), alone)
         return found
 
-    def _attachment(self, target: Row, layer: int) -> Attachment:
-        at = layer if target["layer"] is None else target["layer"]
+    def _attachment(self, target: AttachmentRow, layer: int) -> Attachment:
+        at = layer if target.layer is None else target.layer
+        stencil = target.stencil
         return Attachment(
-            self._texture(target["texture"]), at, 1, target["level"], target["load"] == "load",
-            target["store"], "stencil" in target and target["stencil"]["store"],
-            self._host.clear_of(target), self._resolve(target["resolve"]),
+            self._texture(target.texture), at, 1, target.level, target.load == "load",
+            target.store, stencil is not None and stencil.store,
+            self._host.clear_of(target), self._resolve(target.resolve),
         )  # fmt: skip
 
-    def _resolve(self, row: Row | None) -> Resolve | None:
+    def _resolve(self, row: ResolveRow | None) -> Resolve | None:
         if row is None:
             return None
-        return Resolve(self._texture(row["texture"]), row["layer"], row["level"])
+        return Resolve(self._texture(row.texture), row.layer, row.level)
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         textures, buffers = self._bound(draw)
         given = replace(state.draw(), layers=())
-        rows = self._rows(draw.shader, "textures")
         own = tuple(
             image for image, number in zip(given.textures, textures, strict=True) if number == OWN
         )
-        assert len(rows) == len(textures)
         contents = tuple(
             data for data, number in zip(given.buffers, buffers, strict=True) if number == OWN
         )
@@ -304,9 +314,15 @@ class _Job:
             draw.shader, textures, buffers, replace(given, textures=own, buffers=contents)
         )
 
-    def _rows(self, shader: int, kind: str) -> list[Row]:
-        rows = self._host.shaders[shader].reflection[kind]
-        return [row for row in rows if row["stages"]]
+    def _textures_of(self, shader: int) -> list[str]:
+        """The names of the textures that a shader reads."""
+        rows = self._host.shaders[shader].reflection.textures
+        return [row.name for row in rows if row.stages]
+
+    def _buffers_of(self, shader: int) -> list[str]:
+        """Likewise its storage buffers."""
+        rows = self._host.shaders[shader].reflection.buffers
+        return [row.name for row in rows if row.stages]
 
     def _tell_counts(self, draw: HostDraw) -> None:
         """Tell a shader how many elements there are in the buffers that kernels have written. The
@@ -320,21 +336,21 @@ class _Job:
         """For each texture and buffer that a shader reads, the job's own one or a new one."""
         textures = tuple(
             self._texture(read.texture) if read is not None and read.texture is not None else OWN
-            for read in (draw.reads.get(row["name"]) for row in self._rows(draw.shader, "textures"))
+            for read in map(draw.reads.get, self._textures_of(draw.shader))
         )
         buffers = tuple(
             OWN if read is None else self._buffer_of[read.result]
-            for read in (draw.reads.get(row["name"]) for row in self._rows(draw.shader, "buffers"))
+            for read in map(draw.reads.get, self._buffers_of(draw.shader))
         )
         return textures, buffers
 
-    def _run(self, step: Row, is_first: bool) -> FrameStep:
+    def _run(self, step: RunStep, is_first: bool) -> FrameStep:
         draw = self._host.kernel(step, is_first=is_first)
         self._tell_counts(draw)
         barriers = self._barriers(step, is_first)
         instance, reflection = draw.state.instance, draw.state.instance.reflection
         textures, buffers = self._bound(draw)
-        images = tuple(self._texture(row["texture"]) for row in step["images"])
+        images = tuple(self._texture(row.texture) for row in step.images)
         described = self._pipelines[draw.shader]
         if has_images(reflection):
             given = full_screen_state(instance)
@@ -350,7 +366,7 @@ class _Job:
         else:
             dispatch = dispatch_of(instance)
             buffers = (*buffers, *self._written(step, dispatch, len(buffers)))
-        x, y, z = reflection["work_group"]
+        assert reflection.work_group is not None, "it is a kernel"
         own = tuple(
             image
             for image, number in zip(dispatch.textures, textures, strict=True)
@@ -359,7 +375,7 @@ class _Job:
         contents = tuple(
             data for data, number in zip(dispatch.buffers, buffers, strict=True) if number == OWN
         )
-        groups = groups_of(described, dispatch, (x, y, z))
+        groups = groups_of(described, dispatch, reflection.work_group)
         return FrameStep(
             barriers, draws=(
                 FrameDraw(
@@ -370,15 +386,15 @@ class _Job:
             buffer_barriers=self._buffer_barriers(step, is_first),
         )  # fmt: skip
 
-    def _written(self, step: Row, dispatch: Dispatch, first: int) -> list[int]:
+    def _written(self, step: PlanStep, dispatch: Dispatch, first: int) -> list[int]:
         """The job's buffers for what a kernel writes; each run has new ones."""
         found = []
-        for row, data in zip(step["buffers"], dispatch.buffers[first:], strict=True):
+        for row, data in zip(step.buffers, dispatch.buffers[first:], strict=True):
             self._bytes.add(len(data))
             initial = int.from_bytes(data[:WORD], "little")
             self._buffers.append(FrameBuffer(len(data) // WORD, initial))
             found.append(len(self._buffers) - 1)
-            self._buffer_of[row["result"]] = found[-1]
+            self._buffer_of[row.result] = found[-1]
         return found
 
     def _run_as_pass(
@@ -387,6 +403,13 @@ class _Job:
         """A kernel over images where these are drawn."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+
+
+def _texture_of(plan: FramePlan, output: str) -> int:
+    """The texture of an output that is a picture."""
+    texture = plan.output_texture(output)
+    assert texture is not None, "it is no buffer"
+    return texture
 
 
 def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
@@ -412,11 +435,11 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
 def _shared_memory(host: FrameHost) -> dict[int, int]:
     """A number for each texture that takes turns with others. Sizes that a kernel says are known
     too late."""
-    rows = host.plan["textures"]
-    known = [number for number, row in enumerate(rows) if row["size"]["value"] is not None]
+    rows = host.plan.textures
+    known = [number for number, row in enumerate(rows) if row.size.value is not None]
     needed = {number: bytes_of(rows[number], host.size_of(number)) for number in known}
     groups = taking_turns(host.plan, needed)
-    said = f"the textures of {host.plan['frame']} take"
+    said = f"the textures of {host.plan.frame} take"
     check("memory", sum(max(needed.get(each, 0) for each in group) for group in groups), said)
     groups = [group for group in groups if len(group) > 1]
     return {texture: number for number, group in enumerate(groups) for texture in group}

@@ -16,20 +16,20 @@ def check_textures(host: FrameHost, frames: int) -> None:
 
     What a kernel says the size of is known too late, and not among these.
     """
-    rows = host.plan["textures"]
+    rows = host.plan.textures
     sizes = {
         number: host.size_of(number)
         for number, row in enumerate(rows)
-        if row["size"]["value"] is not None
+        if row.size.value is not None
     }
     needed = {number: bytes_of(rows[number], size) for number, size in sizes.items()}
     groups = [group for group in taking_turns(host.plan, needed) if needed.keys() >= set(group)]
     back = 0
-    for row in host.plan["outputs"]:
-        if row["texture"] in sizes:
-            width, height = sizes[row["texture"]]
-            back += width * height * rows[row["texture"]]["layers"] * TEXEL
+    for row in host.plan.outputs:
+        if row.texture is not None and row.texture in sizes:
+            width, height = sizes[row.texture]
+            back += width * height * rows[row.texture].layers * TEXEL
     whole = total(groups, needed) + back * COPIES * frames
     pictures = "" if frames == 1 else f"{frames} pictures of "
     verb = "needs" if frames == 1 else "need"
-    check("memory", whole, f"{pictures}the frame `{host.plan['frame']}` {verb}")
+    check("memory", whole, f"{pictures}the frame `{host.plan.frame}` {verb}")

@@ -6,13 +6,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ....compiler.documents.plan import (
+    AttachmentRow,
+    DrawStep,
+    FrameTextureRow,
+    ResolveRow,
+)
 from ....compiler.ir.image_sizes import halved
 from ....compiler.reference.picture import (
     NOWHERE,
@@ -24,7 +30,6 @@ from ....compiler.reference.picture import (
     formats,
     samples_on,
 )
-from .host import Row
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -57,21 +62,21 @@ class Drawn:
     place; empty if there are none."""
 
     @classmethod
-    def empty(cls, row: Row, size: tuple[int, int]) -> Drawn:
+    def empty(cls, row: FrameTextureRow, size: tuple[int, int]) -> Drawn:
         """Transparent black, or as far away as can be."""
-        lanes, value = (1, 1.0) if row["format"].startswith(DEPTHS) else (4, 0.0)
+        lanes, value = (1, 1.0) if row.format.startswith(DEPTHS) else (4, 0.0)
         levels = []
-        for level in range(row["levels"]):
+        for level in range(row.levels):
             width, height = (halved(side, level) for side in size)
-            shape = _ENDS, row["layers"], height, width * row["samples"], lanes
+            shape = _ENDS, row.layers, height, width * row.samples, lanes
             levels.append(np.full(shape, value))
         undecided = [np.zeros(level.shape[1:4], np.bool_) for level in levels]
-        beside = undecided if row["format"].endswith(STENCILS) else []
+        beside = undecided if row.format.endswith(STENCILS) else []
         stencil = [np.zeros(level.shape, np.int64) for level in beside]
         unsure = [level.copy() for level in beside]
-        deep = undecided if row["format"].startswith(DEPTHS) else []
+        deep = undecided if row.format.startswith(DEPTHS) else []
         faces = [np.full(level.shape, NOWHERE) for level in deep]
-        return cls(row["format"], row["dimension"], levels, undecided, stencil, unsure, faces)
+        return cls(row.format, row.dimension, levels, undecided, stencil, unsure, faces)
 
     @property
     def lanes(self) -> int:
@@ -96,37 +101,30 @@ class Drawn:
         return deepcopy(self)
 
 
-def size_of_drawn(row: Row, size: tuple[int, int]) -> int:
+def size_of_drawn(row: FrameTextureRow, size: tuple[int, int]) -> int:
     """How many bytes a texture of a plan takes, with its levels and what is noted beside it."""
     width, height = size
-    texels = sum(halved(width, level) * halved(height, level) for level in range(row["levels"]))
-    lanes = 1 if row["format"].startswith(DEPTHS) else 4
-    return texels * int(row["layers"]) * int(row["samples"]) * (_ENDS * lanes * 8 + _BESIDE)
+    texels = sum(halved(width, level) * halved(height, level) for level in range(row.levels))
+    lanes = 1 if row.format.startswith(DEPTHS) else 4
+    return texels * row.layers * row.samples * (_ENDS * lanes * 8 + _BESIDE)
 
 
 Textures = Mapping[int, Drawn]
 """All of a frame, by their numbers in the plan."""
 
 
-def attachments(step: Row) -> Iterator[Row]:
-    """What a step draws to."""
-    yield from step["targets"]
-    if step["depth"] is not None:
-        yield step["depth"]
-
-
 # --- what a step finds ---------------------------------------------------------------------------
 
 
-def load(canvas: Canvas, hulls: Hulls, step: Row, layer: int, textures: Textures) -> None:
+def load(canvas: Canvas, hulls: Hulls, step: DrawStep, layer: int, textures: Textures) -> None:
     """Put what is there before on a canvas, and what undecided samples of it may be."""
-    for number, target in enumerate(step["targets"]):
-        if target["load"] == "load":
+    for number, target in enumerate(step.targets):
+        if target.load == "load":
             there = _samples(target, layer, textures)
             canvas.targets[number][:] = there
             hulls.targets[number][:] = there[1:]
-    depth = step["depth"]
-    if depth is not None and depth["load"] == "load":
+    depth = step.depth
+    if depth is not None and depth.load == "load":
         value, low, high = there = _samples(depth, layer, textures)[..., 0]
         canvas.depth[:] = value
         canvas.depth_off[:] = np.maximum(high - value, value - low)
@@ -134,13 +132,13 @@ def load(canvas: Canvas, hulls: Hulls, step: Row, layer: int, textures: Textures
         canvas.place[:] = textures[texture].faces[level][at].ravel()
         hulls.depth[:] = there[1:]
         _load_stencil(canvas, depth, layer, textures)
-    for target in attachments(step):
-        if target["load"] == "load":
+    for target in step.attachments:
+        if target.load == "load":
             texture, at, level = _place(target, layer)
             canvas.shaky |= textures[texture].undecided[level][at].ravel()
 
 
-def _load_stencil(canvas: Canvas, depth: Row, layer: int, textures: Textures) -> None:
+def _load_stencil(canvas: Canvas, depth: AttachmentRow, layer: int, textures: Textures) -> None:
     texture, at, level = _place(depth, layer)
     kept = textures[texture]
     if kept.stencil:
@@ -148,7 +146,7 @@ def _load_stencil(canvas: Canvas, depth: Row, layer: int, textures: Textures) ->
         canvas.stencil.unsure[:] = kept.stencil_unsure[level][at].ravel()
 
 
-def _samples(target: Row, layer: int, textures: Textures) -> Floats:
+def _samples(target: AttachmentRow, layer: int, textures: Textures) -> Floats:
     """What is there of a layer and level: (3, samples, lanes)."""
     texture, at, level = _place(target, layer)
     found = textures[texture].levels[level][:, at]
@@ -159,31 +157,31 @@ def _samples(target: Row, layer: int, textures: Textures) -> Floats:
 
 
 def store(
-    canvas: Canvas, hulls: Hulls, step: Row, layer: int, rules: RasterRules, textures: Textures
+    canvas: Canvas, hulls: Hulls, step: DrawStep, layer: int, rules: RasterRules, textures: Textures
 ) -> None:
     """Keep what was drawn: all samples and, where the plan resolves them, their means."""
     picture = expected_on(canvas, rules, hulls=hulls)
     undecided = canvas.undecided | canvas.shaky
-    for number, target in enumerate(step["targets"]):
-        mean = target
+    for number, target in enumerate(step.targets):
+        mean: AttachmentRow | ResolveRow | None = target
         if rules.samples > 1:
             samples = samples_on(canvas, number, hulls)
             _keep(_place(target, layer), samples, undecided, textures)
-            mean = target["resolve"]
+            mean = target.resolve
         if mean is not None:
             ends = picture.targets[number], picture.low[number], picture.high[number]
             _keep(_place(mean, layer), ends, picture.undecided, textures)
-    if step["depth"] is not None:
+    if step.depth is not None:
         value, off = canvas.depth, canvas.depth_off
         low, high = (
             np.where(undecided, *ends)
             for ends in zip(hulls.depth, (value - off, value + off), strict=True)
         )
-        texture, at, level = place = _place(step["depth"], layer)
+        texture, at, level = place = _place(step.depth, layer)
         _keep(place, (value, low, high), undecided, textures)
         faces = textures[texture].faces[level]
         faces[at] = canvas.place.reshape(faces[at].shape)
-        _keep_stencil(step["depth"], layer, canvas, textures)
+        _keep_stencil(step.depth, layer, canvas, textures)
 
 
 def _keep(
@@ -199,7 +197,7 @@ def _keep(
     drawn.undecided[level][at] = undecided.reshape(drawn.undecided[level][at].shape)
 
 
-def _keep_stencil(depth: Row, layer: int, canvas: Canvas, textures: Textures) -> None:
+def _keep_stencil(depth: AttachmentRow, layer: int, canvas: Canvas, textures: Textures) -> None:
     texture, at, level = _place(depth, layer)
     drawn = textures[texture]
     if drawn.stencil:
@@ -208,6 +206,6 @@ def _keep_stencil(depth: Row, layer: int, canvas: Canvas, textures: Textures) ->
         drawn.stencil_unsure[level][at] = canvas.stencil.unsure.reshape(shape)
 
 
-def _place(target: Row, layer: int) -> tuple[int, int, int]:
-    at = layer if target["layer"] is None else target["layer"]
-    return target["texture"], at, target["level"]
+def _place(target: AttachmentRow | ResolveRow, layer: int) -> tuple[int, int, int]:
+    at = layer if target.layer is None else target.layer
+    return target.texture, at, target.level

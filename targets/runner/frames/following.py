@@ -15,14 +15,15 @@ from typing import Any
 
 import numpy as np
 
+from ....compiler.documents.plan import AttachmentRow, CopyStep, DrawStep, KeptRow, PlanStep
 from ....compiler.ir.shader import Shader
 from ....compiler.ir.stages import TARGET
 from ....compiler.reference.attribution import Explanation, UncoveredError, explain
 from ....compiler.reference.storage_buffers import Contents
 from ....frozen import changed
 from .by_reference import ReferenceFrames
-from .drawn import DEPTHS, Drawn, attachments
-from .host import FrameDraw, Row
+from .drawn import DEPTHS, Drawn
+from .host import FrameDraw
 
 BEFORE = "what was there before"
 """Stands for what a step finds in its own textures."""
@@ -60,7 +61,7 @@ class Made:
 class _Layer:
     """One layer of a step, as it was drawn."""
 
-    step: Row
+    step: DrawStep
     draws: list[FrameDraw]
     layer: int
     before: Mapping[int, Drawn]
@@ -82,58 +83,58 @@ class FollowedFrames(ReferenceFrames):
     @property
     def found(self) -> Made | None:
         """How the pixel of the last frame came about; ``None`` if no step has made it."""
-        previous = {row["texture"]: row["previous"] for row in self.host.plan["kept"]}
-        return self.made.get(previous.get(self.texture, self.texture))
+        previous = {row.texture: row.previous for row in self.host.plan.kept}
+        return self.made.get(previous.get(self.texture) or self.texture)
 
-    def _step(self, step: Row, is_first: bool) -> None:
+    def _step(self, step: PlanStep, is_first: bool) -> None:
         ReferenceFrames._step(self, step, is_first)
-        if step["kind"] == "copy" and step["from"]["texture"] in self.made:
-            self.made[step["to"]["texture"]] = self.made[step["from"]["texture"]]
+        if isinstance(step, CopyStep) and step.copied.texture in self.made:
+            self.made[step.into.texture] = self.made[step.copied.texture]
 
-    def _exchange(self, row: Row) -> None:
+    def _exchange(self, row: KeptRow) -> None:
         ReferenceFrames._exchange(self, row)
-        one, other = row["texture"], row["previous"]
-        swapped = {one: other, other: one}
+        one, other = row.texture, row.previous
+        swapped = {} if one is None or other is None else {one: other, other: one}
         self.made = {swapped.get(number, number): made for number, made in self.made.items()}
 
-    def _draw_layer(self, step: Row, draws: list[FrameDraw], layer: int) -> None:
+    def _draw_layer(self, step: DrawStep, draws: list[FrameDraw], layer: int) -> None:
         followed = list(self._followed(step, layer))
         before = {}
         if followed:
-            places = [place for target in attachments(step) for place in _places(target)]
-            before = {at["texture"]: self.textures[at["texture"]].copy() for at in places}
+            places = [place for target in step.attachments for place in target.places]
+            before = {at.texture: self.textures[at.texture].copy() for at in places}
         ReferenceFrames._draw_layer(self, step, draws, layer)
         for target in followed:
             self._follow(_Layer(step, draws, layer, before), target)
 
-    def _followed(self, step: Row, layer: int) -> Iterator[Row]:
+    def _followed(self, step: DrawStep, layer: int) -> Iterator[AttachmentRow]:
         """What a step draws to that has the pixel."""
         wanted = self._same_textures()
-        for target in attachments(step):
-            for place in _places(target):
-                at = layer if place["layer"] is None else place["layer"]
-                if place["texture"] in wanted and (at, place["level"]) == (self.layer, 0):
+        for target in step.attachments:
+            for place in target.places:
+                at = layer if place.layer is None else place.layer
+                if place.texture in wanted and (at, place.level) == (self.layer, 0):
                     yield target
 
     def _same_textures(self) -> set[int]:
         """The textures whose contents may become those of the followed one."""
         plan, found = self.host.plan, {self.texture}
-        for row in plan["kept"]:
-            if row["texture"] == self.texture:
-                found.add(row["previous"])
-        for step in reversed(plan["steps"]):
-            if step["kind"] == "copy" and step["to"]["texture"] in found:
-                found.add(step["from"]["texture"])
+        for row in plan.kept:
+            if row.texture == self.texture and row.previous is not None:
+                found.add(row.previous)
+        for step in reversed(plan.steps):
+            if isinstance(step, CopyStep) and step.into.texture in found:
+                found.add(step.copied.texture)
         return found
 
     # --- one step --------------------------------------------------------------------------------
 
-    def _follow(self, drawn: _Layer, target: Row) -> None:
+    def _follow(self, drawn: _Layer, target: AttachmentRow) -> None:
         """Note how a step has made the pixel, unless it has left that as it was."""
-        place = _places(target)[-1]["texture"]
+        place = target.places[-1].texture
         explanation = self._explanation(drawn, target)
         is_depth = self.textures[place].format.startswith(DEPTHS)
-        draws_over = target["load"] == "load"
+        draws_over = target.load == "load"
         if explanation is None and draws_over and not is_depth:
             return
         read = {each.result: name for draw in drawn.draws for name, each in draw.reads.items()}
@@ -145,7 +146,7 @@ class FollowedFrames(ReferenceFrames):
             for made, name in read.items()
         ]
         self.made[place] = Made(
-            drawn.step["name"], whole, tuple(sorted(carried, key=lambda one: one.apart)),
+            drawn.step.name, whole, tuple(sorted(carried, key=lambda one: one.apart)),
             self._apart_without(drawn, place, read), explanation,
         )  # fmt: skip
 
@@ -180,9 +181,9 @@ class FollowedFrames(ReferenceFrames):
         finally:
             self.textures, self.buffers, self.counted = textures, buffers, counted
 
-    def _explanation(self, drawn: _Layer, target: Row) -> Explanation | None:
+    def _explanation(self, drawn: _Layer, target: AttachmentRow) -> Explanation | None:
         """Why the shader of that draw makes errors which the pixel shows."""
-        targets = drawn.step["targets"]
+        targets = drawn.step.targets
         if target not in targets or self.errors is None:
             return None
         x, y = self.pixel
@@ -196,7 +197,7 @@ class FollowedFrames(ReferenceFrames):
                     shader, _as_stored(made.values), made.texels, made.geometry, rules,
                     self.errors, x, y,
                 ))  # fmt: skip
-        texture = self.textures[_places(target)[-1]["texture"]]
+        texture = self.textures[target.places[-1].texture]
         value = texture.levels[0][0, self.layer, y, x]
 
         def off(one: Explanation) -> float:
@@ -204,11 +205,6 @@ class FollowedFrames(ReferenceFrames):
 
         # Of blended draws, none may fit better than the others: then the last one counts.
         return min(reversed(found), key=off, default=None)
-
-
-def _places(target: Row) -> list[Row]:
-    """Where a target of a step is kept: its samples and, where there are any, their means."""
-    return [place for place in (target, target["resolve"]) if place is not None]
 
 
 def _as_stored(values: Mapping[str, Any]) -> dict[str, Any]:

@@ -14,8 +14,26 @@ import numpy as np
 
 from ....compiler.budget import BudgetError, Tally
 from ....compiler.diagnostics.nearest import suggestion
+from ....compiler.documents.plan import (
+    AttachmentRow,
+    DrawnRow,
+    DrawStep,
+    FramePlan,
+    HostSource,
+    HostTextureRow,
+    PlanStep,
+    PreviousSource,
+    ResultSource,
+    RunStep,
+    UseRow,
+    ValueSource,
+)
+from ....compiler.documents.reflection import Reflection
+from ....compiler.documents.steps import StepRow
+from ....compiler.documents.values import BufferRow, DerivedRow, LightRow, ParameterRow
 from ....compiler.ir.primitives import CORNERS
-from ..instances.instance import FORMAT, Instance, MissingValuesError
+from ..instances.host_values import HostValues, MissingValuesError
+from ..instances.instance import Instance
 from ..instances.values import UnknownParameterError
 from ..meshes import Mesh
 from ..scene import value_roles
@@ -23,22 +41,16 @@ from ..scene_state import Color, SceneState, drawn_state
 from ..subject import Subject
 from .checking import PlanError, check_plan
 from .checks.reflections import LANE
-from .checks.rows import attachments
 from .numbers import is_of
 from .scenery import Model, Scenery
 from .settings import StepState, cleared, step_state
 from .sizes import Size, checked_size, drawn_size
-
-VERSION = 1
-"""The version of plans that this code executes."""
 
 NUMBERS = 1 << 24
 """How many frames are told apart: then `number` is 0 again."""
 
 MOST_VERTICES = 1 << 24
 """That a step draws without models: as many as float32 can tell apart."""
-
-Row = Mapping[str, Any]
 
 
 class PlannedFrame(Protocol):
@@ -49,7 +61,7 @@ class PlannedFrame(Protocol):
         """The frame's name."""
 
     @property
-    def plan(self) -> Row:
+    def plan(self) -> FramePlan:
         """What a host does."""
 
     @property
@@ -61,7 +73,7 @@ class FrameSubject(PlannedFrame, Protocol):
     """A compiled frame, as ``burnish.compile`` returns it."""
 
     @property
-    def plan_of_reference(self) -> Row:
+    def plan_of_reference(self) -> FramePlan:
         """What the reference does: a plan of its own, in which results share nothing."""
 
 
@@ -124,19 +136,17 @@ class FrameHost:
     """The values of one frame."""
 
     def __init__(self, subject: PlannedFrame, scenery: Scenery, size: tuple[int, int]) -> None:
-        """Raises ``PlanError`` for a plan of another version, or one that cannot be executed."""
+        """Raises ``PlanError`` for a plan that cannot be executed."""
         plan = subject.plan
-        if plan.get("plan") != VERSION:
-            raise PlanError(f"this is no plan of version {VERSION}")
         check_plan(plan, [shader.reflection for shader in subject.shaders])
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery
-        what = f"a frame of {plan['frame']} takes"
+        what = f"a frame of {plan.frame} takes"
         self._steps, self._vertices = Tally("steps", what), Tally("vertices", what)
         """What one frame takes beside its models: what the host computes and sets, and what is
         drawn without any."""
-        self.values = Instance(_as_reflection(plan), self._steps)
+        self.values = HostValues(FrameDeclarations(plan), self._steps)
         self.size = size
         """The width and height of what the frame draws, as far as it says no other size."""
         width, height = size
@@ -149,7 +159,7 @@ class FrameHost:
         self.instances = [Instance(shader.reflection, self._steps) for shader in self.shaders]
         """For each shader the values of its materials that are the same for all models."""
         self._costs = [_cost(shader.reflection) for shader in self.shaders]
-        self._lights_by_name: dict[str, Row] = {row["name"]: row for row in plan["lights"]}
+        self._lights_by_name = {row.name: row for row in plan.lights}
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
 
@@ -166,10 +176,11 @@ class FrameHost:
         """The same for a value that ``Instance.set`` takes. Raises ``ParameterError``."""
         self._set(name, lambda instance: instance.set(name, value))
 
-    def _set(self, name: str, act: Callable[[Instance], None]) -> None:
+    def _set(self, name: str, act: Callable[[HostValues], None]) -> None:
         self.given |= {name}
         is_known = False
-        for instance in (self.values, *self.instances):
+        every: tuple[HostValues, ...] = (self.values, *self.instances)
+        for instance in every:
             try:
                 act(instance)
             except UnknownParameterError:
@@ -182,12 +193,11 @@ class FrameHost:
 
     def _unknown(self, name: str) -> str:
         """What to say of a name that neither the frame nor a shader has."""
-        reflections = [each.reflection for each in (self.values, *self.instances)]
+        declared = [each.declared for each in (self.values, *self.instances)]
         names = [
-            row["name"]
-            for reflection in reflections
-            for kind in ("parameters", "textures", "buffers")
-            for row in reflection[kind]
+            row.name
+            for each in declared
+            for row in (*each.parameters, *each.textures, *each.buffers)
         ]
         roots = list(dict.fromkeys(known.partition(".")[0] for known in names))
         root = name.partition(".")[0].partition("[")[0]
@@ -211,25 +221,25 @@ class FrameHost:
     def number(self, value: int) -> Any:
         """One of the plan's values, in the form in which an instance takes it. Raises
         ``MissingValuesError``, and ``PlanError`` for steps that compute nothing of its type."""
-        row, where = self.plan["values"][value], f"{self.plan['frame']}, value {value}"
+        row, where = self.plan.values[value], f"{self.plan.frame}, value {value}"
         try:
-            found = self.values.evaluated(row["steps"])
+            found = self.values.evaluated(row.steps)
         except (BudgetError, MissingValuesError):
             raise
         except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError,
                 StopIteration) as error:  # fmt: skip
             raise PlanError(f"{where}: its steps cannot be computed") from error
-        if not is_of(found, row["representation"]):
-            raise PlanError(f"{where}: its steps compute no {row['representation']}")
+        if not is_of(found, row.representation):
+            raise PlanError(f"{where}: its steps compute no {row.representation}")
         return found
 
     def size_of(self, texture: int) -> tuple[int, int]:
         """The width and the height of a texture's first level."""
-        row = self.plan["textures"][texture]
-        if row["size"]["value"] is None:
-            width, height = self._extent(row["size"]["extent_of"])
+        row = self.plan.textures[texture]
+        if row.size.value is None:
+            width, height = self._extent(row.size.extent_of or "")
         else:
-            width, height = (int(lane) for lane in self.number(row["size"]["value"]))
+            width, height = (int(lane) for lane in self.number(row.size.value))
         return checked_size(row, width, height)
 
     def _extent(self, step: str) -> tuple[int, int]:
@@ -241,80 +251,80 @@ class FrameHost:
             )
         return self._kernels[step].image_size()
 
-    def drawn_size(self, step: Row) -> Size:
+    def drawn_size(self, step: PlanStep) -> Size:
         """The size of all that a step draws to. Raises ``PlanError`` where its targets differ."""
-        sizes = {row["texture"]: self.size_of(row["texture"]) for row in attachments(step)}
+        sizes = {row.texture: self.size_of(row.texture) for row in step.attachments}
         return drawn_size(self.plan, step, sizes)
 
-    def state_of(self, step: Row) -> StepState:
+    def state_of(self, step: DrawStep) -> StepState:
         """What a step sets for all that it draws. Raises ``PlanError`` for a viewport that is not
         within its targets."""
         return step_state(self.plan, step, self.drawn_size(step), self.number)
 
-    def clear_of(self, target: Row) -> Color:
+    def clear_of(self, target: AttachmentRow) -> Color:
         """What a target is cleared to; of depths, the first number."""
         return cleared(self.plan, target, self.number)
 
     # --- draws -----------------------------------------------------------------------------------
 
-    def draws(self, step: Row, *, is_first: bool) -> Iterator[FrameDraw]:
+    def draws(self, step: DrawStep, *, is_first: bool) -> Iterator[FrameDraw]:
         """All draws of a step that draws, one behind the other."""
         state = self.state_of(step)
         size = self.drawn_size(step)
         onto = _Onto(size, size if state.viewport is None else state.viewport[2:])
-        for drawn in step["draws"]:
-            for light in self._lights(drawn["light"]):
+        for drawn in step.draws:
+            for light in self._lights(drawn.light):
                 yield from self._drawn(drawn, light, onto, is_first)
 
-    def kernel(self, step: Row, *, is_first: bool) -> FrameDraw:
+    def kernel(self, step: RunStep, *, is_first: bool) -> FrameDraw:
         """The run of a kernel."""
-        self._steps.add(self._costs[step["shader"]])
-        instance = self.instances[step["shader"]].copied()
-        reads = self._give(instance, step, is_first)
-        self._kernels[step["name"]] = instance
-        return FrameDraw(
-            step["shader"], SceneState(1, 1, {}, KERNEL.triangles, instance, ()), reads
-        )
+        shader = step.use.shader
+        self._steps.add(self._costs[shader])
+        instance = self.instances[shader].copied()
+        reads = self._give(instance, step.use, is_first)
+        self._kernels[step.name] = instance
+        return FrameDraw(shader, SceneState(1, 1, {}, KERNEL.triangles, instance, ()), reads)
 
     def _lights(self, entry: str | None) -> Sequence[tuple[str, int | None] | None]:
         """Each light of an entry of the rig, by its name and number."""
         if entry is None:
             return (None,)
         row = self._light(entry)
-        if row["capacity"] is None:
+        if row.capacity is None:
             return ((entry, None),)
-        count = row["capacity"]
-        if row["count"] is not None:
-            count = min(max(self.values.get(row["count"]), 0), count)
+        count = row.capacity
+        if row.count is not None:
+            count = min(max(self.values.get(row.count), 0), count)
         return tuple((entry, number) for number in range(count))
 
-    def _light(self, entry: str) -> Row:
+    def _light(self, entry: str) -> LightRow:
         """The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it
         is that of something else as well."""
-        found: Row | None = self._lights_by_name.get(entry)
-        return found or self._lights_by_name[f"{self.plan['rig']}.{entry}"]
+        found = self._lights_by_name.get(entry)
+        return found or self._lights_by_name[f"{self.plan.rig}.{entry}"]
 
     def _drawn(
         self,
-        drawn: Row,
+        drawn: DrawnRow,
         light: tuple[str, int | None] | None,
         onto: _Onto,
         is_first: bool,
     ) -> Iterator[FrameDraw]:
-        uses = {use["material"]: use for use in drawn["uses"]}
-        self._steps.add(sum(self._costs[use["shader"]] for use in drawn["uses"]))
-        if drawn["models"] is None:
-            count = self._vertex_count(drawn["vertices"])
-            primitive = self.instances[uses[None]["shader"]].reflection["draw"]["primitive"]
+        uses = {use.material: use for use in drawn.uses}
+        self._steps.add(sum(self._costs[use.shader] for use in drawn.uses))
+        if drawn.models is None:
+            assert drawn.vertices is not None, "names are checked"
+            count = self._vertex_count(drawn.vertices)
+            primitive = self.instances[uses[None].shader].reflection.draw.primitive
             if count >= CORNERS[primitive]:
                 mesh = bare_mesh(count, primitive)
                 yield self._one(uses[None], None, mesh, light, onto, is_first)
             return
-        for model in self.scenery.tagged(drawn["models"]):
+        for model in self.scenery.tagged(drawn.models):
             if model.material not in uses:
-                known = ", ".join(uses)
+                known = ", ".join(filter(None, uses))
                 raise PlanError(
-                    f"a model of `{drawn['models']}` has the material {model.material}, and the "
+                    f"a model of `{drawn.models}` has the material {model.material}, and the "
                     f"frame draws {known}"
                 )
             yield self._one(uses[model.material], model, model.mesh, light, onto, is_first)
@@ -330,14 +340,14 @@ class FrameHost:
 
     def _one(
         self,
-        use: Row,
+        use: UseRow,
         model: Model | None,
         mesh: Mesh,
         light: tuple[str, int | None] | None,
         onto: _Onto,
         is_first: bool,
     ) -> FrameDraw:
-        instance = self.instances[use["shader"]].copied()
+        instance = self.instances[use.shader].copied()
         scene = self.scenery.scene
         if model is not None:
             scene = replace(
@@ -346,40 +356,41 @@ class FrameHost:
         scene.apply(instance, onto.seen[0] / onto.seen[1], self.given)
         self._shine(instance, light)
         reads = self._give(instance, use, is_first)
-        return FrameDraw(use["shader"], drawn_state(instance, mesh, onto.size), reads)
+        return FrameDraw(use.shader, drawn_state(instance, mesh, onto.size), reads)
 
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; of a single one, that of its entry."""
-        for row in instance.reflection["lights"]:
-            entry = row["name"].removeprefix(f"{instance.reflection['rig']}.")
+        for row in instance.reflection.lights:
+            entry = row.name.removeprefix(f"{instance.reflection.rig}.")
             own = self._light(entry)
-            source = own["name"]
+            source = own.name
             if light is not None and light[1] is not None and entry == light[0]:
                 source = f"{source}[{light[1]}]"
-            if row["capacity"] is None:
-                for name in row["parameters"]:
-                    member = name.removeprefix(f"{row['name']}.")
+            if row.capacity is None:
+                for name in row.parameters:
+                    member = name.removeprefix(f"{row.name}.")
                     instance.set(name, self.values.get(f"{source}.{member}"))
             else:
-                instance.take(row["name"], self.values, own["name"])
-                if row["count"] is not None:
-                    instance.take(row["count"], self.values, own["count"])
+                instance.take(row.name, self.values, own.name)
+                if row.count is not None and own.count is not None:
+                    instance.take(row.count, self.values, own.count)
 
-    def _give(self, instance: Instance, use: Row, is_first: bool) -> dict[str, Read]:
+    def _give(self, instance: Instance, use: UseRow, is_first: bool) -> dict[str, Read]:
         """Give a shader what the frame sets; what steps have made is returned."""
         reads = {}
-        for row in use["inputs"]:
-            name, source = row["name"], row
-            if is_first and row.get("initially") is not None:
-                source = row["initially"]
-            if "value" in source:
-                instance.set(name, self.number(source["value"]))
-            elif "host" in source:
-                self._bind(instance, name, source["host"])
-            elif "previous" in source:
-                reads[name] = Read(f"previous({source['previous']})", source["texture"])
-            else:
-                reads[name] = Read(source["result"], source["texture"])
+        for row in use.inputs:
+            name, source = row.name, row.source
+            if is_first and isinstance(source, PreviousSource) and source.initially is not None:
+                source = source.initially
+            match source:
+                case ValueSource():
+                    instance.set(name, self.number(source.value))
+                case HostSource():
+                    self._bind(instance, name, source.host)
+                case PreviousSource():
+                    reads[name] = Read(f"previous({source.previous})", source.texture)
+                case ResultSource():
+                    reads[name] = Read(source.result, source.texture)
         for name, read in reads.items():
             if read.texture is not None:
                 instance.bind_own(name, self.size_of(read.texture))
@@ -395,31 +406,57 @@ class FrameHost:
 
 
 _GIVEN = ("parameters", "derived", "lights", "buffers", "textures", "vertex_inputs", "targets")
-"""What a draw has to be given, by the keys of a reflection."""
+"""What a draw has to be given, by the tables of a reflection."""
 
 
-def _cost(reflection: Row) -> int:
+def _cost(reflection: Reflection) -> int:
     """How many things are set for a draw of a shader: rows, and the lanes of its parameters."""
-    lanes: int = sum(row["size"] for row in reflection["parameters"]) // LANE
-    return lanes + sum(len(reflection[key]) for key in _GIVEN)
+    lanes = sum(row.size for row in reflection.parameters) // LANE
+    return lanes + sum(len(getattr(reflection, table)) for table in _GIVEN)
 
 
-def _as_reflection(plan: Row) -> dict[str, Any]:
+@dataclass(frozen=True, slots=True)
+class FrameDeclarations:
     """What a host sets of a frame, in the form in which it sets the values of a shader."""
-    return {
-        "format": FORMAT,
-        "material": plan["frame"],
-        "rig": plan["rig"],
-        "draw": None,
-        "extent": None,
-        "blocks": [],
-        "parameters": plan["parameters"],
-        "derived": [
-            {"name": f"value {number}", "steps": value["steps"]}
-            for number, value in enumerate(plan["values"])
-        ],
-        "lights": plan["lights"],
-        "buffers": plan["host_buffers"],
-        "results": [],
-        "textures": plan["host_textures"],
-    }
+
+    plan: FramePlan
+
+    @property
+    def material(self) -> str:
+        """The name of the frame."""
+        return self.plan.frame
+
+    @property
+    def rig(self) -> str:
+        """The rig of the frame."""
+        return self.plan.rig
+
+    @property
+    def parameters(self) -> Sequence[ParameterRow]:
+        """The parameters of the frame and of its lights."""
+        return self.plan.parameters
+
+    @property
+    def derived(self) -> Sequence[DerivedRow]:
+        """Nothing: a frame has no blocks."""
+        return ()
+
+    @property
+    def lights(self) -> Sequence[LightRow]:
+        """The lights of the rig."""
+        return self.plan.lights
+
+    @property
+    def buffers(self) -> Sequence[BufferRow]:
+        """The storage buffers that the host binds."""
+        return self.plan.host_buffers
+
+    @property
+    def textures(self) -> Sequence[HostTextureRow]:
+        """The textures that the host binds."""
+        return self.plan.host_textures
+
+    @property
+    def computed(self) -> Iterator[Sequence[StepRow]]:
+        """The steps of the frame's values."""
+        return (value.steps for value in self.plan.values)

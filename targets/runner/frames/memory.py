@@ -10,10 +10,11 @@ from __future__ import annotations
 from bisect import bisect, insort
 from collections.abc import Mapping, Sequence
 
+from ....compiler.documents.plan import DrawStep, FramePlan, FrameTextureRow
 from ....compiler.ir.image_sizes import halved
 from ..binding import FORMATS
 from ..drivers.readback import TEXEL_LANES
-from .checks.rows import Row, drawn_to, is_rare, written
+from .checks.rows import drawn_to, written
 from .sizes import Size
 
 MOST_TRIED = 64
@@ -23,12 +24,12 @@ DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
 """Of a texel."""
 
 
-def bytes_of(texture: Row, size: Size) -> int:
+def bytes_of(texture: FrameTextureRow, size: Size) -> int:
     """How much memory a texture needs at least."""
     width, height = size
-    texels = sum(halved(width, level) * halved(height, level) for level in range(texture["levels"]))
-    samples = texels * int(texture["layers"]) * int(texture["samples"])
-    return samples * _texel_bytes(texture["format"])
+    texels = sum(halved(width, level) * halved(height, level) for level in range(texture.levels))
+    samples = texels * texture.layers * texture.samples
+    return samples * _texel_bytes(texture.format)
 
 
 def _texel_bytes(format_: str) -> int:
@@ -38,7 +39,7 @@ def _texel_bytes(format_: str) -> int:
     return lanes * int(kind.itemsize)
 
 
-def taking_turns(plan: Row, needed: Mapping[int, int]) -> list[list[int]]:
+def taking_turns(plan: FramePlan, needed: Mapping[int, int]) -> list[list[int]]:
     """The textures of a plan in groups of which each needs the memory of its largest texture.
 
     ``needed`` says how many bytes each takes; textures that it leaves out are alone, as those are
@@ -60,7 +61,7 @@ def taking_turns(plan: Row, needed: Mapping[int, int]) -> list[list[int]]:
             groups.append([texture])
             taken.append([spans[texture]])
     placed = {texture for group in groups for texture in group}
-    alone = [[number] for number in range(len(plan["textures"])) if number not in placed]
+    alone = [[number] for number in range(len(plan.textures)) if number not in placed]
     return [*groups, *alone]
 
 
@@ -69,7 +70,7 @@ def total(groups: Sequence[Sequence[int]], needed: Mapping[int, int]) -> int:
     return sum(max(needed[texture] for texture in group) for group in groups)
 
 
-def _spans(plan: Row) -> dict[int, tuple[int, int]]:
+def _spans(plan: FramePlan) -> dict[int, tuple[int, int]]:
     """The first and the last step that need something of each texture."""
     found: dict[int, tuple[int, int]] = {}
 
@@ -77,25 +78,23 @@ def _spans(plan: Row) -> dict[int, tuple[int, int]]:
         known = found.get(texture, (first, last))
         found[texture] = min(known[0], first), max(known[1], last)
 
-    for row in plan["results"]:
-        if row["texture"] is not None:
-            add(row["texture"], row["first"], row["last"])
+    for row in plan.results:
+        if row.texture is not None:
+            add(row.texture, row.first, row.last)
     begin = 0
-    for number, step in enumerate(plan["steps"]):
+    for number, step in enumerate(plan.steps):
         # What a render pass resolves to has its memory when the pass begins.
-        begin = begin if step.get("continues", False) else number
+        begin = begin if isinstance(step, DrawStep) and step.continues else number
         for texture in drawn_to(step):
             add(texture, begin, number)
     return found
 
 
-def _lasting(plan: Row) -> set[int | None]:
+def _lasting(plan: FramePlan) -> set[int | None]:
     """The textures that have contents from frame to frame: those that are exchanged, and those that
     only the first frame draws to."""
-    drawn_once = {
-        texture for step in plan["steps"] if is_rare(step) for _, texture in written(step)
-    }
-    return drawn_once | {number for number, row in enumerate(plan["textures"]) if row["kept"]}
+    drawn_once = {texture for step in plan.steps if step.only_first for _, texture in written(step)}
+    return drawn_once | {number for number, row in enumerate(plan.textures) if row.kept}
 
 
 def _fits(span: tuple[int, int], others: Sequence[tuple[int, int]]) -> bool:

@@ -13,20 +13,27 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path, PurePath, PureWindowsPath
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TypeVar
 
 from ....compiler.budget import check
 from ....compiler.diagnostics.source import Span
+from ....compiler.documents.plan import FramePlan, ShaderRow
+from ....compiler.documents.reading import ShapeError, read, shown
+from ....compiler.documents.reflection import Reflection
 from ....compiler.ir.program import StageName
 from ....compiler.ir.shader import Shader
-from ....compiler.reflection.validation import shown
 from ....garbage import seldom_collected
 from ...toolchain.directives import foreign_directive
 from ..documents import Quota, read_json
 from ..files import read_file
 from .checking import PlanError, check_plan
 from .checks.backends import check_backend
-from .host import VERSION, PlannedFrame, Row
+from .host import PlannedFrame
+
+D = TypeVar("D")
+
+DOCUMENTS: Mapping[type, str] = {FramePlan: "plan", Reflection: "reflection"}
+"""What messages call documents."""
 
 ENDING = ".plan.json"
 """What the names of plans end with."""
@@ -50,7 +57,7 @@ class StoredShader:
     """A shader with its reflection; what the source means is not known."""
 
     name: str
-    reflection: Row
+    reflection: Reflection
     files: Sequence[StoredText]
     lacking: Mapping[str, str] = field(default_factory=dict)
 
@@ -69,7 +76,7 @@ class StoredFrame:
     """A frame that can be drawn by routes."""
 
     name: str
-    plan: Row
+    plan: FramePlan
     shaders: Sequence[StoredShader]
 
 
@@ -84,9 +91,9 @@ def read_frame(path: Path, profiles: Sequence[str]) -> StoredFrame:
     and ``BudgetError``."""
     reader = _Reader(path)
     plan = reader.plan()
-    shaders = [reader.shader(row, profiles) for row in plan["shaders"]]
+    shaders = [reader.shader(row, profiles) for row in plan.shaders]
     check_plan(plan, [shader.reflection for shader in shaders])
-    return StoredFrame(plan["frame"], plan, shaders)
+    return StoredFrame(plan.frame, plan, shaders)
 
 
 @contextmanager
@@ -118,48 +125,40 @@ class _Reader:
         self._shaders: dict[str, str] = {}
         """By the files of their reflections, the shaders that have been read."""
 
-    def plan(self) -> dict[str, Any]:
-        """The plan, which follows its schema."""
-        found = read_json(self._data(self._path, links=True), f"`{self._path.name}`", self._quota)
-        if not isinstance(found, dict) or "plan" not in found:
-            raise PlanError(
-                f"`{self._path.name}` is no plan: it has no `plan`, which is its version"
-            )
-        version = found["plan"]
-        if version != VERSION or isinstance(version, bool):
-            raise PlanError(
-                f"`{self._path.name}` is a plan of version {shown(version)}, and this is Burnish "
-                f"for version {VERSION}: compile its source again"
-            )
-        self._check_schema(found, self._path.name, "plan.schema.json")
-        return found
+    def plan(self) -> FramePlan:
+        """The plan, which has the shape of one."""
+        name = self._path.name
+        found = read_json(self._data(self._path, links=True), f"`{name}`", self._quota)
+        if not isinstance(found, dict) or FramePlan.VERSION not in found:
+            raise PlanError(f"`{name}` is no plan: it has no `plan`, which is its version")
+        return self._read(FramePlan, found, name)
 
-    def shader(self, row: Row, profiles: Sequence[str]) -> StoredShader:
+    def shader(self, row: ShaderRow, profiles: Sequence[str]) -> StoredShader:
         """One of the plan's shaders, with its texts."""
-        file, name = row["reflection"], row["name"]
+        file, name = row.reflection, row.name
         if file in self._shaders:
             raise PlanError(f"{name} and {self._shaders[file]} have one reflection, `{file}`")
         self._shaders[file] = name
-        reflection = read_json(self._data(self._beside(file, name)), f"`{file}`", self._quota)
-        self._check_schema(reflection, file, "reflection.schema.json")
+        found = read_json(self._data(self._beside(file, name)), f"`{file}`", self._quota)
+        reflection = self._read(Reflection, found, file)
         files = [text for profile in profiles for text in self._texts(row, reflection, profile)]
         return StoredShader(name, reflection, files)
 
-    def _texts(self, row: Row, reflection: Row, profile: str) -> list[StoredText]:
-        backend = reflection["backends"].get(profile)
+    def _texts(self, row: ShaderRow, reflection: Reflection, profile: str) -> list[StoredText]:
+        backend = reflection.backends.get(profile)
         if backend is None:
-            known = ", ".join(reflection["backends"]) or "no profile"
+            known = ", ".join(reflection.backends) or "no profile"
             raise PlanError(
-                f"{row['name']} has no text for {profile}: `{row['reflection']}` lists {known}. "
+                f"{row.name} has no text for {profile}: `{row.reflection}` lists {known}. "
                 f"Compile the source with --target {profile}"
             )
-        check_backend(row["name"], reflection, profile)
+        check_backend(row.name, reflection, profile)
         target, _, own = profile.partition(":")
         entries: dict[str, dict[StageName, str]] = {}
-        for file in backend["files"]:
-            entries.setdefault(file["file"], {})[file["stage"]] = file["entry_point"]
+        for file in backend.files:
+            entries.setdefault(file.file, {})[file.stage] = file.entry_point
         return [
-            StoredText(name, target, own, points, self._text(name, row["name"]))
+            StoredText(name, target, own, points, self._text(name, row.name))
             for name, points in entries.items()
         ]
 
@@ -192,11 +191,15 @@ class _Reader:
             )
         return text
 
-    def _check_schema(self, document: Any, name: str, schema: str) -> None:
-        from ....compiler.reflection.schema import errors
-
-        if found := errors(document, schema):
-            raise PlanError(f"`{name}` does not follow {schema}:", *(f"  {each}" for each in found))
+    def _read(self, kind: type[D], document: Any, name: str) -> D:
+        try:
+            return read(kind, document)
+        except ShapeError as error:
+            lines = str(error).splitlines()
+            raise PlanError(
+                f"`{name}` is no {DOCUMENTS[kind]} that can be read:",
+                *(f"  {each}" for each in lines),
+            ) from None
 
 
 def _without_source(name: str) -> NoReturn:

@@ -9,10 +9,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ....compiler.documents.plan import AttachmentRow, DrawStep, FramePlan
 from ....compiler.ir.image_sizes import outside
 from ....compiler.reference.picture.scene import Area
 from ..scene_state import CLEAR, Color
-from .checks.rows import Row, fail, step_name
+from .checks.rows import fail
 from .sizes import Size
 
 FAR: Color = (1.0, 0.0, 0.0, 0.0)
@@ -32,25 +33,24 @@ class StepState:
     blend_constant: Color
 
 
-def step_state(plan: Row, step: Row, size: Size, number: Number) -> StepState:
+def step_state(plan: FramePlan, step: DrawStep, size: Size, number: Number) -> StepState:
     """What a step sets that draws to targets of a size. Raises ``PlanError`` for a viewport that
     is not within these."""
     viewport, scissor = (
-        None if step[name] is None else _area(number(step[name]))
-        for name in ("viewport", "scissor")
+        None if value is None else _area(number(value)) for value in (step.viewport, step.scissor)
     )
     if viewport is not None and (reason := outside(viewport, size)):
-        fail(plan, step_name(step), f"the viewport of {reason}")
-    constant = step["blend_constant"]
+        fail(plan, step.name, f"the viewport of {reason}")
+    constant = step.blend_constant
     return StepState(viewport, scissor, CLEAR if constant is None else _color(number(constant)))
 
 
-def cleared(plan: Row, target: Row, number: Number) -> Color:
+def cleared(plan: FramePlan, target: AttachmentRow, number: Number) -> Color:
     """What a target is cleared to; of depths, the first number, which lies between 0 and 1."""
-    is_depth = plan["textures"][target["texture"]]["format"].startswith("depth")
-    if target["clear"] is None:
+    is_depth = plan.textures[target.texture].format.startswith("depth")
+    if target.clear is None:
         return FAR if is_depth else CLEAR
-    value = number(target["clear"])
+    value = number(target.clear)
     return (min(max(float(value), 0.0), 1.0), 0.0, 0.0, 0.0) if is_depth else _color(value)
 
 

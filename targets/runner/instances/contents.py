@@ -6,11 +6,11 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from .shapes import Elements, Members, Numbers, Shape, part, shape_of
+from ....compiler.documents.values import BufferRow
+from .shapes import Elements, Members, Numbers, Shape, one_of, part
 from .values import plain
 
 
@@ -46,12 +46,12 @@ class Contents:
         return tuple(plain(shape, _read(self.data, i * stride, shape)) for i in range(self.count))
 
 
-def layout_of(row: Mapping[str, Any]) -> Layout:
+def layout_of(row: BufferRow) -> Layout:
     """The layout that a row of ``buffers`` describes."""
-    type_: str = row["type"]
-    one = {**row, "type": type_.removesuffix("[]")}
-    one["representation"] = row["representation"].removesuffix("[]")
-    return Layout(row["name"], type_, shape_of(one), row["stride"], row["count"])
+    element = one_of(
+        row.type.removesuffix("[]"), row.representation, row.layout, row.members, row.doc
+    )
+    return Layout(row.name, row.type, element, row.stride, row.count)
 
 
 def empty(layout: Layout) -> Contents:

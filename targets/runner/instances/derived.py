@@ -6,16 +6,29 @@ reference's functions, so a value means the same here as everywhere.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
 from ....compiler.budget import Tally
+from ....compiler.documents.steps import (
+    BoundStep,
+    CallStep,
+    ComposedStep,
+    ConstantStep,
+    FoldStep,
+    IndexStep,
+    MemberStep,
+    ParameterStep,
+    ResourceStep,
+    SelectStep,
+    SplatStep,
+    StepRow,
+    SwizzleStep,
+)
+from ....compiler.documents.values import DerivedRow
 from ....compiler.reference.functions import evaluate
 from ....frozen import EMPTY, fresh, record
 from .shapes import MOST_LANES, Elements, Kind, Members, Numbers, Shape, kind_of, lanes_of, shape_of
-
-Row = Mapping[str, Any]
-"""One row of ``steps``."""
 
 Named = Any
 """A value in the form of ``shapes``, in which a structure is a mapping of its members by name."""
@@ -65,22 +78,24 @@ class Inputs:
         return self._known[parameter]
 
 
-def computed(rows: Iterable[Row], inputs: Inputs) -> Iterator[tuple[Row, Shape, Named]]:
+def computed(
+    rows: Iterable[DerivedRow], inputs: Inputs
+) -> Iterator[tuple[DerivedRow, Shape, Named]]:
     """Each derived value of a reflection, with its row and its shape; no value is rounded yet."""
     for row in rows:
         shape = shape_of(row)
         if isinstance(shape, Elements):
-            yield row, shape, compute_elements(row["steps"], inputs, shape.count)
+            yield row, shape, compute_elements(row.steps, inputs, shape.count)
         else:
-            yield row, shape, compute(row["steps"], inputs)
+            yield row, shape, compute(row.steps, inputs)
 
 
-def compute(steps: Sequence[Row], inputs: Inputs) -> Named:
+def compute(steps: Sequence[StepRow], inputs: Inputs) -> Named:
     """The value of the last step: a tuple of lanes, or of a matrix's columns, not yet rounded."""
     return _Computation(steps, inputs).value(len(steps) - 1, ())
 
 
-def compute_elements(steps: Sequence[Row], inputs: Inputs, count: int) -> tuple[Named, ...]:
+def compute_elements(steps: Sequence[StepRow], inputs: Inputs, count: int) -> tuple[Named, ...]:
     """The last step's value for each element of an array; its number is the only free variable.
 
     Elements that are not in use are computed as well; no function raises, whatever they contain.
@@ -106,8 +121,8 @@ class _Body:
 class _Application:
     """A function's application while its body is evaluated."""
 
-    def __init__(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> None:
-        self._body: tuple[int, tuple[Named, ...]] | None = (row["args"][0], (*arguments, *bound))
+    def __init__(self, row: StepRow, arguments: list[Named], bound: tuple[Named, ...]) -> None:
+        self._body: tuple[int, tuple[Named, ...]] | None = (row.args[0], (*arguments, *bound))
         self.result: Named = None
 
     def following(self) -> tuple[int, tuple[Named, ...]] | None:
@@ -123,25 +138,31 @@ class _Application:
 class _Fold:
     """A fold while its body is evaluated, turn by turn."""
 
-    def __init__(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> None:
+    def __init__(self, row: FoldStep, arguments: list[Named], bound: tuple[Named, ...]) -> None:
         (count,), self.result = arguments
         self._row, self._bound = row, bound
-        self._turns = iter(range(min(count, row["bound"])))
+        self._turns = iter(range(min(count, row.bound)))
 
     def following(self) -> tuple[int, tuple[Named, ...]] | None:
         """The body to evaluate next with the values of its variables; ``None`` at the end."""
         turn = next(self._turns, None)
-        return None if turn is None else (self._row["args"][2], ((turn,), *self._bound))
+        return None if turn is None else (self._row.args[2], ((turn,), *self._bound))
 
     def take(self, value: Named) -> None:
         """Receive the body's value in one turn."""
         row = self._row
-        kind = kind_of(row["type"])
+        kind = kind_of(row.type)
         arguments = _of_kind(kind, [self.result, value])
-        self.result = evaluate(row["operator"], arguments, kind=kind)
+        self.result = evaluate(row.operator, arguments, kind=kind)
 
 
-_BINDERS: Mapping[str, type[_Application | _Fold]] = {"apply": _Application, "fold": _Fold}
+def _binder(
+    row: StepRow, arguments: list[Named], bound: tuple[Named, ...]
+) -> _Application | _Fold | None:
+    """The evaluation of a step that has a body; ``None`` for any other."""
+    if isinstance(row, FoldStep):
+        return _Fold(row, arguments, bound)
+    return _Application(row, arguments, bound) if row.op == "apply" else None
 
 
 class _Computation:
@@ -150,7 +171,7 @@ class _Computation:
     Bodies may contain bodies without limit, so those that wait for an inner one are kept on a list.
     """
 
-    def __init__(self, steps: Sequence[Row], inputs: Inputs) -> None:
+    def __init__(self, steps: Sequence[StepRow], inputs: Inputs) -> None:
         self._steps = steps
         self._inputs = inputs
         self._depths = _depths(steps)
@@ -205,54 +226,55 @@ class _Computation:
             values = self._values(number, body)
             if number not in values:
                 arguments = [self._values(each, body)[each] for each in _outside(row)]
-                binder = _BINDERS.get(row["op"])
+                binder = _binder(row, arguments, body.bound)
                 if binder is not None:
-                    return binder(row, arguments, body.bound)
+                    return binder
                 values[number] = self._step(row, arguments, body.bound)
             body.left.pop()
         return None
 
-    def _step(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> Named:
-        match row["op"]:
-            case "parameter":
-                return self._inputs[row["parameter"]]
-            case "resource":
-                return self._inputs.textures[row["texture"]]
-            case "call" if row["function"] == "texture_size":
+    def _step(self, row: StepRow, arguments: list[Named], bound: tuple[Named, ...]) -> Named:
+        """The value of a step without a body, from the values of its arguments."""
+        match row:
+            case ParameterStep():
+                return self._inputs[row.parameter]
+            case ResourceStep():
+                return self._inputs.textures[row.texture]
+            case CallStep(op="call", function="texture_size"):
                 texture, (level,) = arguments
                 return texture.size(level)
-            case "call" | "native":
-                kind = kind_of(self._steps[row["args"][0]]["type"])
-                return evaluate(row["function"], _of_kind(kind, arguments), kind=kind)
-            case "bound":
-                return bound[row["binder"]]
-            case "index":
+            case CallStep():
+                kind = kind_of(self._steps[row.args[0]].type)
+                return evaluate(row.function, _of_kind(kind, arguments), kind=kind)
+            case BoundStep():
+                return bound[row.binder]
+            case IndexStep():
                 aggregate, (position,) = arguments
                 part = aggregate[position]
                 return part if isinstance(part, tuple | dict) else (part,)
-            case op:
-                return _PLAIN[op](row, arguments)
+            case _:
+                return _plain(row, arguments)
 
 
-def _outside(row: Row) -> Sequence[int]:
+def _outside(row: StepRow) -> Sequence[int]:
     """The arguments that are not a body under the step's binder."""
-    arguments: Sequence[int] = row["args"]
-    if row["op"] == "fold":
+    arguments: Sequence[int] = row.args
+    if row.op == "fold":
         return arguments[:2]
-    return arguments[1:] if row["op"] == "apply" else arguments
+    return arguments[1:] if row.op == "apply" else arguments
 
 
-def _depths(steps: Sequence[Row]) -> list[int]:
+def _depths(steps: Sequence[StepRow]) -> list[int]:
     """For each step, how many of the binders around it bind a variable that it uses."""
     depths: list[int] = []
     for row in steps:
         depth = max((depths[number] for number in _outside(row)), default=0)
-        if row["op"] == "bound":
-            depth = row["binder"] + 1
-        elif row["op"] == "fold":
-            depth = max(depth, depths[row["args"][2]] - 1)
-        elif row["op"] == "apply":
-            depth = max(depth, depths[row["args"][0]] - len(row["args"][1:]))
+        if isinstance(row, BoundStep):
+            depth = row.binder + 1
+        elif isinstance(row, FoldStep):
+            depth = max(depth, depths[row.args[2]] - 1)
+        elif row.op == "apply":
+            depth = max(depth, depths[row.args[0]] - len(row.args[1:]))
         depths.append(depth)
     return depths
 
@@ -265,8 +287,30 @@ def _of_kind(kind: Kind, arguments: list[Named]) -> list[Named]:
     return [tuple(map(float, arguments[0])), *arguments[1:]]
 
 
-def _constant(row: Row, _arguments: list[Named]) -> Named:
-    value = row["value"]
+def _plain(row: StepRow, arguments: list[Named]) -> Named:
+    """The value of a step that needs nothing but the values of its arguments."""
+    match row:
+        case ConstantStep():
+            return _constant(row.value)
+        case ComposedStep(op="vector"):
+            return _few([lane for each in arguments for lane in each])
+        case ComposedStep(op="matrix"):
+            return _few(arguments)
+        case SplatStep():
+            (lane,) = arguments[0]
+            return _few([lane] * lanes_of(row.type))
+        case SwizzleStep():
+            return _few([arguments[0][lane] for lane in row.lanes])
+        case MemberStep():
+            return arguments[0][row.member]
+        case SelectStep():
+            (condition,), then, otherwise = arguments
+            return then if condition else otherwise
+        case _:
+            return tuple(arguments)  # An array of its elements.
+
+
+def _constant(value: Any) -> Named:
     if isinstance(value, Sequence):
         return _few([_few(lane) if isinstance(lane, Sequence) else lane for lane in value])
     return (value,)
@@ -278,29 +322,6 @@ def _few(lanes: Sequence[Named]) -> Named:
     if len(lanes) > MOST_LANES:
         raise ValueError(f"nothing has {len(lanes)} lanes")
     return tuple(lanes)
-
-
-def _splat(row: Row, arguments: list[Named]) -> Named:
-    (lane,) = arguments[0]
-    return _few([lane] * lanes_of(row["type"]))
-
-
-def _select(_row: Row, arguments: list[Named]) -> Named:
-    (condition,), then, otherwise = arguments
-    return then if condition else otherwise
-
-
-_PLAIN: Mapping[str, Callable[[Row, list[Named]], Named]] = {
-    "constant": _constant,
-    "vector": lambda _row, arguments: _few([lane for each in arguments for lane in each]),
-    "splat": _splat,
-    "matrix": lambda _row, arguments: _few(arguments),
-    "array": lambda _row, arguments: tuple(arguments),
-    "swizzle": lambda row, arguments: _few([arguments[0][lane] for lane in row["lanes"]]),
-    "member": lambda row, arguments: arguments[0][row["member"]],
-    "select": _select,
-}
-"""The value of each operation without variables, from the values of its arguments."""
 
 
 def named(shape: Shape, value: Any) -> Named:

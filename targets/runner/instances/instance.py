@@ -7,230 +7,49 @@ the compiler. Nothing here imports NumPy.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
-from copy import copy
+from collections.abc import Mapping
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from ....arguments import expect
 from ....compiler.budget import check
-from ....frozen import EMPTY
+from ....compiler.documents.reflection import Reflection
+from ....compiler.documents.values import DerivedRow, ParameterRow
 from . import derived
 from .blocks import write
-from .buffers import packed
-from .contents import Contents, empty, layout_of
-from .names import Names
-from .parts import Part, Rig
-from .shapes import Elements, Numbers
-from .texts import elements_in_file, parse
-from .values import ParameterError, changed, filled, initial, plain, rounded, unset
+from .host_values import HostValues
+from .shapes import Shape
+from .values import rounded
 
 if TYPE_CHECKING:
     from ....compiler.budget import Tally
-    from ..textures.texture import Texture
 
 _COPIES = 25
 """How many times the size of a buffer is needed until what a kernel has written is there: as
 numbers with their ends, as bytes, and as the text by which processes send it."""
-FORMAT = 1
-"""The version of the reflection that this code reads."""
-_PARTS = (
-    "material", "draw", "extent", "blocks", "parameters", "derived", "lights", "buffers",
-    "results", "textures",
-)  # fmt: skip
-"""The keys that the reflection must have."""
 
 
-class MissingValuesError(ValueError):
-    """Parameters that a shader reads have neither a value nor a default."""
+class Instance(HostValues):
+    """Named values for one compiled material."""
 
-    def __init__(self, material: str, missing: Mapping[str, Numbers | Elements]) -> None:
-        rows = [
-            f"`{name}` : {shape.type}" + (f"   {shape.doc}" if shape.doc else "")
-            for name, shape in missing.items()
-        ]
-        super().__init__("\n  ".join([f"{material} needs values for", *rows]))
-        self.names = tuple(missing)
+    def __init__(
+        self, reflection: Reflection | Mapping[str, Any], meter: Tally | None = None
+    ) -> None:
+        """``reflection`` may also be what JSON has of one. ``meter`` counts the steps of all values
+        that are computed, where they are limited together. Raises ``ShapeError``, a ``ValueError``,
+        for JSON that is no reflection of this format."""
+        expect("reflection", reflection, (Reflection, Mapping), "a reflection")
+        if not isinstance(reflection, Reflection):
+            from ....compiler.documents.reading import read
 
-
-class Instance:
-    """Named values for one compiled material.
-
-    Names are those of the reflection: ``power``, ``torch.axis``, ``lamps[2].place``. The first
-    values are the declared defaults. Colours are linear, or literals such as ``"#b5651d"``; angles
-    are radians, or texts such as ``"30deg"``; a matrix is a sequence of its columns. The length of
-    a ``direction`` may differ from one by a thousandth, and is then set to one.
-
-    Parameters and their parts are also attributes: ``instance.torch.axis = (0, -1, 0)``.
-    """
-
-    def __init__(self, reflection: Mapping[str, Any], meter: Tally | None = None) -> None:
-        """``meter`` counts the steps of all values that are computed, where they are limited
-        together. Raises ``ValueError`` for a reflection of another format, or one that is not
-        complete."""
-        expect("reflection", reflection, Mapping, "a mapping")
-        if reflection.get("format") != FORMAT:
-            raise ValueError(f"this is no reflection of format {FORMAT}")
-        if missing := [part for part in _PARTS if part not in reflection]:
-            raise ValueError(f"this reflection has no `{missing[0]}`")
+            reflection = read(Reflection, reflection)
+        super().__init__(reflection, meter)
         self._reflection = reflection
-        self._meter = meter
-        self._names = Names(reflection)
-        self._values = {name: initial(shape) for name, shape in self._names.shapes.items()}
-        self._textures: dict[str, Texture] = {}
-        self._sized: dict[str, derived.OfSize] = {}
-        layouts = map(layout_of, reflection["buffers"])
-        self._buffers = {layout.name: empty(layout) for layout in layouts}
 
     @property
-    def reflection(self) -> Mapping[str, Any]:
+    def reflection(self) -> Reflection:
         """The reflection from which the instance was made."""
         return self._reflection
-
-    @property
-    def rig(self) -> Rig:
-        """The lights, and what else is set per rig: ``instance.rig.torch.axis = (0, -1, 0)``."""
-        return Rig(self, self._names.rig)
-
-    def set(self, name: str, value: object) -> None:
-        """Set a parameter, a part of one, a light, a texture or a storage buffer.
-
-        A light takes a mapping of its parameters, and an array of lights a list of mappings. If the
-        lights are counted at run time, the list also sets the count. Members that a mapping does
-        not name keep their values.
-
-        A buffer takes a list of elements, each like the value of a parameter, or a NumPy array: of
-        numbers, or with a field for each member of a structure. It also sets the buffer's count.
-
-        Raises ``ParameterError`` if there is no such parameter, or if it cannot have the value;
-        then nothing changes.
-        """
-        _check_name(name)
-        if name in self._names.textures:
-            self._textures[name] = _texture(self._names.textures[name], value)
-        elif name in self._buffers:
-            self._set_buffer(packed(self._buffers[name].layout, value))
-        else:
-            self._values |= self._changes(name, value)
-
-    def set_bytes(self, name: str, data: bytes) -> None:
-        """Set a storage buffer to elements as a GPU has them: what a kernel has written.
-
-        Raises ``ParameterError`` if there is no such buffer, or for a part of an element.
-        """
-        _check_name(name)
-        if name not in self._buffers:
-            raise ParameterError(name, f"there is no storage buffer `{name}`")
-        layout = self._buffers[name].layout
-        count, rest = divmod(len(data), layout.stride)
-        if rest:
-            raise ParameterError(
-                name, f"`{name}` takes elements of {layout.stride} bytes each, and was given "
-                f"{len(data)} bytes"
-            )  # fmt: skip
-        self._set_buffer(Contents(layout, count, data))
-
-    def bind_own(self, name: str, size: tuple[int, ...]) -> None:
-        """Say how large a texture is that the host binds itself: one that it has drawn.
-
-        Raises ``ParameterError`` if there is no such texture.
-        """
-        if name not in self._names.textures:
-            raise ParameterError(name, f"there is no texture `{name}`")
-        self._sized[name] = derived.OfSize(*size)
-
-    def take(self, name: str, other: Instance, source: str) -> None:
-        """Take over the whole value of a parameter from another instance, where it has this type,
-        with parts of it that nobody has set."""
-        self._values[name] = other._values[source]
-
-    def evaluated(self, steps: Sequence[Mapping[str, Any]]) -> Any:
-        """The value that steps compute of parameters and of the sizes of textures, as ``set`` takes
-        it. Raises ``MissingValuesError``."""
-        found = derived.compute(steps, self._read_by(steps, self._sizes(steps)))
-        if steps[-1]["type"].endswith("]"):
-            return tuple(map(_without_lane, found))
-        return _without_lane(found)
-
-    def having(self, name: str, value: object) -> Instance:
-        """A copy that differs in one value. Raises ``ParameterError``, as ``set`` does."""
-        made = self.copied()
-        made.set(name, value)
-        return made
-
-    def copied(self) -> Instance:
-        """An instance with the same values, which can be changed by itself."""
-        made = copy(self)
-        made._values = dict(self._values)
-        made._textures = dict(self._textures)
-        made._sized = dict(self._sized)
-        made._buffers = dict(self._buffers)
-        return made
-
-    def set_text(self, name: str, text: str) -> None:
-        """Set a parameter or texture from a text, as on a command line.
-
-        ``texts`` explains how values are written. A texture is a colour such as ``#b5651d``, or the
-        file of a picture, whose colours are taken as sRGB if its name begins with ``srgb:``.
-        Layers, slices or faces are files separated by commas. A storage buffer is a JSON file with
-        a list of elements.
-
-        Raises ``ParameterError`` as ``set`` does, also for a file that is no such list,
-        ``PictureError`` for a picture that cannot be read, and ``FileError`` and ``BudgetError``
-        for another file that cannot be read, or is too large.
-        """
-        _check_name(name)
-        expect("text", text, str, "a text")
-        if name in self._names.textures:
-            from ..textures.texture import Texture
-
-            row = self._names.textures[name]
-            self._textures[name] = Texture.parse(
-                text, dimension=row["dimension"], sample=row["sample"]
-            )
-        elif name in self._buffers:
-            self.set(name, elements_in_file(name, text))
-        else:
-            self.set(name, parse(text, self._names.place(name).shape, name))
-
-    def get(self, name: str) -> Any:
-        """The stored value, with floats rounded to float32; ``None`` if there is none yet.
-
-        Vectors, matrices (as columns), arrays and buffers are tuples; structures and lights are
-        mappings.
-        Raises ``ParameterError`` if there is no such parameter.
-        """
-        _check_name(name)
-        if name in self._names.textures:
-            return self._textures.get(name)
-        if name in self._buffers:
-            return self._buffers[name].elements()
-        if members := self._names.light(name):
-            return {member: self.get(f"{name}.{member}") for member in members}
-        place = self._names.place(name)
-        value = self._values[place.parameter]
-        for position in place.path:
-            value = value[position]
-        return plain(place.shape, value)
-
-    @property
-    def needed(self) -> tuple[str, ...]:
-        """The names of parameters that a shader reads, or of which the host computes something."""
-        return self._names.needed
-
-    @property
-    def missing(self) -> tuple[str, ...]:
-        """The names of values that the blocks need and that nobody has set."""
-        return tuple(self._missing(self._values))
-
-    def values(self) -> dict[str, Any]:
-        """The values of all parameters in the reference evaluator's form, as the GPU will see them.
-
-        A value is a tuple: of lanes (of one lane, for a number), of a matrix's columns, of an
-        array's elements or of a structure's members. Floats are rounded to float32. A parameter
-        that no shader reads and that has no value is zero. Raises ``MissingValuesError``.
-        """
-        return self._values_of(self._values)
 
     def blocks(self) -> dict[str, bytes]:
         """The bytes of every block by name, including blocks of derived values.
@@ -238,36 +57,34 @@ class Instance:
         Raises ``MissingValuesError``.
         """
         shapes, values = self._names.shapes, self.values()
-        blocks = {row["name"]: bytearray(row["size"]) for row in self._reflection["blocks"]}
-        for row in self._reflection["parameters"]:
-            if row["block"] is not None:
-                name = row["name"]
-                write(blocks[row["block"]], row["offset"], shapes[name], values[name])
+        blocks = {row.name: bytearray(row.size) for row in self._reflection.blocks}
+        for row in self._reflection.parameters:
+            _write(blocks, row, shapes[row.name], values[row.name])
         inputs = derived.Inputs(shapes, values, meter=self._meter)
-        for row, shape, value in derived.computed(self._reflection["derived"], inputs):
-            write(blocks[row["block"]], row["offset"], shape, rounded(value))
+        for each, shape, value in derived.computed(self._reflection.derived, inputs):
+            _write(blocks, each, shape, rounded(value))
         return {name: bytes(block) for name, block in blocks.items()}
 
     def extent(self) -> int:
         """How many elements the results of a kernel have. Raises ``MissingValuesError``."""
-        steps = self._reflection["extent"]
+        steps = self._reflection.extent or ()
         (count,) = derived.compute(steps, self._read_by(steps))
         return max(int(count), 0)
 
     def result_counts(self) -> dict[str, int]:
         """How many elements each buffer has that a kernel writes. Raises
         ``MissingValuesError``, and ``BudgetError`` for more than there is memory for."""
-        counts = {row["name"]: row["count"] for row in self._reflection["results"]}
+        counts = {row.name: row.count for row in self._reflection.results}
         inputs = self._read_by(chain.from_iterable(counts.values()))
         found = {name: derived.compute(steps, inputs) for name, steps in counts.items()}
         numbers = {name: max(int(count), 0) for name, (count,) in found.items()}
-        size = sum(numbers[row["name"]] * row["stride"] for row in self._reflection["results"])
-        check("memory", size * _COPIES, f"what `{self._reflection['material']}` writes needs")
+        size = sum(numbers[row.name] * row.stride for row in self._reflection.results)
+        check("memory", size * _COPIES, f"what `{self._reflection.material}` writes needs")
         return numbers
 
     def image_size(self) -> tuple[int, int]:
         """The width and height of a kernel's images. Raises ``MissingValuesError``."""
-        steps = self._reflection["extent"]
+        steps = self._reflection.extent or ()
         width, height = derived.compute(steps, self._read_by(steps, self._sizes(steps)))
         return max(int(width), 0), max(int(height), 0)
 
@@ -276,145 +93,20 @@ class Instance:
 
         Only where the host makes the pattern. Raises ``MissingValuesError``.
         """
-        levels = self._reflection["draw"]["tessellation"]["levels"]
-        rows = [levels["edges"], levels["inside"]]
+        levels = self._reflection.levels
+        assert levels is not None
+        rows = [levels.edges, levels.inside]
         inputs = self._read_by(chain.from_iterable(chain.from_iterable(rows)))
         edges, inside = (
             tuple(rounded(derived.compute(steps, inputs))[0] for steps in row) for row in rows
         )
         return edges, inside
 
-    def buffers(self) -> dict[str, Contents]:
-        """The contents of every storage buffer by name; one that was not set has no elements."""
-        return dict(self._buffers)
 
-    def textures(self) -> dict[str, Texture]:
-        """Every texture by name; one that was not set is the declared default, of a single
-        texel."""
-        return {name: self._bound(name) for name in self._names.textures}
-
-    def __getattr__(self, name: str) -> Any:
-        """The value of a parameter, or a ``Part`` if it has parts of its own."""
-        if name.startswith("_"):  # Copying asks for names before there are any attributes.
-            raise AttributeError(name)
-        return self._attribute(name)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        """Set a parameter."""
-        if name.startswith("_"):
-            super().__setattr__(name, value)
-        elif hasattr(type(self), name):
-            raise AttributeError(f"every instance has `{name}`: write set({name!r}, …)")
-        else:
-            self.set(name, value)
-
-    # --- inside ----------------------------------------------------------------------------------
-
-    def _attribute(self, name: str) -> Any:
-        """The object that a name means as an attribute. Raises ``AttributeError`` if there is
-        none."""
-        if self._names.light(name):
-            return Part(self, name)
-        if name in self._names.textures or name in self._buffers:
-            return self.get(name)
-        try:
-            place = self._names.place(name)
-        except ParameterError as error:
-            raise AttributeError(str(error)) from None
-        if isinstance(place.shape, Numbers):
-            return self.get(name)
-        return Part(self, name, place.shape.count if isinstance(place.shape, Elements) else None)
-
-    def _bound(self, name: str) -> Texture:
-        """A texture that was set, or its default."""
-        from ..textures.texture import default_texture
-
-        row = self._names.textures[name]
-        set_ = self._textures.get(name)
-        return set_ or default_texture(row["default"], row["dimension"], row["sample"])
-
-    def _set_buffer(self, contents: Contents) -> None:
-        layout = contents.layout
-        self._buffers[layout.name] = contents
-        self._values[layout.counter] = (contents.count,)
-
-    def _changes(self, name: str, value: object) -> dict[str, Any]:
-        """The new values of all parameters that change if ``name`` is set."""
-        if members := self._names.light(name):
-            return self._light_changes(name, members, value)
-        place = self._names.place(name)
-        if place.parameter in self._names.counters:
-            buffer = self._names.counters[place.parameter]
-            raise ParameterError(name, f"`{name}` is set with `{buffer}`, whose elements it counts")
-        shape, old = self._names.shapes[place.parameter], self._values[place.parameter]
-        changes = {place.parameter: changed(shape, old, place.path, value, name)}
-        if isinstance(shape, Elements) and shape.counter and not place.path:
-            assert isinstance(value, Sized)
-            changes[shape.counter] = (len(value),)
-        return changes
-
-    def _light_changes(self, name: str, members: tuple[str, ...], value: object) -> dict[str, Any]:
-        if not isinstance(value, Mapping):
-            listed = ", ".join(members)
-            raise ParameterError(name, f"`{name}` is a light and takes a mapping of {listed}")
-        changes: dict[str, Any] = {}
-        for member, inner in value.items():
-            changes |= self._changes(f"{name}.{member}", inner)
-        return changes
-
-    def _sizes(self, steps: Iterable[Mapping[str, Any]]) -> dict[str, derived.Sized]:
-        """The textures of which steps ask for the size."""
-        names = {step["texture"] for step in steps if step["op"] == "resource"}
-        return {name: self._sized.get(name) or self._bound(name) for name in names}
-
-    def _read_by(
-        self, steps: Iterable[Mapping[str, Any]], textures: Mapping[str, derived.Sized] = EMPTY
-    ) -> derived.Inputs:
-        """What steps of a host's read, which need no other values. Raises
-        ``MissingValuesError``."""
-        read = [step["parameter"] for step in steps if step["op"] == "parameter"]
-        return derived.Inputs(self._names.shapes, self._values_of(read), textures, self._meter)
-
-    def _values_of(self, names: Collection[str]) -> dict[str, Any]:
-        """The values of some parameters. Raises ``MissingValuesError``."""
-        missing = self._missing(names)
-        if missing:
-            raise MissingValuesError(self._reflection["material"], missing)
-        shapes = self._names.shapes
-        return {name: filled(shapes[name], self._values[name]) for name in names}
-
-    def _missing(self, names: Collection[str]) -> dict[str, Numbers | Elements]:
-        """The parts of these parameters that the blocks need and that have no value."""
-        found: dict[str, Numbers | Elements] = {}
-        for name in filter(self._names.is_needed, names):
-            shape, value = self._names.shapes[name], self._values[name]
-            if isinstance(shape, Elements) and shape.counter:
-                value = value[: self._values[shape.counter][0]]
-            found.update(unset(shape, value, name))
-        return found
-
-
-def _check_name(name: str) -> None:
-    expect("name", name, str, "a text")
-
-
-def _texture(row: Mapping[str, Any], value: object) -> Texture:
-    from ..textures.texture import Texture, described
-
-    name = row["name"]
-    if not isinstance(value, Texture):
-        given = type(value).__name__
-        raise ParameterError(
-            name, f"`{name}` takes a Texture, and was given a value of type {given}"
-        )
-    if (value.dimension, value.sample) != (row["dimension"], row["sample"]):
-        wanted = described(row["dimension"], row["sample"])
-        given = described(value.dimension, value.sample)
-        raise ParameterError(name, f"`{name}` takes {wanted}, and was given {given}")
-    return value
-
-
-def _without_lane(value: Any) -> Any:
-    """A number in place of its single lane; anything else as it is."""
-    is_number = len(value) == 1 and not isinstance(value[0], tuple)
-    return value[0] if is_number else value
+def _write(
+    blocks: Mapping[str, bytearray], row: ParameterRow | DerivedRow, shape: Shape, value: Any
+) -> None:
+    """Write a value into its block, if the program has that block."""
+    if row.block is not None:
+        assert row.offset is not None
+        write(blocks[row.block], row.offset, shape, value)

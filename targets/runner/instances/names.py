@@ -6,16 +6,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from ....compiler.diagnostics.nearest import suggestion
+from ....compiler.documents.steps import ParameterStep, StepRow
+from .declared import Declared, TextureDeclaration
 from .shapes import Elements, Members, Shape, part, shape_of
 from .values import ParameterError, UnknownParameterError
 
 _NAME = re.compile(r"\w+(\.\w+|\[\d+\])*")
-Steps = Sequence[Mapping[str, Any]]
+Steps = Sequence[StepRow]
 _STEP = re.compile(r"\w+|\[\d+\]")
 
 
@@ -32,32 +33,28 @@ class Place:
 class Names:
     """All names of one reflection."""
 
-    def __init__(self, reflection: Mapping[str, Any]) -> None:
-        self.shapes: Mapping[str, Shape] = {
-            row["name"]: shape_of(row) for row in reflection["parameters"]
-        }
-        self.textures: Mapping[str, Mapping[str, Any]] = {
-            row["name"]: row for row in reflection["textures"]
+    def __init__(self, declared: Declared) -> None:
+        self.shapes: Mapping[str, Shape] = {row.name: shape_of(row) for row in declared.parameters}
+        self.textures: Mapping[str, TextureDeclaration] = {
+            row.name: row for row in declared.textures
         }
         """The rows of textures, by name."""
-        self.counters: Mapping[str, str] = {
-            row["count"]: row["name"] for row in reflection["buffers"]
-        }
+        self.counters: Mapping[str, str] = {row.count: row.name for row in declared.buffers}
         """The storage buffer whose elements a parameter counts."""
         self._buffers = frozenset(self.counters.values())
         self._lights = {
-            row["name"]: tuple(name.removeprefix(f"{row['name']}.") for name in row["parameters"])
-            for row in reflection["lights"]
-            if row["capacity"] is None
+            row.name: tuple(name.removeprefix(f"{row.name}.") for name in row.parameters)
+            for row in declared.lights
+            if row.capacity is None
         }
-        self._derived = {row["name"]: _inputs(row["steps"]) for row in reflection["derived"]}
-        read = {name for steps in _computed(reflection) for name in _inputs(steps)}
-        rows = reflection["parameters"]
-        self.needed = tuple(r["name"] for r in rows if r["block"] is not None or r["name"] in read)
+        self._derived = {row.name: _inputs(row.steps) for row in declared.derived}
+        read = {name for steps in declared.computed for name in _inputs(steps)}
+        rows = declared.parameters
+        self.needed = tuple(r.name for r in rows if r.block is not None or r.name in read)
         """The parameters that a shader reads, or of which the host computes something."""
         self._needed = frozenset(self.needed)
-        lights = [row["name"] for row in reflection["lights"]]
-        of_rig = (*lights, *(row["name"] for row in rows if row["group"] == "rig"))
+        lights = [row.name for row in declared.lights]
+        of_rig = (*lights, *(row.name for row in rows if row.group == "rig"))
         self.rig: Mapping[str, str] = {
             **{name.rpartition(".")[2]: name for name in lights},
             **{name: name for name in of_rig},
@@ -115,20 +112,9 @@ class Names:
         return f"there is no parameter `{name}`: {hint}"
 
 
-def _computed(reflection: Mapping[str, Any]) -> Iterator[Steps]:
-    """The steps of all that the host computes: derived values, the extent of a kernel and the
-    lengths of its results, and how finely patches are divided."""
-    yield from (row["steps"] for row in reflection["derived"])
-    yield reflection["extent"] or ()
-    yield from (row["count"] for row in reflection["results"])
-    tessellation = (reflection["draw"] or {}).get("tessellation") or {}
-    for levels in (tessellation.get("levels") or {}).values():
-        yield from levels
-
-
 def _inputs(steps: Steps) -> tuple[str, ...]:
     """The parameters that something is computed from."""
-    read = (step["parameter"] for step in steps if step["op"] == "parameter")
+    read = (step.parameter for step in steps if isinstance(step, ParameterStep))
     return tuple(dict.fromkeys(read))
 
 

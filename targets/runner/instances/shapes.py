@@ -8,9 +8,11 @@ members. Numbers, vectors and matrices that nobody has set are ``None``.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
+
+from ....compiler.documents.values import DerivedRow, LayoutRow, MemberRow, ParameterRow
 
 Kind = Literal["float", "int", "uint", "bool"]
 
@@ -94,32 +96,45 @@ class Member:
 Shape = Numbers | Elements | Members
 
 
-def shape_of(row: Mapping[str, Any]) -> Shape:
+def shape_of(row: ParameterRow | MemberRow | DerivedRow) -> Shape:
     """The shape that a row of ``parameters``, ``derived`` or ``members`` describes."""
-    layout, type_ = row["layout"], row.get("type", row["representation"])
-    if "count" not in layout:
-        return _one(row, type_)
-    one = _one({**row, "default": None}, type_.rpartition("[")[0])
-    count, stride = layout["count"], layout["stride"]
-    return Elements(type_, one, count, stride, row.get("default"), row.get("count"), row["doc"])
+    layout, type_ = row.layout, row.representation
+    members: tuple[MemberRow, ...] = ()
+    range_ = default = None
+    if not isinstance(row, DerivedRow):
+        type_, members, range_, default = row.type, row.members, row.range, row.default
+    if layout.count is None:
+        return one_of(type_, row.representation, layout, members, row.doc, range_, default)
+    element = type_.rpartition("[")[0]
+    one = one_of(element, row.representation, layout, members, row.doc, range_)
+    assert layout.stride is not None
+    counter = row.count if isinstance(row, ParameterRow) else None
+    return Elements(type_, one, layout.count, layout.stride, default, counter, row.doc)
 
 
-def _one(row: Mapping[str, Any], type_: str) -> Numbers | Members:
-    """The shape of a row; if it is an array's, that of its elements."""
-    layout, members = row["layout"], row.get("members")
+def one_of(
+    type_: str,
+    representation: str,
+    layout: LayoutRow,
+    members: Sequence[MemberRow],
+    doc: str,
+    range_: tuple[float, float] | None = None,
+    default: Any = None,
+) -> Numbers | Members:
+    """The shape of a value that is no array, or of an array's elements."""
     if members:
-        parts = (Member(each["name"], each["offset"], shape_of(each)) for each in members)
-        return Members(type_, tuple(parts), row.get("default"))
-    range_ = row.get("range")
+        parts = (Member(each.name, each.offset, shape_of(each)) for each in members)
+        return Members(type_, tuple(parts), default)
+    assert layout.lanes is not None
     return Numbers(
         type=type_,
-        kind=kind_of(row["representation"].partition("[")[0]),
-        lanes=layout["lanes"],
-        columns=layout.get("columns", 0),
-        column_stride=layout.get("column_stride", 0),
-        range=(range_[0], range_[1]) if range_ else None,
-        default=row.get("default"),
-        doc=row["doc"],
+        kind=kind_of(representation.partition("[")[0]),
+        lanes=layout.lanes,
+        columns=layout.columns or 0,
+        column_stride=layout.column_stride or 0,
+        range=range_,
+        default=default,
+        doc=doc,
     )
 
 

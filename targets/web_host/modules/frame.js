@@ -4,7 +4,7 @@ import { bareMesh, checkLevels, unpacked } from "./geometry.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
 import { settingsOf } from "./settings.js";
 import { Values } from "./values.js";
-const VERSION = 1;
+const VERSION = 2;
 /** How many frames are told apart, and how many vertices: as many as float32 can. */
 const NUMBERS = 2 ** 24;
 /** An error for a package that this host cannot draw. */
@@ -98,7 +98,7 @@ export class PlanFrame {
             else if (step.kind === "run")
                 this.run(step);
             else {
-                const [from, to] = [step.from, step.to].map((end) => this.resources.texture(end.texture));
+                const [from, to] = [step.copied, step.into].map((end) => this.resources.texture(end.texture));
                 this.renderer.copy(from, to);
             }
         }
@@ -268,30 +268,35 @@ export class PlanFrame {
     }
     /** Give a shader what the frame sets. */
     give(bound, { inputs }) {
-        for (const input of inputs) {
-            const source = (this.isFirst && input.initially) || input;
-            const { value, texture, host, result, previous } = source;
-            if (value !== undefined) {
-                bound.values.set(input.name, this.resources.number(value));
+        for (const { name, source: said } of inputs) {
+            const isEarly = this.isFirst && said.kind === "previous" && said.initially;
+            const source = isEarly || said;
+            if (source.kind === "value") {
+                bound.values.set(name, this.resources.number(source.value));
             }
-            else if (texture !== undefined && texture !== null) {
-                bound.textures.set(input.name, this.resources.texture(texture));
+            else if (source.kind === "host" && source.host in this.from.textures) {
+                bound.textures.set(name, this.resources.pictures[this.from.textures[source.host]]);
             }
-            else if (host !== undefined && host in this.from.textures) {
-                bound.textures.set(input.name, this.resources.pictures[this.from.textures[host]]);
+            else if (source.kind !== "host" && source.texture !== null) {
+                bound.textures.set(name, this.resources.texture(source.texture));
             }
             else {
-                const left = result ?? previousOf(previous);
-                const key = host !== undefined ? hostBuffer(this.plan.frame, host) : left;
+                const key = this.bufferOf(source);
                 const buffer = this.resources.buffers.get(key);
                 if (!buffer)
                     throw new Error(`${this.plan.frame} reads ${key}, which nobody has written`);
-                const count = this.giveBuffer(bound, input.name, buffer);
+                const count = this.giveBuffer(bound, name, buffer);
+                const host = source.kind === "host" ? source.host : "";
                 const row = this.plan.host_buffers.find((each) => each.name === host);
                 if (row)
                     bound.values.set(count, this.values.get(row.count));
             }
         }
+    }
+    bufferOf(source) {
+        if (source.kind === "host")
+            return hostBuffer(this.plan.frame, source.host);
+        return source.kind === "previous" ? previousOf(source.previous) : source.result;
     }
     /** Returns the name of the parameter that says how many elements it has. */
     giveBuffer(bound, name, buffer) {
@@ -302,19 +307,20 @@ export class PlanFrame {
     }
     // --- kernels ---
     run(step) {
-        const bound = this.bind(step, null);
-        this.give(bound, step);
+        const { use } = step;
+        const bound = this.bind(use, null);
+        this.give(bound, use);
         const extent = this.resources.extent(step, bound);
-        const { reflection } = this.from.shaders[step.shader];
+        const { reflection } = this.from.shaders[use.shader];
         const images = step.images.map(({ texture }) => this.resources.texture(texture));
         if (images.length && !Object.keys(reflection.backends[this.renderer.profile].images).length) {
             // Where a kernel cannot write images it is drawn over all of them.
-            const target = { level: 0, load: "clear", store: true };
+            const target = { level: 0, load: "clear", store: true, stencil: null };
             const targets = images.map((texture) => ({
                 target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
             }));
             const settings = settingsOf(this.resources.sizeOf(step.images[0].texture));
-            const call = { ...bound, mesh: this.vertices(step.shader, 3).mesh };
+            const call = { ...bound, mesh: this.vertices(use.shader, 3).mesh };
             this.renderer.draw(targets, null, [call], settings);
             return;
         }

@@ -83,7 +83,7 @@ export class Resources {
     }
     /** How many texels, or elements, a kernel computes that is run. */
     extent(step, kernel) {
-        const { extent } = this.from.shaders[step.shader].reflection;
+        const { extent } = this.from.shaders[step.use.shader].reflection;
         const found = this.evaluated(extent, kernel);
         this.extents.set(step.name, found);
         return found;
@@ -92,8 +92,8 @@ export class Resources {
         return values.evaluated(steps, (name) => this.renderer.sizeOf(textures.get(name)));
     }
     /** Give a kernel the buffers that it writes, new ones or those of the last frame. */
-    giveWritten({ buffers, shader }, bound) {
-        const { results } = this.from.shaders[shader].reflection;
+    giveWritten({ buffers, use }, bound) {
+        const { results } = this.from.shaders[use.shader].reflection;
         for (const { name, result } of buffers) {
             const { count, stride, initial } = results.find((each) => each.name === name);
             const [elements] = this.evaluated(count, bound);

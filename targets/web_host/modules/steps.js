@@ -60,10 +60,9 @@ class Computation {
             case "bound":
                 return bound[row.binder];
             case "index":
-            case "member": {
-                const part = operands[0][row.member ?? values[1][0]];
-                return typeof part === "number" ? [part] : part;
-            }
+                return partOf(operands[0], values[1][0]);
+            case "member":
+                return partOf(operands[0], row.member);
             case "swizzle":
                 return row.lanes.map((lane) => values[0][lane]);
             case "vector":
@@ -101,6 +100,11 @@ export function evaluate(name, operands, kind) {
         throw new Error(`this host does not know the function ${name} of ${kind}`);
     const lanes = operands;
     return Array.from({ length: Math.max(...lanes.map((each) => each.length)) }, (_, at) => lanewise(...lanes.map((each) => each[each.length === 1 ? 0 : at])));
+}
+/** An element or a member of a value; a number is one lane. */
+function partOf(value, key) {
+    const part = value[key];
+    return typeof part === "number" ? [part] : part;
 }
 /** The arguments that are not a body under the step's binder. */
 function outside(row) {

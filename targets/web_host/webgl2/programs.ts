@@ -1,6 +1,6 @@
 // Programs of WebGL 2, each linked once when a frame is opened.
 
-import type { PackagedShader, Sampler } from "../generated/documents.js";
+import type { PackagedShader, SamplerRow } from "../generated/documents.js";
 import type { Context, Gl } from "./context.js";
 import { checkInterface } from "./interface.js";
 
@@ -12,7 +12,7 @@ export interface Program {
   /** The name of the block at each binding. */
   blocks: string[];
   /** The texture of each unit, with its sampler; null where its texels are only loaded. */
-  textures: { name: string; state: Sampler["state"] | null }[];
+  textures: { name: string; state: SamplerRow["state"] | null }[];
   /** The location of each vertex input that the program reads, by name. */
   inputs: Map<string, number>;
   /** Uniforms that are the height of what is drawn to. */

@@ -1,7 +1,7 @@
 // Draws frames with WebGL 2, as far as it can: it has no kernels over buffers.
 
 import { halved, hasStencil, isDepth, toFloats } from "../bytes.js";
-import type { FramePackage, PackagedShader, Picture, Sampler } from "../generated/documents.js";
+import type { Package, PackagedShader, PictureRow, SamplerRow } from "../generated/documents.js";
 import type { Mesh } from "../geometry.js";
 import type {
   Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
@@ -46,7 +46,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
 
   /** A renderer that draws to a canvas; without one, several can share a context. */
   static open(
-    { shaders }: Pick<FramePackage, "shaders">, canvas: Canvas | null,
+    { shaders }: Pick<Package, "shaders">, canvas: Canvas | null,
     context = Context.open(canvas),
   ): WebGl2Renderer {
     return new WebGl2Renderer(context, shaders, canvas !== null);
@@ -58,7 +58,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     return this.own(makeTexture(this.context, size));
   }
 
-  makePicture(picture: Picture): Texture {
+  makePicture(picture: PictureRow): Texture {
     return this.own(makePicture(this.context, picture));
   }
 
@@ -275,7 +275,7 @@ export class WebGl2Renderer implements Renderer<Texture, Uint8Array<ArrayBuffer>
     });
   }
 
-  private sampler({ format }: Texture, state: Sampler["state"] | null): WebGLSampler {
+  private sampler({ format }: Texture, state: SamplerRow["state"] | null): WebGLSampler {
     if (state && state.filter === "linear" && /32float$/.test(format) && !isDepth(format)) {
       this.context.need("OES_texture_float_linear", `filter textures of ${format}`);
     }

@@ -2,13 +2,13 @@
 // docs/reflection.md.
 
 import { hasStencil } from "../bytes.js";
-import type { Reflection, Target } from "../generated/documents.js";
+import type { Reflection, TargetRow } from "../generated/documents.js";
 import type { Context, Gl } from "./context.js";
 import { PROFILE } from "./programs.js";
 import { compareOf } from "./textures.js";
 
 type RenderState = Reflection["render_state"];
-type Blend = NonNullable<Target["blend"]>;
+type Blend = NonNullable<TargetRow["blend"]>;
 
 /** Set everything for draws of a shader. `depths` is the format of the depths, if there are any. */
 export function setState(
@@ -39,14 +39,16 @@ interface Clamped {
   polygonOffsetClampEXT(slope: number, constant: number, clamp: number): void;
 }
 
-function setBias(context: Context, { depth: { bias } }: RenderState, isFilled: boolean): void {
+function setBias(context: Context, { depth }: RenderState, isFilled: boolean): void {
   const { gl } = context;
-  turn(gl, gl.POLYGON_OFFSET_FILL, bias !== null && isFilled);
-  if (!bias || !isFilled) return;
-  if (bias.clamp === 0) return gl.polygonOffset(bias.slope, bias.constant);
+  const { bias, slope_bias: slope, bias_clamp: clamp } = depth;
+  const isBiased = isFilled && (bias !== 0 || slope !== 0);
+  turn(gl, gl.POLYGON_OFFSET_FILL, isBiased);
+  if (!isBiased) return;
+  if (clamp === 0) return gl.polygonOffset(slope, bias);
   const name = "EXT_polygon_offset_clamp";
   const clamped = context.need<Clamped>(name, "limit the bias of depths");
-  clamped.polygonOffsetClampEXT(bias.slope, bias.constant, bias.clamp);
+  clamped.polygonOffsetClampEXT(slope, bias, clamp);
 }
 
 function setStencil(gl: Gl, stencil: RenderState["stencil"]): void {
@@ -55,7 +57,7 @@ function setStencil(gl: Gl, stencil: RenderState["stencil"]): void {
   gl.stencilMask(stencil.write_mask);
   for (const [face, side] of [[gl.FRONT, stencil.front], [gl.BACK, stencil.back]] as const) {
     gl.stencilFuncSeparate(face, compareOf(gl, side.compare), stencil.reference, stencil.read_mask);
-    const words = [side.fail, side.depth_fail, side.pass];
+    const words = [side.fail_op, side.depth_fail_op, side.pass_op];
     const [fail, behind, pass] = words.map((word) => gl[STENCIL_OPERATIONS[word]]);
     gl.stencilOpSeparate(face, fail, behind, pass);
   }
@@ -93,7 +95,7 @@ function setTargets(context: Context, { targets }: Reflection): void {
 }
 
 function setTarget(
-  gl: Gl, indexed: OES_draw_buffers_indexed, at: number, { blend, mask }: Target,
+  gl: Gl, indexed: OES_draw_buffers_indexed, at: number, { blend, mask }: TargetRow,
 ): void {
   indexed.colorMaskiOES(at, ...lanesOf(mask));
   if (!blend) return indexed.disableiOES(gl.BLEND, at);

@@ -1,13 +1,13 @@
 // Textures of WebGL 2: those that frames draw to, and pictures of the host.
 
 import { bytesOf, halved, isDepth, hasStencil } from "../bytes.js";
-import type { Picture, Sampler } from "../generated/documents.js";
+import type { PictureRow, SamplerRow } from "../generated/documents.js";
 import type { TextureSize } from "../renderer.js";
 import type { Context, Gl } from "./context.js";
 
 /** `layers` are the slices of a first level, if it has three dimensions. */
 export interface Texture extends Omit<TextureSize, "uses" | "dimension"> {
-  dimension: Picture["dimension"];
+  dimension: PictureRow["dimension"];
   /** A renderbuffer where it has several samples: WebGL has no such textures. */
   gl: WebGLTexture | WebGLRenderbuffer;
   /** The texels of its first level in each direction, as shaders see them. */
@@ -15,7 +15,7 @@ export interface Texture extends Omit<TextureSize, "uses" | "dimension"> {
 }
 
 type Bind = "TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP";
-const BINDS: Record<Picture["dimension"], Bind> = {
+const BINDS: Record<PictureRow["dimension"], Bind> = {
   "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
 const WRAPS: Record<string, "REPEAT" | "CLAMP_TO_EDGE" | "MIRRORED_REPEAT"> = {
@@ -46,7 +46,7 @@ const STORAGE: Partial<Record<GPUTextureFormat, [string, string, string]>> = {
 
 const constant = (gl: Gl, name: string) => gl[name as keyof Gl] as number;
 
-export const bindOf = (gl: Gl, dimension: Picture["dimension"]) => gl[BINDS[dimension]];
+export const bindOf = (gl: Gl, dimension: PictureRow["dimension"]) => gl[BINDS[dimension]];
 
 function allocate(context: Context, made: Omit<Texture, "gl">): Texture {
   const { gl } = context;
@@ -132,7 +132,7 @@ export function attach(
 
 /** A picture of the host. Its rows are uploaded in their order, as WebGL, too, counts them from
  * v = 0. */
-export function makePicture(context: Context, picture: Picture): Texture {
+export function makePicture(context: Context, picture: PictureRow): Texture {
   const { gl } = context;
   const { format, dimension, width, height, depth, levels } = picture;
   if (format === "rgba32float") {
@@ -184,7 +184,7 @@ function numbersOf(type: string, { buffer }: Uint8Array<ArrayBuffer>) {
 }
 
 /** The sampler of a texture in a shader; without a state, its texels are only loaded. */
-export function makeSampler(gl: Gl, state: Sampler["state"] | null): WebGLSampler {
+export function makeSampler(gl: Gl, state: SamplerRow["state"] | null): WebGLSampler {
   const sampler = gl.createSampler();
   const set = (name: number, value: number) => gl.samplerParameteri(sampler, name, value);
   const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: "" };

@@ -1,12 +1,12 @@
 // How the vertex inputs of a mesh lie in its buffers.
 
-import type { Reflection, VertexInput } from "../generated/documents.js";
+import type { Reflection, VertexInputRow } from "../generated/documents.js";
 
 /** Where the inputs lie that step alike: all of one vertex, or of one instance, after the other. */
 export interface Interleaved {
-  step: VertexInput["step"];
+  step: VertexInputRow["step"];
   stride: number;
-  members: { input: VertexInput; lanes: number; offset: number }[];
+  members: { input: VertexInputRow; lanes: number; offset: number }[];
 }
 
 /** The buffers that a shader reads vertex inputs of. */

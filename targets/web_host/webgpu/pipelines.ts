@@ -1,18 +1,18 @@
 // Pipelines of WebGPU, each made once when a frame is opened.
 
 import type {
-  FramePackage, PackagedShader, PipelineRow, ShaderText, Slot,
+  Package, PackagedShader, PipelineRow, ShaderTextRow, SlotRow,
 } from "../generated/documents.js";
 import type { Device } from "./device.js";
 
 export const PROFILE = "wgsl:webgpu";
 
 /** What of a package a renderer is opened for. */
-export type Drawable = Pick<FramePackage, "shaders" | "pipelines">;
+export type Drawable = Pick<Package, "shaders" | "pipelines">;
 
 /** A pipeline, with its bind groups. */
 export interface Pipeline {
-  groups: { layout: GPUBindGroupLayout; slots: Slot[] }[];
+  groups: { layout: GPUBindGroupLayout; slots: SlotRow[] }[];
   render?: GPURenderPipeline;
   compute?: GPUComputePipeline;
 }
@@ -75,7 +75,7 @@ export class Pipelines {
     return { groups, render };
   }
 
-  private async stage(material: string, { text, entry }: ShaderText) {
+  private async stage(material: string, { text, entry }: ShaderTextRow) {
     const module = this.device.gpu.createShaderModule({ code: text });
     const { messages } = await module.getCompilationInfo();
     const wrong = messages

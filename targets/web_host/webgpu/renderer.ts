@@ -1,7 +1,7 @@
 // Draws frames with WebGPU.
 
 import { halved, hasStencil, isDepth, lanesOf, toFloats } from "../bytes.js";
-import type { PackagedShader, Picture, Slot } from "../generated/documents.js";
+import type { PackagedShader, PictureRow, SlotRow } from "../generated/documents.js";
 import type { Mesh } from "../geometry.js";
 import type {
   Attachment, Bound, DrawCall, DrawSettings, Pixels, Renderer, TextureSize,
@@ -54,7 +54,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     return this.own(makeTexture(this.device, size));
   }
 
-  makePicture(picture: Picture): Texture {
+  makePicture(picture: PictureRow): Texture {
     return this.own(makePicture(this.device, picture));
   }
 
@@ -157,7 +157,7 @@ export class WebGpuRenderer implements Renderer<Texture, GPUBuffer> {
     bound: Bound<Texture, GPUBuffer>, images: Texture[],
   ): void {
     const blocks = bound.values.blocks();
-    const resource = ({ kind, name, number, layout, sampler }: Slot): GPUBindingResource => {
+    const resource = ({ kind, name, number, layout, sampler }: SlotRow): GPUBindingResource => {
       if (kind === "block") return this.arena.put(blocks.get(name)!);
       if (kind === "sampler") return this.device.gpu.createSampler(sampler);
       if (kind === "storage_texture") return viewOf(images[number], "2d");

@@ -1,7 +1,7 @@
 // Textures of WebGPU: those that frames draw to, and pictures of the host.
 
 import { bytesOf, halved, hasStencil, isDepth, lanesOf } from "../bytes.js";
-import type { Picture } from "../generated/documents.js";
+import type { PictureRow } from "../generated/documents.js";
 import type { TextureSize } from "../renderer.js";
 import { cover, coverPipeline } from "./cover.js";
 import type { Device } from "./device.js";
@@ -44,7 +44,7 @@ export function viewOf({ gpu }: Texture, dimension?: GPUTextureViewDimension): G
   return gpu.createView({ dimension, aspect: isDepth(gpu.format) ? "depth-only" : "all" });
 }
 
-export function makePicture(device: Device, picture: Picture): Texture {
+export function makePicture(device: Device, picture: PictureRow): Texture {
   const { format, dimension, width, height, depth, levels } = picture;
   if (format === "rgba32float" && !device.gpu.features.has("float32-filterable")) {
     throw new Error("this device cannot filter pictures of floats: it lacks float32-filterable");

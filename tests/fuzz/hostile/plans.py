@@ -18,6 +18,7 @@ from typing import Any
 
 import burnish
 from burnish.compiler.budget import BudgetError
+from burnish.compiler.documents import writing
 from burnish.targets.runner.codes import Codes
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_checks import check_frame
@@ -30,7 +31,7 @@ from burnish.targets.runner.frames.checking import PlanError
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.plan_files import read_frame, told_contradictions
 from burnish.targets.runner.frames.scenery import in_a_row
-from burnish.targets.runner.instances.instance import MissingValuesError
+from burnish.targets.runner.instances.host_values import MissingValuesError
 from burnish.targets.runner.instances.values import ParameterError
 from burnish.targets.runner.kernels import EmptyImageError
 from burnish.targets.runner.meshes import MeshError
@@ -80,8 +81,7 @@ def received(name: str) -> Received:
     (frame,) = burnish.compile(FOLDER / f"{name}.burnish", (ROUTE.profile,)).frames
     texts = {file.name: "x" for shader in frame.shaders for file in shader.files}
     reflections = {f"{each.name}.json": each.reflection for each in frame.shaders}
-    plain = json.loads(json.dumps([frame.plan, reflections]))
-    return Received(plain[0], plain[1], texts)
+    return Received(writing.to_json(frame.plan), writing.to_json(reflections), texts)
 
 
 def mistaken(number: int) -> Received:
@@ -122,10 +122,10 @@ def _prepare(path: Path) -> None:
     """Everything up to the driver, and what this checks first."""
     frame = read_frame(path, (ROUTE.profile,))
     with told_contradictions(frame):
-        tags = {row["name"]: row["materials"] for row in frame.plan["models"]}
+        tags = {row.name: row.materials for row in frame.plan.models}
         materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
         host = FrameHost(frame, in_a_row(materials, tags, "cube"), SIZE)
-        names = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
+        names = [row.name for row in frame.plan.outputs if row.texture is not None]
         codes = [_codes(shader.files) for shader in frame.shaders]
         job = frame_job(host, ROUTE, codes, names, 2)
     check_frame(from_json(FrameJob, json.loads(json.dumps(to_json(job)))))

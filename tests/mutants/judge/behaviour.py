@@ -142,7 +142,7 @@ def _told_of_frame(frame: CompiledFrame) -> Iterator[tuple[str, object]]:
     from burnish.targets.runner.drivers.wire import to_json
     from burnish.targets.runner.frames.by_route import frame_job
 
-    outputs = [row["name"] for row in frame.plan["outputs"] if row["texture"] is not None]
+    outputs = [row.name for row in frame.plan.outputs if row.texture is not None]
     for route, codes in _codes(frame):
         host = host_of(frame, _FRAME_SIZE)
         yield route.name, to_json(frame_job(host, route, codes, outputs, _FRAME_COUNT))

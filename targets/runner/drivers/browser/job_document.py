@@ -102,8 +102,9 @@ def _reflection(number: int, pipeline: Pipeline, profile: str) -> dict[str, Any]
 
 
 def _sampler(slot: TextureSlot) -> Mapping[str, Any]:
-    state = {"filter": slot.filter, "mip": slot.mip, "wrap": slot.wrap}
-    return state if slot.compare is None else {**state, "compare": slot.compare}
+    return {
+        "filter": slot.filter, "mip": slot.mip, "wrap": slot.wrap, "compare": slot.compare,
+    }  # fmt: skip
 
 
 def _capture(pipeline: Pipeline) -> Mapping[str, Any] | None:
@@ -122,7 +123,9 @@ def _render_state(pipeline: Pipeline) -> Mapping[str, Any]:
         "depth": {
             "compare": pipeline.depth_compare,
             "write": pipeline.depth_write,
-            "bias": to_json(pipeline.depth_bias),
+            "bias": pipeline.depth_bias.constant,
+            "slope_bias": pipeline.depth_bias.slope,
+            "bias_clamp": pipeline.depth_bias.clamp,
         },
         "stencil": stencil
         and {
@@ -136,9 +139,9 @@ def _render_state(pipeline: Pipeline) -> Mapping[str, Any]:
 def _stencil_side(side: StencilSide) -> Mapping[str, str]:
     return {
         "compare": side.compare,
-        "fail": side.fail,
-        "depth_fail": side.depth_fail,
-        "pass": side.passed,
+        "fail_op": side.fail,
+        "depth_fail_op": side.depth_fail,
+        "pass_op": side.passed,
     }
 
 

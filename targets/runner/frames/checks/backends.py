@@ -6,65 +6,66 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import NoReturn
 
+from .....compiler.documents.reflection import Reflection
 from .....compiler.ir.stages import STAGES
 from ...binding import FORMATS, VERTEX_FORMATS
-from .rows import PlanError, Row
+from .rows import Named, PlanError
 
 _ENTRY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 """What entry points may be called: compilers get them on their command lines."""
 
 
-def check_backend(where: str, reflection: Row, profile: str) -> None:
+def check_backend(where: str, reflection: Reflection, profile: str) -> None:
     """Raise ``PlanError`` where something that a shader reads or writes has no place in the texts,
     or a form that no driver knows."""
     _Backend(f"{where}, {profile}", reflection, profile).check()
 
 
 class _Backend:
-    def __init__(self, where: str, reflection: Row, profile: str) -> None:
+    def __init__(self, where: str, reflection: Reflection, profile: str) -> None:
         self._where = where
         self._reflection = reflection
-        self._backend = reflection["backends"][profile]
+        self._backend = reflection.backends[profile]
 
     def check(self) -> None:
         backend = self._backend
-        for row in backend["files"]:
-            if row["stage"] not in STAGES:
-                self._fail(f"there is no stage `{row['stage']}`")
-            if not _ENTRY.fullmatch(row["entry_point"]):
-                self._fail(f"`{row['entry_point']}` is no name of an entry point")
+        for row in backend.files:
+            if row.stage not in STAGES:
+                self._fail(f"there is no stage `{row.stage}`")
+            if not _ENTRY.fullmatch(row.entry_point):
+                self._fail(f"`{row.entry_point}` is no name of an entry point")
         for kind, names in self._bound():
             for name in names:
-                if name not in backend[kind]:
+                if name not in getattr(backend, kind):
                     self._fail(f"nothing says where `{name}` of its {kind} is")
-        for row in self._reflection["vertex_inputs"]:
-            if row["buffer"] is None and row["representation"] not in VERTEX_FORMATS:
-                self._fail(f"no vertex input is {row['representation']}, as `{row['name']}` is")
-            if row["buffer"] is None and row["location"] is None:
-                self._fail(f"the vertex input `{row['name']}` has no location")
-        for row in self._reflection["targets"]:
-            if row["format"] not in FORMATS:
-                self._fail(f"there is no format {row['format']}, as `{row['name']}` has")
+        for read in self._reflection.vertex_inputs:
+            if read.buffer is None and read.representation not in VERTEX_FORMATS:
+                self._fail(f"no vertex input is {read.representation}, as `{read.name}` is")
+            if read.buffer is None and read.location is None:
+                self._fail(f"the vertex input `{read.name}` has no location")
+        for target in self._reflection.targets:
+            if target.format not in FORMATS:
+                self._fail(f"there is no format {target.format}, as `{target.name}` has")
 
     def _bound(self) -> Iterator[tuple[str, Iterable[str]]]:
         """All that has a place in the texts, by what a backend calls these places."""
         reflection, backend = self._reflection, self._backend
-        yield "blocks", _names(reflection["blocks"])
-        yield "buffers", _names(row for row in reflection["buffers"] if row["stages"])
-        yield "buffers", _names(reflection["results"])
-        yield "textures", _names(row for row in reflection["textures"] if row["stages"])
+        yield "blocks", _names(reflection.blocks)
+        yield "buffers", _names(row for row in reflection.buffers if row.stages)
+        yield "buffers", _names(reflection.results)
+        yield "textures", _names(row for row in reflection.textures if row.stages)
         yield (
             "vertex_inputs",
-            _names(row for row in reflection["vertex_inputs"] if row["buffer"] is None),
+            _names(row for row in reflection.vertex_inputs if row.buffer is None),
         )
-        if backend["images"]:
-            yield "images", _names(reflection["targets"])
-        if reflection["capture"] is not None and backend["captures"]:
-            yield "captures", _names(reflection["capture"]["members"])
+        if backend.images:
+            yield "images", _names(reflection.targets)
+        if reflection.capture is not None and backend.captures:
+            yield "captures", _names(reflection.capture.members)
 
     def _fail(self, text: str) -> NoReturn:
         raise PlanError(f"{self._where}: {text}")
 
 
-def _names(rows: Iterable[Row]) -> Iterator[str]:
-    return (row["name"] for row in rows)
+def _names(rows: Iterable[Named]) -> Iterator[str]:
+    return (row.name for row in rows)

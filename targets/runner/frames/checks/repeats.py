@@ -8,55 +8,50 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence, Set
-from itertools import pairwise
+from itertools import zip_longest
 
+from .....compiler.documents.plan import FramePlan, PlanStep, ResultSource, UseRow, ValueSource
+from .....compiler.documents.reflection import Reflection
+from .....compiler.documents.steps import ParameterStep, ResourceStep
 from .rows import (
-    Row,
-    attachments,
     drawn_over,
     fail,
     inputs,
-    is_rare,
     read_before,
     read_now,
-    step_name,
-    uses,
     written,
 )
 
-_OF_THE_HOST = ("parameter", "texture")
-"""What steps of a value name that the host sets."""
 
-
-def check_repeats(plan: Row, reflections: Sequence[Row] | None) -> None:
+def check_repeats(plan: FramePlan, reflections: Sequence[Reflection] | None) -> None:
     """Raise ``PlanError`` for a step that would be missing in later frames."""
     repeats = _Repeats(plan, reflections)
     unneeded = repeats.only_first()
-    for step, following in pairwise((*plan["steps"], {"kind": "end"})):
-        where = step_name(step)
-        if step["kind"] == "copy":
-            if is_rare(step) != is_rare(following):
+    for step, following in zip_longest(plan.steps, plan.steps[1:]):
+        where = step.name
+        if step.kind == "copy":
+            if following is None or step.only_first != following.only_first:
                 fail(plan, where, "it is for the step behind it, and not done as often")
             continue
-        if is_rare(step) != (where in unneeded) and not (
-            is_rare(step) and repeats.leaves_the_same(step)
+        if step.only_first != (where in unneeded) and not (
+            step.only_first and repeats.leaves_the_same(step)
         ):
             fail(plan, where, "whether it is needed in later frames is said wrongly")
 
 
 class _Repeats:
-    def __init__(self, plan: Row, reflections: Sequence[Row] | None) -> None:
+    def __init__(self, plan: FramePlan, reflections: Sequence[Reflection] | None) -> None:
         self._plan = plan
         self._reflections = reflections
-        self._outputs = {row["result"] for row in plan["outputs"]}
-        self._drawn_anew = {over for step in plan["steps"] for over in drawn_over(step)}
-        self._drawn_anew |= {row["result"] for row in plan["kept"]} | self._outputs
-        self._often = {result for step in plan["steps"] if not is_rare(step)
+        self._outputs = {row.result for row in plan.outputs}
+        self._drawn_anew = {over for step in plan.steps for over in drawn_over(step)}
+        self._drawn_anew |= {row.result for row in plan.kept} | self._outputs
+        self._often = {result for step in plan.steps if not step.only_first
                        for result, _ in written(step)}  # fmt: skip
         """Results that every frame draws."""
         self._constant = [
-            not any(key in part for part in value["steps"] for key in _OF_THE_HOST)
-            for value in plan["values"]
+            not any(isinstance(part, ParameterStep | ResourceStep) for part in value.steps)
+            for value in plan.values
         ]
         """Of each value whether it is the same in every frame."""
         self._read_by: dict[int, Set[str]] = {}
@@ -64,7 +59,7 @@ class _Repeats:
 
     def only_first(self) -> set[str]:
         """The names of the steps that only a first frame needs, since it has no last one."""
-        steps = {step["name"]: step for step in self._plan["steps"] if "name" in step}
+        steps = {step.name: step for step in self._plan.steps if step.kind != "copy"}
         leaves: dict[str, list[str]] = defaultdict(list)
         for name, step in steps.items():
             for result, _ in written(step):
@@ -82,60 +77,62 @@ class _Repeats:
                 pending += further
         return steps.keys() - needed
 
-    def leaves_the_same(self, step: Row) -> bool:
+    def leaves_the_same(self, step: PlanStep) -> bool:
         """Whether nothing that a step is given, or draws to, changes from frame to frame."""
         results = {result for result, _ in written(step)}
         changes = results & self._drawn_anew or results & self._often
         if changes or any(drawn_over(step)):
             return False
-        if any(drawn["models"] is not None or drawn["light"] for drawn in step.get("draws", ())):
+        if any(drawn.models is not None or drawn.light for drawn in step.draws):
             return False
         for row in inputs(step):
-            is_number = "value" in row
-            if not is_number and ("result" not in row or row["result"] in self._often):
+            source = row.source
+            is_same = isinstance(source, ResultSource) and source.result not in self._often
+            if not is_same and not isinstance(source, ValueSource):
                 return False
         return all(self._is_constant(number) for number in self._numbers(step)) and all(
-            self._is_given_all(use) for use in uses(step)
+            self._is_given_all(use) for use in step.uses
         )
 
-    def _numbers(self, step: Row) -> Iterator[int | None]:
+    def _numbers(self, step: PlanStep) -> Iterator[int | None]:
         """The values that say what a step draws, and how large; ``None`` for an unknown one."""
-        for row in (*attachments(step), *step.get("images", ()), *step.get("buffers", ())):
-            is_buffer = "texture" not in row
-            yield None if is_buffer else self._plan["textures"][row["texture"]]["size"]["value"]
-        for drawn in step.get("draws", ()):
-            yield drawn["vertices"]
+        textures = [row.texture for row in step.attachments]
+        textures += [image.texture for image in step.images]
+        yield from (self._plan.textures[texture].size.value for texture in textures)
+        if step.buffers:
+            yield None
+        for drawn in step.draws:
+            yield drawn.vertices
         for row in inputs(step):
-            if "value" in row:
-                yield row["value"]
+            if isinstance(row.source, ValueSource):
+                yield row.source.value
 
     def _is_constant(self, number: int | None) -> bool:
         return number is not None and self._constant[number]
 
-    def _is_given_all(self, use: Row) -> bool:
+    def _is_given_all(self, use: UseRow) -> bool:
         """Whether the frame sets all that a shader reads, as far as that is known."""
         if self._reflections is None:
             return True
-        shader = use["shader"]
+        shader = use.shader
         if shader not in self._read_by:
             self._read_by[shader] = set(_read_by(self._reflections[shader]))
-        return self._read_by[shader] <= {row["name"] for row in use["inputs"]}
+        return self._read_by[shader] <= {row.name for row in use.inputs}
 
 
-def _wanted(step: Row) -> set[str]:
+def _wanted(step: PlanStep) -> set[str]:
     """The results that have to be drawn in later frames where a step is done in them."""
     now = read_now(step, is_first=False)
     read = (result for result, _ in (*written(step), *read_before(step), *now))
     return {*read, *drawn_over(step)}
 
 
-def _read_by(reflection: Row) -> Iterator[str]:
+def _read_by(reflection: Reflection) -> Iterator[str]:
     """What a shader reads: itself, or by values that are derived of it."""
-    for row in reflection["parameters"]:
-        if row["block"] is not None:
-            yield row["name"]
-    for row in reflection["derived"]:
-        yield from (part["parameter"] for part in row["steps"] if "parameter" in part)
-    for row in (*reflection["textures"], *reflection["buffers"]):
-        if row["stages"]:
-            yield row["name"]
+    for row in reflection.parameters:
+        if row.block is not None:
+            yield row.name
+    for value in reflection.derived:
+        yield from (part.parameter for part in value.steps if isinstance(part, ParameterStep))
+    yield from (texture.name for texture in reflection.textures if texture.stages)
+    yield from (buffer.name for buffer in reflection.buffers if buffer.stages)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .....compiler.ir.host import KNOWN_TO_HOST
+from .....compiler.documents.steps import CallStep, FoldStep, StepRow
 from .....compiler.reference.functions import OF_NUMBERS
-from .rows import PlanError, Row
+from .rows import PlanError
 
 _FUNCTIONS = OF_NUMBERS | {"texture_size"}
 MOST_TERMS = 1 << 16
@@ -17,18 +17,16 @@ MOST_SAID = 10
 """How many arguments of a step are listed."""
 
 
-def check_steps(where: str, steps: Sequence[Row]) -> None:
+def check_steps(where: str, steps: Sequence[StepRow]) -> None:
     """Raise ``PlanError`` for a step that is no known operation on what stands before it."""
     for number, step in enumerate(steps):
-        if step["op"] not in KNOWN_TO_HOST:
-            raise PlanError(f"{where}: there is no operation `{step['op']}`")
-        if step["op"] in ("call", "native") and step["function"] not in _FUNCTIONS:
-            raise PlanError(f"{where}: there is no function `{step['function']}`")
-        if step.get("bound", 0) > MOST_TERMS:
-            raise PlanError(f"{where}: step {number} has {step['bound']} terms")
-        if not all(0 <= each < number for each in step["args"]):
-            args = step["args"]
-            told = args if len(args) <= MOST_SAID else f"{len(args)} steps"
+        if isinstance(step, CallStep) and step.function not in _FUNCTIONS:
+            raise PlanError(f"{where}: there is no function `{step.function}`")
+        if isinstance(step, FoldStep) and step.bound > MOST_TERMS:
+            raise PlanError(f"{where}: step {number} has {step.bound} terms")
+        if not all(0 <= each < number for each in step.args):
+            args = step.args
+            told = list(args) if len(args) <= MOST_SAID else f"{len(args)} steps"
             raise PlanError(
                 f"{where}: step {number} is computed of {told}, which do not stand before it"
             )

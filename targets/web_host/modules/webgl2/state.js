@@ -26,16 +26,18 @@ function turn(gl, what, on) {
     else
         gl.disable(what);
 }
-function setBias(context, { depth: { bias } }, isFilled) {
+function setBias(context, { depth }, isFilled) {
     const { gl } = context;
-    turn(gl, gl.POLYGON_OFFSET_FILL, bias !== null && isFilled);
-    if (!bias || !isFilled)
+    const { bias, slope_bias: slope, bias_clamp: clamp } = depth;
+    const isBiased = isFilled && (bias !== 0 || slope !== 0);
+    turn(gl, gl.POLYGON_OFFSET_FILL, isBiased);
+    if (!isBiased)
         return;
-    if (bias.clamp === 0)
-        return gl.polygonOffset(bias.slope, bias.constant);
+    if (clamp === 0)
+        return gl.polygonOffset(slope, bias);
     const name = "EXT_polygon_offset_clamp";
     const clamped = context.need(name, "limit the bias of depths");
-    clamped.polygonOffsetClampEXT(bias.slope, bias.constant, bias.clamp);
+    clamped.polygonOffsetClampEXT(slope, bias, clamp);
 }
 function setStencil(gl, stencil) {
     turn(gl, gl.STENCIL_TEST, stencil !== null);
@@ -44,7 +46,7 @@ function setStencil(gl, stencil) {
     gl.stencilMask(stencil.write_mask);
     for (const [face, side] of [[gl.FRONT, stencil.front], [gl.BACK, stencil.back]]) {
         gl.stencilFuncSeparate(face, compareOf(gl, side.compare), stencil.reference, stencil.read_mask);
-        const words = [side.fail, side.depth_fail, side.pass];
+        const words = [side.fail_op, side.depth_fail_op, side.pass_op];
         const [fail, behind, pass] = words.map((word) => gl[STENCIL_OPERATIONS[word]]);
         gl.stencilOpSeparate(face, fail, behind, pass);
     }

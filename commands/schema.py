@@ -1,0 +1,45 @@
+"""``burnish schema``: prints the JSON Schema of a document that Burnish writes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from .console import say
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+DOCUMENTS = ("reflection", "plan", "package")
+
+
+@click.command()
+@click.argument("document", type=click.Choice(DOCUMENTS))
+def schema(document: str) -> None:
+    """Print the JSON Schema of a DOCUMENT that Burnish writes for hosts.
+
+    A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
+    which steps a frame is drawn, and a package has all that a page draws of a frame. Each has the
+    version of its format as `format`, `plan` or `package`.
+
+    \b
+    Example:
+        burnish schema reflection > reflection.schema.json
+    """
+    import json
+
+    from ..compiler.documents.schema import json_schema
+
+    found = json_schema(_kinds()[document])
+    for line in json.dumps(found, indent=2, ensure_ascii=False).splitlines():
+        say(line)
+
+
+def _kinds() -> Mapping[str, type]:
+    """The records of all documents."""
+    from ..compiler.documents.plan import FramePlan
+    from ..compiler.documents.reflection import Reflection
+    from ..targets.web_host.documents import Package
+
+    return dict(zip(DOCUMENTS, (Reflection, FramePlan, Package), strict=True))

@@ -1,0 +1,68 @@
+"""Constraints on the fields of documents, which Python's types cannot say.
+
+They stand in ``Annotated`` beside the type of a field. ``reading`` checks them, ``schema`` writes
+them as keywords of JSON Schema, and ``typescript`` heeds what pages call a type.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from ..frozen import frozen
+
+
+@frozen
+class Range:
+    """Bounds of a number, both of which are allowed; ``None`` where there is none."""
+
+    least: float | None = None
+    most: float | None = None
+    multiple_of: int | None = None
+
+
+@frozen
+class Length:
+    """How many elements a list has at least."""
+
+    least: int
+
+
+@frozen
+class Pattern:
+    """A regular expression that a whole text follows."""
+
+    text: str
+
+
+@frozen
+class TypeScript:
+    """What pages call a type, where it is one of the browser's own."""
+
+    text: str
+
+
+@frozen
+class Nested:
+    """A value of any shape: a scalar of JSON, or lists of such values, and with ``objects`` also
+    objects of them."""
+
+    name: str
+    """What schemas and pages call it."""
+    doc: str
+    objects: bool = False
+
+
+Count = Annotated[int, Range(least=0)]
+"""A number of things, a number of one of them, or a place in bytes."""
+Positive = Annotated[int, Range(least=1)]
+"""A number of things of which there is at least one; also lines and columns."""
+
+Lanes = Annotated[
+    Any,
+    Nested(
+        "Lanes",
+        "A value: a scalar, or nested arrays of a vector's lanes, a matrix's columns, an array's "
+        "elements.",
+    ),
+]
+"""A value as nested tuples; ``None`` where there is none."""

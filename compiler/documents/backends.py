@@ -1,0 +1,119 @@
+"""What a host has to know of one profile's texts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from ...frozen import frozen
+from ..constraints import Count
+
+
+@frozen(kw_only=True)
+class BindingRow:
+    """Where a texture or sampler is bound."""
+
+    identifier: str
+    """Name in the text."""
+    group: Count | None
+    """Bind group, descriptor set or register space; null where the host binds by name."""
+    binding: Count | None
+    """Number within the group; null where the host binds by name."""
+    register: str | None
+    """What the language itself calls the binding, ``b0`` in HLSL; null where it has no word for
+    it."""
+
+
+@frozen(kw_only=True)
+class BlockBindingRow:
+    """Where a block is bound."""
+
+    identifier: str
+    """Name in the text."""
+    group: Count | None
+    """Bind group, descriptor set or register space; null where the host binds by name."""
+    binding: Count | None
+    """Number within the group; null where the host binds by name."""
+    register: str | None
+    """What the language itself calls the binding, ``b0`` in HLSL; null where it has no word for
+    it."""
+    members: Mapping[str, str]
+    """Identifiers in the text by member name in the block."""
+
+
+@frozen(kw_only=True)
+class VertexInputNameRow:
+    """How a vertex input is called."""
+
+    identifier: str
+    """Name in the text."""
+    semantic: str | None
+    """HLSL semantic; null elsewhere."""
+
+
+@frozen(kw_only=True)
+class FileRow:
+    """One stage's text."""
+
+    stage: str
+    """The stage, such as ``vertex``."""
+    file: str
+    """File name, relative to this document."""
+    entry_point: str
+    """Entry point in the file."""
+
+
+@frozen(kw_only=True)
+class SourceMapRow:
+    """What in Burnish text each statement of an emitted file computes, or is there for."""
+
+    sources: tuple[str, ...]
+    """Burnish files by name, as given to the compiler; those of the library begin with ``std/``."""
+    lines: tuple[tuple[Count, Count, Count, Count, Count], ...]
+    """Rows of five numbers, in the order of the text: a line of it, then the number of a source
+    counted from 0, the line and the column in it, and how many characters it is."""
+
+
+@frozen(kw_only=True)
+class BackendRow:
+    """What one profile's text says."""
+
+    source_maps: Mapping[str, SourceMapRow]
+    """Where the statements of each file come from, by file name."""
+    language: str
+    """Language of the text: ``hlsl``, ``glsl``, ``wgsl`` …"""
+    clip_depth: Literal["0..1", "-1..1"]
+    """Depth range of clip space that the text writes."""
+    clip_control: tuple[str, ...]
+    """What a host gives to OpenGL's ``glClipControl``: its origin and its depth mode. Empty where a
+    host does not call it."""
+    flip_y: bool
+    """Whether the text negates clip y."""
+    front_face: Literal["ccw", "cw"]
+    """Winding that a host has to set as front, in the API's own terms."""
+    first_row: Literal["top", "bottom"]
+    """Which row of the picture comes first in the framebuffer's memory."""
+    files: tuple[FileRow, ...]
+    """Emitted files."""
+    blocks: Mapping[str, BlockBindingRow]
+    """Blocks by name."""
+    images: Mapping[str, BindingRow]
+    """Images that a kernel writes, by name; none where it is a full-screen pass, of which they are
+    the render targets."""
+    buffers: Mapping[str, BindingRow]
+    """Storage buffers by name."""
+    textures: Mapping[str, BindingRow]
+    """Textures by name; together with their samplers where the profile combines the two."""
+    samplers: Mapping[str, BindingRow]
+    """Samplers by the name of the texture; empty where the profile combines the two."""
+    vertex_inputs: Mapping[str, VertexInputNameRow]
+    """Vertex inputs by name."""
+    stream_output: Literal["text", "names", "semantics", None]
+    """How a host captures vertices: as the text says, by the names of outputs that it gives before
+    linking, by their semantics; null where the profile has no stream output."""
+    captures: Mapping[str, VertexInputNameRow]
+    """The outputs that hold captured values, by name of the value: those that OpenGL is told before
+    it links, or whose semantics Direct3D's stream output names. Empty where the profile has no
+    stream output, or a kernel captures."""
+    host_uniforms: tuple[str, ...]
+    """Loose float uniforms that the host sets besides the blocks."""

@@ -1,0 +1,576 @@
+"""The plan of a frame: which textures a host makes, and which steps it draws them by."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal
+
+from ...frozen import frozen
+from ..constraints import Count, Length, Positive
+from ..ir.render_state import Samples
+from ..ir.types import Dimension, Sample
+from .steps import StepRow
+from .values import BufferRow, LightRow, ParameterRow
+
+TextureUse = Literal["target", "depth", "image", "sampled", "copied_from", "copied_to"]
+"""What a texture is used as: drawn to, written by a kernel, read, copied."""
+TextureState = Literal[
+    "undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"
+]
+"""What it was used as; at first it has no contents."""
+BufferUse = Literal["written", "read"]
+"""What a buffer is used as: written by a kernel, or read by one or by a pass."""
+BufferState = Literal["undefined", "written", "read"]
+"""What it was used as, likewise."""
+
+
+@frozen(kw_only=True)
+class PlaceRow:
+    """Where something is written; lines and columns count from 1."""
+
+    file: str
+    """The file, from the folder of the compiled one; the library's files begin with ``std/``."""
+    line: Positive
+    """The line."""
+    column: Positive
+    """The column."""
+    length: Count
+    """The number of characters."""
+
+
+@frozen(kw_only=True)
+class HostTextureRow:
+    """A texture of the host."""
+
+    name: str
+    """Its name."""
+    type: str
+    """As it is declared."""
+    dimension: Dimension
+    """Its dimension."""
+    sample: Sample
+    """What it holds."""
+    default: str
+    """What it is until the host binds one."""
+    doc: str
+    """Its doc comment."""
+    group: str
+    """How often the host changes it."""
+
+
+@frozen(kw_only=True)
+class ModelsRow:
+    """Models of the host's scene."""
+
+    name: str
+    """Their name, which is a tag in the host's scene; all models of the scene are called
+    ``scene``."""
+    materials: tuple[str, ...]
+    """The materials that they may have. Every ``uses`` for them has a shader for each."""
+    doc: str
+    """The doc comment."""
+    source: PlaceRow
+
+
+@frozen(kw_only=True)
+class ShaderRow:
+    """A shader."""
+
+    name: str
+    """Its name."""
+    reflection: str
+    """The file with its reflection."""
+    pass_: str | None
+    """The pass; null of a kernel."""
+    rig: str | None
+    """The rig; null of a kernel."""
+
+
+@frozen(kw_only=True)
+class ValueRow:
+    """A number, vector or matrix."""
+
+    representation: str
+    """Which numbers it consists of."""
+    steps: Annotated[tuple[StepRow, ...], Length(1)]
+    """Steps that compute it, operands before users; the last one is the value."""
+
+
+@frozen(kw_only=True)
+class SizeRow:
+    """How large a texture is."""
+
+    value: int | None
+    """The number of the value that says it, an ``ivec2``; null where ``extent_of`` says it."""
+    extent_of: str | None
+    """The name of the step whose kernel says it instead, by the ``extent`` of its reflection; null
+    where ``value`` says it."""
+    level: Count
+    """How often both sides are halved then, rounded down, but not below 1."""
+
+
+@frozen(kw_only=True)
+class FrameTextureRow:
+    """A texture."""
+
+    format: str
+    """A format of render targets or of depths, as passes name them: ``rgba16f`` are floats,
+    ``rgba8`` numbers from 0 to 1."""
+    dimension: Literal["2d", "2d_array", "cube"]
+    """Its dimension."""
+    size: SizeRow
+    layers: Positive
+    """Layers, 6 of a cube."""
+    levels: Positive
+    """Mip levels."""
+    samples: Samples
+    """How many samples each texel has. A texture with several has one layer and one level, is drawn
+    to, and is not read."""
+    uses: tuple[TextureUse, ...]
+    """What steps use it as, and the host or the next frame behind them; of the two textures of a
+    row of ``kept``, what either is used as."""
+    kept: bool
+    """Whether a row of ``kept`` names it. Contents of others are needed in the next frame only
+    where a step with ``only_first`` drew them."""
+    results: tuple[str, ...]
+    """The results that it holds, one after the other."""
+
+
+@frozen(kw_only=True)
+class FrameResultRow:
+    """What a step leaves."""
+
+    name: str
+    """The step's name and that of its target."""
+    kind: Literal["texture", "buffer"]
+    """What it is."""
+    texture: int | None
+    """The number of the texture that holds it; null of a buffer, which is the result's own, and of
+    samples that are not resolved."""
+    first: Count
+    """The step that makes it first."""
+    last: Count
+    """The last step of the frame that needs it. An output, what is kept, and what a step with
+    ``only_first`` left are needed after the frame, too."""
+    doc: str
+    """Its doc comment."""
+    source: PlaceRow
+
+
+@frozen(kw_only=True)
+class BarrierRow:
+    """From here on, a texture is used in another way. What was written before has to be there;
+    ``undefined`` means that it has no contents yet."""
+
+    only_first: bool
+    """Whether the barrier stands in the first frame only."""
+    texture: Count
+    """The texture."""
+    before: TextureState
+    """How it was used."""
+    after: TextureUse
+    """How it is used."""
+
+
+@frozen(kw_only=True)
+class BufferBarrierRow:
+    """From here on, the buffer of a result is used in another way. What was written before has to
+    be there, and what was read before has been read."""
+
+    result: str
+    """The result."""
+    before: BufferState
+    """How it was used; ``undefined`` means that its contents do not matter."""
+    after: BufferUse
+    """How it is used."""
+    only_first: bool
+    """Whether the barrier stands in the first frame only."""
+
+
+@frozen(kw_only=True)
+class ResolveRow:
+    """Where the mean of each texel's samples is written behind the step."""
+
+    texture: Count
+    """A texture with one sample, in which others find the result."""
+    layer: Count
+    """Its layer."""
+    level: Count
+    """Its mip level."""
+
+
+@frozen(kw_only=True)
+class StencilLoad:
+    """What becomes of the stencil values beside depths, if there are any."""
+
+    load: Literal["load", "clear"]
+    """Whether what is there is kept or cleared."""
+    store: bool
+    """Whether a later step finds them."""
+    clear: Literal[0]
+    """What they are cleared to."""
+
+
+@frozen(kw_only=True)
+class AttachmentRow:
+    """What a target of the pass, or its depths, is drawn to."""
+
+    name: str
+    """The target of the pass, or ``depth``."""
+    result: str
+    """The result."""
+    texture: Count
+    """Its texture."""
+    layer: int | None
+    """The layer that is drawn to; null for all of them, as the reflection's ``draw.layers``
+    says."""
+    level: Count
+    """The mip level."""
+    load: Literal["load", "clear"]
+    """Whether what is there is kept or cleared."""
+    clear: Count | None
+    """The number of the value that it is cleared to: a ``vec4``, or a ``float`` of depths; null for
+    transparent black, or a depth of 1. What the pass itself says is contained in it."""
+    store: bool
+    """Whether anybody needs what is drawn."""
+    resolve: ResolveRow | None
+    """Where the mean of each texel's samples is written behind the step, of a texture with several;
+    null if nobody reads it."""
+    over: str | None
+    """The result that is there before and is drawn over."""
+    stencil: StencilLoad | None
+    """What becomes of the stencil values beside depths; null if there are none."""
+
+    @property
+    def places(self) -> tuple[AttachmentRow | ResolveRow, ...]:
+        """Where it is kept: its samples and, where there are any, their means."""
+        return (self,) if self.resolve is None else (self, self.resolve)
+
+
+@frozen(kw_only=True)
+class ValueSource:
+    """A number that the host computes."""
+
+    kind: Literal["value"]
+    value: Count
+    """The number of the value."""
+
+
+@frozen(kw_only=True)
+class ResultSource:
+    """What a step of this frame has left."""
+
+    kind: Literal["result"]
+    result: str
+    """The result."""
+    texture: int | None
+    """The number of its texture; null of a buffer."""
+
+
+@frozen(kw_only=True)
+class HostSource:
+    """A texture or a buffer of the host."""
+
+    kind: Literal["host"]
+    host: str
+    """Its name."""
+
+
+@frozen(kw_only=True)
+class PreviousSource:
+    """What a step of the last frame has left."""
+
+    kind: Literal["previous"]
+    previous: str
+    """The result."""
+    texture: int | None
+    """The number of the texture that has it now; null of a buffer."""
+    initially: ResultSource | HostSource | None
+    """What is read in the first frame instead; null for a texture without contents."""
+
+
+Source = ValueSource | ResultSource | HostSource | PreviousSource
+"""What an input is set to."""
+
+
+@frozen(kw_only=True)
+class InputRow:
+    """An input of a shader that the frame sets."""
+
+    name: str
+    """The parameter, texture or buffer, as the shader's reflection calls it."""
+    source: Source
+    """What it is set to."""
+
+
+@frozen(kw_only=True)
+class UseRow:
+    """A shader for the models of one material."""
+
+    material: str | None
+    """The material; null where vertices without models are drawn, and of a kernel."""
+    shader: Count
+    """The number of the shader."""
+    inputs: tuple[InputRow, ...]
+    """What the frame sets."""
+
+
+@frozen(kw_only=True)
+class DrawnRow:
+    """What is drawn, one draw behind the other."""
+
+    models: str | None
+    """Models, in the order of the scene; null for vertices without vertex inputs."""
+    vertices: int | None
+    """The number of the value that says how many vertices are drawn; null for models."""
+    light: str | None
+    """The entry of the rig for each of whose lights all of this is drawn once: of an array, for as
+    many as its ``count`` says. The shader has the parameters of a single light of this name, which
+    both documents may call by the name of the rig, too: ``Studio.lamps``."""
+    uses: tuple[UseRow, ...]
+    """The shaders."""
+
+
+@frozen(kw_only=True)
+class DrawStep:
+    """A pass that is drawn."""
+
+    images: ClassVar[tuple[WrittenImage, ...]] = ()
+    buffers: ClassVar[tuple[WrittenBuffer, ...]] = ()
+    written: ClassVar[tuple[WrittenImage | WrittenBuffer, ...]] = ()
+
+    kind: Literal["draw"]
+    name: str
+    """The step."""
+    pass_: str
+    """The pass."""
+    barriers: tuple[BarrierRow, ...]
+    """The textures that are waited for."""
+    buffer_barriers: tuple[BufferBarrierRow, ...]
+    """The buffers of results that are waited for."""
+    only_first: bool
+    """Whether it is needed in the first frame only."""
+    targets: tuple[AttachmentRow, ...]
+    """The targets, in the order of their locations."""
+    depth: AttachmentRow | None
+    """The depths; null where the pass has none. Then there is no depth test, whatever
+    ``render_state`` of its reflection says."""
+    viewport: Count | None
+    """The number of the value that says into which part of the targets the clip volume is drawn, in
+    texels: an ``ivec4`` of left, top, width and height; null for all of it."""
+    scissor: Count | None
+    """The number of the value that says to which part of the targets is drawn, likewise; what lies
+    outside of the targets is cut off."""
+    blend_constant: Count | None
+    """The number of the value, a ``vec4``, that the factor ``constant`` means in all targets."""
+    draws: tuple[DrawnRow, ...]
+    """What is drawn."""
+    source: PlaceRow
+    continues: bool
+    """Whether it draws on to all that the step before has drawn to, and waits for nothing else, so
+    that a host can draw both in one render pass, without storing and loading in between."""
+
+    @property
+    def attachments(self) -> tuple[AttachmentRow, ...]:
+        """All that it draws to, its depths last."""
+        return self.targets if self.depth is None else (*self.targets, self.depth)
+
+    @property
+    def uses(self) -> tuple[UseRow, ...]:
+        """The shaders of all that it draws."""
+        return tuple(use for drawn in self.draws for use in drawn.uses)
+
+
+@frozen(kw_only=True)
+class WrittenImage:
+    """An image."""
+
+    name: str
+    """The kernel's name for it."""
+    result: str
+    """The result."""
+    texture: Count
+    """Its texture."""
+
+
+@frozen(kw_only=True)
+class WrittenBuffer:
+    """A buffer."""
+
+    name: str
+    """The kernel's name for it."""
+    result: str
+    """The result."""
+
+
+@frozen(kw_only=True)
+class RunStep:
+    """A kernel that is run."""
+
+    draws: ClassVar[tuple[DrawnRow, ...]] = ()
+    attachments: ClassVar[tuple[AttachmentRow, ...]] = ()
+
+    kind: Literal["run"]
+    name: str
+    """The step."""
+    barriers: tuple[BarrierRow, ...]
+    """The textures that are waited for."""
+    buffer_barriers: tuple[BufferBarrierRow, ...]
+    """The buffers of results that are waited for."""
+    only_first: bool
+    """Whether it is needed in the first frame only."""
+    use: UseRow
+    """The kernel, and what the frame sets of it."""
+    images: tuple[WrittenImage, ...]
+    """The images that it writes."""
+    buffers: tuple[WrittenBuffer, ...]
+    """The buffers that it writes."""
+    source: PlaceRow
+
+    @property
+    def uses(self) -> tuple[UseRow, ...]:
+        """Its kernel."""
+        return (self.use,)
+
+    @property
+    def written(self) -> tuple[WrittenImage | WrittenBuffer, ...]:
+        """All that it writes."""
+        return *self.images, *self.buffers
+
+
+@frozen(kw_only=True)
+class CopyEnd:
+    """One end of a copy."""
+
+    result: str
+    """The result."""
+    texture: Count
+    """The number of its texture."""
+
+
+@frozen(kw_only=True)
+class CopyStep:
+    """A copy of a whole texture, where a step draws over something that others still need as it
+    was."""
+
+    name: ClassVar[str] = "a copy"
+    draws: ClassVar[tuple[DrawnRow, ...]] = ()
+    attachments: ClassVar[tuple[AttachmentRow, ...]] = ()
+    images: ClassVar[tuple[WrittenImage, ...]] = ()
+    buffers: ClassVar[tuple[WrittenBuffer, ...]] = ()
+    written: ClassVar[tuple[WrittenImage | WrittenBuffer, ...]] = ()
+    uses: ClassVar[tuple[UseRow, ...]] = ()
+
+    kind: Literal["copy"]
+    barriers: tuple[BarrierRow, ...]
+    """The textures that are waited for."""
+    buffer_barriers: tuple[BufferBarrierRow, ...]
+    """The buffers of results that are waited for."""
+    copied: CopyEnd
+    """What is copied."""
+    into: CopyEnd
+    """Where it is copied to."""
+    only_first: bool
+    """Whether the first frame is enough."""
+
+
+PlanStep = DrawStep | RunStep | CopyStep
+"""Something that a host does."""
+
+
+@frozen(kw_only=True)
+class WaitingRow:
+    """What is waited for behind the last step and before the exchange of ``kept``, so that the host
+    can read the outputs and the next frame what is kept."""
+
+    barriers: tuple[BarrierRow, ...]
+    """The textures that are waited for."""
+    buffer_barriers: tuple[BufferBarrierRow, ...]
+    """The buffers of results that are waited for."""
+
+
+@frozen(kw_only=True)
+class KeptRow:
+    """Something that the next frame reads."""
+
+    result: str
+    """The result."""
+    texture: int | None
+    """Its texture; null of a buffer."""
+    previous: int | None
+    """The texture that has what the last frame left; null of a buffer."""
+
+
+@frozen(kw_only=True)
+class OutputRow:
+    """What the frame gives."""
+
+    name: str
+    """Its name."""
+    result: str
+    """The result."""
+    texture: int | None
+    """Its texture; null of a buffer."""
+    doc: str
+    """Its doc comment."""
+    source: PlaceRow
+
+
+@frozen(kw_only=True)
+class FramePlan:
+    """What a host does to draw a frame: which textures it makes, and which steps it executes in
+    which order. Each shader has a reflection of its own."""
+
+    VERSION: ClassVar = "plan"
+
+    plan: Literal[2]
+    """Version of this document's format. A host refuses versions that it does not know."""
+    frame: str
+    """The frame."""
+    doc: str
+    """The frame's doc comment; empty where there is none."""
+    source: PlaceRow
+    rig: str
+    """The rig of lights under which models are drawn."""
+    parameters: tuple[ParameterRow, ...]
+    """What the host sets for the whole frame, as in reflections. No block holds them. Those of the
+    lights are among them, and are those of the same name in each shader, with or without the name
+    of the rig before it; shaders get others through the values of inputs alone."""
+    lights: tuple[LightRow, ...]
+    """The lights of the rig, as in reflections."""
+    host_textures: tuple[HostTextureRow, ...]
+    """Textures that the host binds for the whole frame."""
+    host_buffers: tuple[BufferRow, ...]
+    """Storage buffers that the host binds for the whole frame."""
+    sources: Mapping[str, PlaceRow]
+    """Where everything is declared that the host sets, by name."""
+    models: tuple[ModelsRow, ...]
+    """Models of the host's scene that passes draw."""
+    shaders: tuple[ShaderRow, ...]
+    """The shaders; steps name them by their numbers here."""
+    values: tuple[ValueRow, ...]
+    """Numbers that the host computes once for each frame, before the first step, of the parameters,
+    of those of the lights, and of the sizes of its textures; steps and textures name them by their
+    numbers here."""
+    textures: tuple[FrameTextureRow, ...]
+    """The textures that the host makes, by number. Each serves one result after the other."""
+    results: tuple[FrameResultRow, ...]
+    """What the steps leave."""
+    steps: tuple[PlanStep, ...]
+    """What the host does, in this order."""
+    end: WaitingRow
+    """What is waited for behind the last step and before the exchange of ``kept``, so that the host
+    can read the outputs and the next frame what is kept."""
+    kept: tuple[KeptRow, ...]
+    """What the next frame reads. Behind the last step the host exchanges each texture (or, where
+    the numbers are null, the result's buffer) with the previous one. Before the first frame, these
+    textures are transparent black, or depths of 1."""
+    outputs: tuple[OutputRow, ...]
+    """What the frame gives, to be read behind the last step and before the exchange of ``kept``."""
+
+    def output_texture(self, name: str) -> int | None:
+        """The texture that an output is in behind the exchange of what is kept; ``None`` for a
+        buffer."""
+        output = next(row for row in self.outputs if row.name == name)
+        kept = {row.result: row.previous for row in self.kept}
+        return kept.get(output.result, output.texture)

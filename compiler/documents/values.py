@@ -1,0 +1,290 @@
+"""What a host sets and computes: parameters, storage buffers, lights, and how their bytes lie."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from ...frozen import frozen
+from ..constraints import Count, Lanes, Range
+from ..packing import LaneKind
+from .steps import StepRow
+
+
+@frozen(kw_only=True)
+class LayoutRow:
+    """How lanes lie from the start of the value. A lane is 32 bits, little-endian; what does not
+    apply to the type is absent."""
+
+    stored: str
+    """The stored type: bools as uints, 2- and 3-row matrices with columns of four rows
+    (``mat3x4``), arrays as arrays of ``vec4``. Of a table's member that of one element."""
+    kind: LaneKind | None = None
+    """What a lane is written as; bools are uints 0 and 1. Absent for structs."""
+    lanes: Annotated[int, Range(least=0, most=4)] | None = None
+    """Lanes of a scalar or vector, or of one column of a matrix, 4 bytes apart."""
+    columns: Annotated[int, Range(least=0, most=4)] | None = None
+    """Columns of a matrix."""
+    column_stride: Count | None = None
+    """Bytes from one column of a matrix to the next."""
+    count: Count | None = None
+    """Elements of an array; everything else describes one element."""
+    stride: Count | None = None
+    """Bytes from one element of an array to the next."""
+
+
+@frozen(kw_only=True)
+class StructMember:
+    """One member."""
+
+    name: str
+    """The member's name; padding is ``pad_N``."""
+    type: str
+    """Stored type."""
+    offset: Count
+    """Bytes from the start of the struct."""
+    size: Count
+    """Bytes."""
+
+
+@frozen(kw_only=True)
+class StructRow:
+    """A struct in stored form."""
+
+    name: str
+    """The struct's name."""
+    size: Annotated[int, Range(least=0, multiple_of=16)]
+    """Bytes, a multiple of 16."""
+    members: tuple[StructMember, ...]
+    """Members in order, padding included."""
+
+
+@frozen(kw_only=True)
+class MemberRow:
+    """A member of a struct, or of the elements of an array of structs."""
+
+    name: str
+    """The member's name."""
+    type: str
+    """The type as written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
+    representation: str
+    """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
+    range: tuple[float, float] | None
+    """Lowest and highest value that a host may set; null where the declaration gives none."""
+    default: Lanes
+    """Value before a host sets one; null where the declaration gives none."""
+    doc: str
+    """Doc comment; empty where there is none."""
+    library: str | None
+    """Which declaration of the library it is, ``std.skinning.Skinned.bones``; null where it is none
+    of them."""
+    offset: Count
+    """Bytes from the start of the struct."""
+    size: Count
+    """Bytes of the stored value, padding inside it included."""
+    layout: LayoutRow
+    members: tuple[MemberRow, ...]
+    """Members of a struct inside this one."""
+
+
+@frozen(kw_only=True)
+class ParameterRow:
+    """A declared parameter."""
+
+    name: str
+    """Name as the host says it, ``lamps`` or ``torch.axis``."""
+    type: str
+    """The type as written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
+    representation: str
+    """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
+    range: tuple[float, float] | None
+    """Lowest and highest value that a host may set; null where the declaration gives none."""
+    default: Lanes
+    """Value before a host sets one; null where the declaration gives none."""
+    doc: str
+    """Doc comment; empty where there is none."""
+    library: str | None
+    """Which declaration of the library it is, ``std.skinning.Skinned.bones``; null where it is none
+    of them."""
+    role: str | None
+    """What a program that shows scenes has for it, such as ``world_to_clip`` of the camera; null
+    where it is the material's own affair."""
+    group: str
+    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
+    user's own."""
+    block: str | None
+    """Block that holds it; null where the program reads nothing of that block."""
+    offset: Count | None
+    """Bytes from the start of the block; null without a block."""
+    size: Count
+    """Bytes of the stored value, padding inside it included."""
+    layout: LayoutRow
+    members: tuple[MemberRow, ...]
+    """Members of a struct or of an array's elements; empty otherwise."""
+    count: str | None
+    """Parameter with the run-time number of elements in use; null where all are."""
+
+
+@frozen(kw_only=True)
+class DerivedRow:
+    """A value that the host computes in double precision from stored parameters and rounds once;
+    where ``layout`` has a ``count``, one for each element of an array."""
+
+    name: str
+    """Name in its block; of a table's member with the table's name before it,
+    ``lamps_derived.falloff_cos``."""
+    representation: str
+    """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
+    group: str
+    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
+    user's own."""
+    block: str | None
+    """Block that holds it; null where the program reads nothing of that block."""
+    offset: Count | None
+    """Bytes from the start of the block; null without a block."""
+    size: Count
+    """Bytes of the stored value, padding inside it included."""
+    layout: LayoutRow
+    doc: str
+    """Doc comment; empty where there is none."""
+    steps: tuple[StepRow, ...]
+    """The computation, operands first; the last step is the value. Where ``layout`` has a ``count``
+    it is done for each element, whose number is the ``bound`` outside of bodies."""
+
+
+@frozen(kw_only=True)
+class PromiseRow:
+    """A vector that is not zero wherever a shader uses it."""
+
+    value: str
+    """The vector as a formula in Burnish."""
+    least_length: float
+    """It is at least so long."""
+    parameters: tuple[str, ...]
+    """The parameters that it depends on."""
+
+
+@frozen(kw_only=True)
+class LightRow:
+    """A light, or an array of lights, of the rig."""
+
+    name: str
+    """Name in the rig."""
+    kind: str
+    """The declaration of the light: ``Spot``."""
+    library: str | None
+    """Which declaration of the library that is, ``std.lights.Spot``; null where it is none of
+    them."""
+    doc: str
+    """Doc comment of the rig's entry; empty where there is none."""
+    capacity: Count | None
+    """Largest number of lights of an array; null for a single light."""
+    count: str | None
+    """Parameter with the number of lights in use; null where it is fixed."""
+    parameters: tuple[str, ...]
+    """The array's parameter, or a single light's parameters, of whatever groups: each has a row in
+    ``parameters`` with its block and offset."""
+
+
+@frozen(kw_only=True)
+class BufferRow:
+    """A storage buffer, the same bytes on every backend."""
+
+    name: str
+    """Name as the host says it, ``lanterns`` or ``torch.bulbs``."""
+    type: str
+    """The type as written: ``Lantern[]``."""
+    representation: str
+    """The type on the machine: ``vec3[]``."""
+    group: str
+    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
+    user's own."""
+    count: str
+    """The parameter that says how many elements there are. A buffer without elements is bound with
+    one of zeros."""
+    stride: Annotated[int, Range(least=4)]
+    """Bytes from one element to the next."""
+    layout: LayoutRow
+    members: tuple[MemberRow, ...]
+    """Members of an element that is a struct."""
+    structs: tuple[StructRow, ...]
+    """Stored structs that elements use, those inside others first."""
+    stages: tuple[str, ...]
+    """Stages that read it."""
+    doc: str
+    """Doc comment."""
+
+
+@frozen(kw_only=True)
+class ResultRow:
+    """A storage buffer that a kernel writes: each element once, or, if it is scattered to, as often
+    as invocations choose it. What fills gaps is not written."""
+
+    name: str
+    """Name as the host says it, ``lanterns`` or ``torch.bulbs``."""
+    type: str
+    """The type as written: ``Lantern[]``."""
+    representation: str
+    """The type on the machine: ``vec3[]``."""
+    group: str
+    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
+    user's own."""
+    stride: Annotated[int, Range(least=4)]
+    """Bytes from one element to the next."""
+    layout: LayoutRow
+    members: tuple[MemberRow, ...]
+    """Members of an element that is a struct."""
+    structs: tuple[StructRow, ...]
+    """Stored structs that elements use, those inside others first."""
+    doc: str
+    """Doc comment."""
+    count: tuple[StepRow, ...]
+    """Steps that compute how many elements it has."""
+    scattered: Literal["add", "min", "max", "and", "or", None]
+    """How invocations join their values with elements; null if each writes its own."""
+    initial: int | None
+    """What each element has to be before the kernel runs, so that it then has what was scattered;
+    null if that does not matter."""
+
+
+@frozen(kw_only=True)
+class BlockMember:
+    """One member."""
+
+    name: str
+    """Suggested identifier; each backend says what it became."""
+    type: str
+    """Stored type."""
+    offset: Count
+    """Bytes from the start of the block."""
+    size: Count
+    """Bytes."""
+    parameter: str | None
+    """Parameter that it holds; null for padding."""
+
+
+@frozen(kw_only=True)
+class BlockRow:
+    """A uniform block, the same bytes on every backend."""
+
+    name: str
+    """Name by which other parts of this document refer to it."""
+    group: str
+    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
+    user's own."""
+    derived: bool
+    """Whether the host computes its contents from other parameters."""
+    extern: bool
+    """Whether the file says of it that the host owns it: names, offsets and binding are the
+    host's."""
+    size: Annotated[int, Range(least=0, multiple_of=16)]
+    """Bytes, a multiple of 16."""
+    stages: tuple[str, ...]
+    """Stages that read it."""
+    layout_id: str
+    """A digest of the members, with their types and offsets, and of the structs: blocks with one id
+    have the same bytes for the same values, whatever material they are of."""
+    members: tuple[BlockMember, ...]
+    """Members in order, padding included; they leave no gap. A text does not write padding that all
+    languages leave by themselves."""
+    structs: tuple[StructRow, ...]
+    """Stored structs that members use, those inside others first."""

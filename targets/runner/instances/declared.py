@@ -1,0 +1,50 @@
+"""All that has a value of its own, of a material or of a frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Protocol
+
+from ....compiler.documents.drawing import TextureRow
+from ....compiler.documents.plan import HostTextureRow
+from ....compiler.documents.steps import StepRow
+from ....compiler.documents.values import BufferRow, DerivedRow, LightRow, ParameterRow
+
+TextureDeclaration = TextureRow | HostTextureRow
+"""A texture that a host binds."""
+
+
+class Declared(Protocol):
+    """What ``HostValues`` has values for: ``Reflection`` is one, and ``FrameDeclarations``."""
+
+    @property
+    def material(self) -> str:
+        """What messages call it."""
+
+    @property
+    def rig(self) -> str:
+        """The rig of its lights."""
+
+    @property
+    def parameters(self) -> Sequence[ParameterRow]:
+        """The declared parameters."""
+
+    @property
+    def derived(self) -> Sequence[DerivedRow]:
+        """The values that the host computes and keeps in blocks."""
+
+    @property
+    def lights(self) -> Sequence[LightRow]:
+        """The lights of the rig."""
+
+    @property
+    def buffers(self) -> Sequence[BufferRow]:
+        """The storage buffers that it reads."""
+
+    @property
+    def textures(self) -> Sequence[TextureDeclaration]:
+        """The textures that it reads."""
+
+    @property
+    def computed(self) -> Iterable[Sequence[StepRow]]:
+        """The steps of all that the host computes."""
