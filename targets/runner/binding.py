@@ -24,6 +24,7 @@ from .drivers.render_state import (
     Winding,
 )
 from .drivers.slots import BlockSlot, BufferSlot, ImageSlot, Place, TextureSlot
+from .loose_uniforms import uniforms_of
 from .routes import EVERY_DRIVER, Route
 
 FORMATS: Mapping[str, TargetFormat] = {
@@ -86,10 +87,7 @@ def pipeline(
         inputs=tuple(
             _input(row, backend) for row in reflection["vertex_inputs"] if row["buffer"] is None
         ),
-        blocks=tuple(
-            BlockSlot(_place(backend["blocks"][row["name"]]), row["size"])
-            for row in reflection["blocks"]
-        ),
+        blocks=tuple(_block(row, backend["blocks"][row["name"]]) for row in reflection["blocks"]),
         textures=_textures(reflection, backend),
         buffers=tuple(
             BufferSlot(_place(backend["buffers"][row["name"]]), row["stride"], written=written)
@@ -200,6 +198,12 @@ def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:
 def _input(row: Mapping[str, Any], backend: Mapping[str, Any]) -> Input:
     identifier = backend["vertex_inputs"][row["name"]]["identifier"]
     return Input(identifier, row["location"], VERTEX_FORMATS[row["representation"]], row["step"])
+
+
+def _block(row: Mapping[str, Any], binding: Mapping[str, Any]) -> BlockSlot:
+    """A block; one that has no name in the text is uniforms there."""
+    loose = () if binding["identifier"] else tuple(uniforms_of(row, binding))
+    return BlockSlot(_place(binding), row["size"], loose)
 
 
 def _place(row: Mapping[str, Any]) -> Place:
