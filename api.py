@@ -38,8 +38,9 @@ from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
 from .targets.legalise.forms import form_for
 from .targets.legalise.guards import keeps
+from .targets.legalise.lacks import Lack, lacks
 from .targets.legalise.legalise import legalise
-from .targets.legalise.limits import Lack, excesses, lacks
+from .targets.legalise.limits import excesses
 from .targets.selection import DEFAULT, full_name, select_targets
 
 if TYPE_CHECKING:
@@ -84,11 +85,11 @@ def compile(
 
     ``source`` is a path, or the text itself (a ``str`` that contains a line break or a brace).
     ``targets`` are names such as ``"wgsl"``, or with a profile ``"glsl:es300"``; ``"all"`` means
-    every profile, and ``"default"`` the first profile of every language that is not marked as
-    unproven. All materials that are not abstract are compiled, unless ``material`` names one; then
-    only what it uses is checked, but all of the file is read, with its syntax. ``rig`` and
-    ``pass_`` are only needed if a file has several. With ``hoist=False`` the shaders compute
-    everything themselves. With ``line_directives``, texts have ``#line`` directives that
+    every profile that need not be named, and ``"default"`` the first profile of every language that
+    is not marked as unproven. All materials that are not abstract are compiled, unless ``material``
+    names one; then only what it uses is checked, but all of the file is read, with its syntax.
+    ``rig`` and ``pass_`` are only needed if a file has several. With ``hoist=False`` the shaders
+    compute everything themselves. With ``line_directives``, texts have ``#line`` directives that
     name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
     and its ``lacking`` says why. With ``native_stages``, a material that expands primitives or
@@ -338,8 +339,9 @@ def _lacking(
 
 def _place_of(shader: Shader, lack: Lack) -> Span | None:
     """Where something is written that a profile has not got."""
-    if lack.target is not None:
-        return shader.results_of(TARGET)[lack.target].span
+    targets = shader.results_of(TARGET)
+    if lack.target is not None and targets:
+        return targets[lack.target].span
     return shader.notes.spans.get(lack.node)
 
 

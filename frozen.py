@@ -222,7 +222,8 @@ def _reduced(self: Any) -> tuple[Any, ...]:
 
 def _reduced_by_name(self: Any) -> tuple[Any, ...]:
     fields = dict(zip(self.__match_args__, _values(self), strict=True))
-    return partial(type(self), **fields), ()
+    kind: Callable[..., Any] = type(self)
+    return partial(kind, **fields), ()
 
 
 def _values(self: Any) -> tuple[Any, ...]:

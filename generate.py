@@ -38,11 +38,14 @@ def is_current() -> bool:
 
 
 def _modules() -> dict[str, Precomputations]:
-    languages = map(registry.load, registry.names())
+    languages = [registry.load(name) for name in registry.names()]
+    skeletons = [
+        language.under(profile).skeleton for language in languages for profile in language.profiles
+    ]
     return {
         "grammar": tables_to_generate(),
         "library": trees_to_generate(),
-        "skeletons": functions_to_generate(language.skeleton for language in languages),
+        "skeletons": functions_to_generate(dict.fromkeys(skeletons)),
     }
 
 

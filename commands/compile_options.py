@@ -37,7 +37,7 @@ TARGET = Option(
     "targets",
     ("-t", "--target"),
     "What to write; see `burnish targets`. Default: the first profile of every target that is "
-    "not marked as unproven there; `all` means every profile.",
+    "not marked as unproven there; `all` means every profile that need not be named.",
     metavar="NAME[:PROFILE],…",
     many=True,
 )

@@ -61,6 +61,8 @@ def _abilities(profile: Profile) -> Iterator[str]:
     if profile.framebuffer.clip_control:
         yield f"glClipControl({', '.join(profile.framebuffer.clip_control)})"
     yield f"rows count {'upwards' if profile.framebuffer.rows_up else 'downwards'}"
+    if profile.on_request:
+        yield "not among `all`"
     yield f"checked by {', '.join(profile.checkers) or 'nothing'}"
 
 
@@ -104,6 +106,7 @@ def _profile_data(profile: Profile) -> dict[str, Any]:
         "clip_control": list(profile.framebuffer.clip_control),
         "rows_up": profile.framebuffer.rows_up,
         "single_file": profile.single_file,
+        "on_request": profile.on_request,
         "checkers": list(profile.checkers),
         "capabilities": {
             name: {"standing": cell.kind, "how": cell.how, "missing": list(cell.missing)}

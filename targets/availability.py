@@ -49,7 +49,7 @@ def _compile_for(fits: Callable[[Profile], bool]) -> str:
         f"{language.name}:{profile.name}"
         for language in map(registry.load, registry.defaults())
         for profile in language.profiles
-        if fits(profile)
+        if not profile.on_request and fits(profile)
     ]
     if not names:
         return ""

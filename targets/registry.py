@@ -8,6 +8,7 @@ from pathlib import Path
 
 from . import __name__ as package
 from . import __path__ as folders
+from .description.faults import check
 from .description.profile import Profile
 from .description.shading_language import Language
 
@@ -31,10 +32,12 @@ def defaults() -> tuple[str, ...]:
 
 @cache
 def load(name: str) -> Language:
-    """The language called ``name``; ``KeyError`` if there is none."""
+    """The language called ``name``; ``KeyError`` if there is none, and ``LanguageError`` if what
+    describes it has faults."""
     if name not in names():
         raise KeyError(name)
     language: Language = import_module(f"{package}.{name}.language").LANGUAGE
+    check(language)
     return language
 
 

@@ -22,7 +22,7 @@ DEFAULT = "default"
 """Means the first profile of every target that is not marked as unproven."""
 
 ALL = "all"
-"""Means every profile of every target."""
+"""Means every profile of every target, besides those that have to be named."""
 
 
 def select_targets(
@@ -65,7 +65,8 @@ def _named(name: str, known: Iterable[str]) -> Iterable[str]:
         return registry.defaults()
     if name != ALL:
         return (name,)
-    return [f"{each}:{profile.name}" for each in known for profile in registry.load(each).profiles]
+    languages = map(registry.load, known)
+    return [full_name(each, p) for each in languages for p in each.profiles if not p.on_request]
 
 
 def full_name(target: Language, profile: Profile) -> str:

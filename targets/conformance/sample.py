@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.documents.drawing import TextureRow
 from ..runner.instances.contents import layout_of
-from ..runner.instances.instance import Instance
+from ..runner.instances.declared import TextureDeclaration
+from ..runner.instances.host_values import HostValues
 from ..runner.instances.shapes import WHOLE, Elements, Members, Numbers, Shape, kind_of, shape_of
 from ..runner.scene import set_by_scene
 from ..runner.textures.texture import Texture
@@ -34,22 +34,22 @@ _USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
 """The range of numbers with some meanings, whatever their default."""
 
 
-def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> None:
+def sample_values(instance: HostValues, seed: int, *, missing: bool = False) -> None:
     """Set every parameter that a scene does not set to an allowed value, and use all lights.
 
     With ``missing``, set only those that have no value. A parameter that the program does not read
     needs none, but the material may read it, and what was left out of the program relied on its
     range.
     """
-    lights = instance.reflection.lights
+    lights = instance.declared.lights
     counts = {light.count for light in lights if light.count}
-    counts |= {buffer.count for buffer in instance.reflection.buffers}
-    placed = set_by_scene(instance.reflection) | counts
+    counts |= {buffer.count for buffer in instance.declared.buffers}
+    placed = set_by_scene(instance.declared) | counts
     for light in lights:
         if light.count:
             instance.set(light.count, light.capacity)
     without = [name.replace("[", ".") for name in instance.missing]
-    for row in instance.reflection.parameters:
+    for row in instance.declared.parameters:
         name = row.name
         unset = any(f"{each}.".startswith(f"{name}.") for each in without)
         unset |= row.block is None and row.default is None
@@ -57,27 +57,27 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
             instance.set(name, _value(shape_of(row), random.Random(f"{seed} {name}")))
 
 
-def sample_buffers(instance: Instance, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> None:
+def sample_buffers(instance: HostValues, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> None:
     """Fill every storage buffer with some elements, or now and then with none."""
-    for row in instance.reflection.buffers:
+    for row in instance.declared.buffers:
         chance = random.Random(f"{seed} {row.name}")
         element = layout_of(row).element
         count = chance.choice(sizes)
         instance.set(row.name, [_value(element, chance) for _ in range(count)])
 
 
-def sample_textures(instance: Instance, seed: int) -> None:
+def sample_textures(instance: HostValues, seed: int) -> None:
     """Give every texture a picture of its own: smooth, and different in all lanes and directions.
 
     Integer textures get arbitrary numbers; those with 8 bits get few different ones, as palettes
     have.
     """
-    for number, row in enumerate(instance.reflection.textures):
+    for number, row in enumerate(instance.declared.textures):
         chance = random.Random(f"{seed} {row.name}")
         instance.set(row.name, _sampled_texture(row, chance, number + seed))
 
 
-def _sampled_texture(row: TextureRow, chance: random.Random, turn: int) -> Texture:
+def _sampled_texture(row: TextureDeclaration, chance: random.Random, turn: int) -> Texture:
     dimension, sample = row.dimension, row.sample
     size = (16, 16) if dimension == "cube" else ((32, 32), (24, 20), (17, 31))[turn % 3]
     count = {"2d": 1, "cube": 6, "2d_array": 3, "3d": 12}[dimension]

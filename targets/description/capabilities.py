@@ -4,7 +4,7 @@ A *capability* is something that programs may use and that not every profile has
 stage. Each is a row of ``CAPABILITIES``; which profiles have it follows from their own rows. So a
 new profile fills its cells of the table by itself, and so does a new row.
 
-Who reads it: ``legalise/limits.py``, to name what a program uses and its profile has not got;
+Who reads it: ``legalise/lacks.py``, to name what a program uses and its profile has not got;
 ``availability.py``, for the way out that a message shows, and for ``burnish targets``; the page
 ``docs/targets.md``, which is made from it; and the tests, which hold each cell to what it claims.
 
@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from ...compiler.ir.operations import OF_GROUPS
 from ...compiler.ir.stages import COMPUTE, CONTROL, EVALUATION, FRAGMENT, GEOMETRY, VERTEX, StageRow
+from ...compiler.ir.types import Texture
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
 from .profile import STORABLE, Profile
 
@@ -45,7 +46,54 @@ BLENDING_APART = Need(
     "equation of its own for each blended target", lambda profile: profile.blending == "apart"
 )
 FLOATS_BLENDED = Need("blending of 32-bit floats", lambda profile: profile.blends_floats)
+VERTEX_NUMBERS = Need(
+    "`vertex_index`", lambda profile: "vertex_index" not in profile.without_inputs
+)
+INSTANCES = Need(
+    "draws of instances", lambda profile: "instance_index" not in profile.without_inputs
+)
+OF_INPUTS = {"vertex_index": VERTEX_NUMBERS, "instance_index": INSTANCES}
+"""The values of the pipeline that profiles may refuse, and the need of each."""
+SEVERAL_TARGETS = Need("second render target", lambda profile: profile.limits.render_targets > 1)
+INTEGER_ATTRIBUTES = Need("vertex inputs of integers", lambda profile: profile.integer_attributes)
+FLAT_VALUES = Need("values of a single vertex at fragments", lambda profile: profile.flat_varyings)
+COMPUTED_PLACES = Need("places that are computed", lambda profile: profile.computed_indices)
+WIDE_INTEGERS = Need(
+    "integers of 32 bits",
+    lambda profile: profile.wide_integers,
+    frozenset(
+        {
+            "bit_and", "bit_not", "bit_or", "bit_xor", "bits_of", "count_bits", "first_leading_bit",
+            "first_trailing_bit", "float_of_bits", "reverse_bits", "shift_left", "shift_right",
+            "to_uint",
+        }
+    ),
+)  # fmt: skip
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
+
+
+def a_texture(feature: str, type_: Texture) -> Need:
+    """The need of a type of textures."""
+    return Need(feature, lambda profile: type_ in profile.textures)
+
+
+DEPTH_TEXTURES = a_texture("textures of depths", Texture("2d", "depth"))
+INTEGER_TEXTURES = a_texture("textures of integers", Texture("2d", "int"))
+LAYERED_TEXTURES = a_texture("textures with layers", Texture("2d_array"))
+VOLUMES = a_texture("textures of three dimensions", Texture("3d"))
+
+
+def feature_of_texture(type_: Texture, profile: Profile) -> str:
+    """What is missing where a profile has not got a type of textures."""
+    needs = {
+        DEPTH_TEXTURES: type_.sample == "depth",
+        INTEGER_TEXTURES: type_.sample in ("int", "uint"),
+        LAYERED_TEXTURES: type_.layered,
+        VOLUMES: type_.dimension == "3d",
+    }
+    missing = (need for need, is_needed in needs.items() if is_needed and not need.is_met(profile))
+    return next((need.feature for need in missing), f"`{type_}`")
+
 
 BIT_COUNTS = ("count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit")
 
@@ -63,6 +111,13 @@ CAPTURES = Capability(
     "captures",
     "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = …`.",
     (Way((STREAM_OUTPUT,)), BY_KERNEL),
+    on_request=True,
+)
+CAPTURED_NUMBERS = Capability(
+    "numbers of captured vertices",
+    "What is captured depends on `vertex_index`.",
+    (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)), BY_KERNEL),
+    "give the number as a vertex input: `attribute number : uint`",
     on_request=True,
 )
 EMITTED_CAPTURES = Capability(
@@ -85,14 +140,14 @@ SOME_BLENDED = Capability(
     "blending by target",
     "Of the targets of a pass only some are blended, or each has other lanes that are written: "
     "`target a : rgba16f = x blend add`, `target b : r8 = y`.",
-    (Way((BLENDING_SWITCHED,)),),
+    (Way((SEVERAL_TARGETS, BLENDING_SWITCHED)),),
     DRAWN_APART,
 )
 BLENDED_APART = Capability(
     "equations by target",
     "The targets of a pass are blended by different equations: "
     "`target a : rgba16f = x blend add`, `target b : r8 = y blend multiply`.",
-    (Way((BLENDING_SWITCHED, BLENDING_APART)),),
+    (Way((SEVERAL_TARGETS, BLENDING_SWITCHED, BLENDING_APART)),),
     DRAWN_APART,
 )
 BLENDED_FLOATS = Capability(
@@ -101,6 +156,18 @@ BLENDED_FLOATS = Capability(
     "hosts of all kinds draw, do not do that (`B0822`).",
     (Way((FLOATS_BLENDED,)),),
     "draw to a format of 16-bit floats",
+)
+GATHERED_COMPARISONS = Capability(
+    "gathering comparisons",
+    "The comparisons with the four texels around a place: `d.gather(uv, depth)`.",
+    (Way((DEPTH_TEXTURES, some_builtins("gathering of comparisons", "gather_compare"))),),
+    "compare at each of the four texels",
+)
+COMPARED_AND_LOADED = Capability(
+    "comparing and loading",
+    "A texture of depths is both compared with and read by `load`.",
+    (Way((DEPTH_TEXTURES, SEPARATE_SAMPLERS)),),
+    "declare a second `map` for one of the two",
 )
 
 CAPABILITIES: tuple[Capability, ...] = (
@@ -119,40 +186,34 @@ CAPABILITIES: tuple[Capability, ...] = (
     Capability(
         "expansions",
         "A primitive of the mesh becomes triangles or lines: `expand triangle { … }`.",
-        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+        (Way((a_stage(GEOMETRY),)), Way((INSTANCES,), AS_INSTANCES)),
         on_request=True,
     ),
     Capability(
         "tessellation",
         "A patch of the mesh is divided into triangles or lines: `tessellate triangle by 8 { … }`, "
         "`tessellate isoline by 8 lines 4 { … }`.",
-        (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((), AS_PATTERNS)),
+        (Way((a_stage(CONTROL), a_stage(EVALUATION))), Way((INSTANCES,), AS_PATTERNS)),
         on_request=True,
     ),
     Capability(
         "expansions with adjacency",
         "A primitive of the mesh becomes others that depend on its neighbours: "
         "`expand triangle_adjacency { … }`.",
-        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+        (Way((a_stage(GEOMETRY),)), Way((INSTANCES,), AS_INSTANCES)),
         on_request=True,
     ),
     Capability(
         "layers",
         "A pass draws to several layers of its render targets: `layers of 6`. Where this is "
         "lowered, each layer is a draw of its own.",
-        (Way((a_stage(GEOMETRY),)), Way((), AS_INSTANCES)),
+        (Way((a_stage(GEOMETRY),)), Way((INSTANCES,), AS_INSTANCES)),
         on_request=True,
     ),
     CAPTURES,
     EMITTED_CAPTURES,
     DIVIDED_CAPTURES,
-    Capability(
-        "numbers of captured vertices",
-        "What is captured depends on `vertex_index`.",
-        (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)), BY_KERNEL),
-        "give the number as a vertex input: `attribute number : uint`",
-        on_request=True,
-    ),
+    CAPTURED_NUMBERS,
     Capability(
         "kernels over buffers",
         "The elements of storage buffers are computed: `kernel` with `result name : T[count] = …`.",
@@ -183,7 +244,10 @@ CAPABILITIES: tuple[Capability, ...] = (
         "Texels of images are computed: `kernel` with `result name : image2d<format>[size] = …`. "
         "By their own means profiles write at most four images, of the formats "
         f"{', '.join(f'`{name}`' for name in sorted(STORABLE))}.",
-        (Way((a_stage(COMPUTE), IMAGES)), Way((), "the kernel is drawn as a full-screen pass")),
+        (
+            Way((a_stage(COMPUTE), IMAGES)),
+            Way((VERTEX_NUMBERS,), "the kernel is drawn as a full-screen pass"),
+        ),
     ),
     Capability(
         "edges",
@@ -191,6 +255,12 @@ CAPABILITIES: tuple[Capability, ...] = (
         (Way((EDGES,)),),
         "have the material turn its triangles into lines: "
         "`expand triangle { line of 4 as i like corner[i mod 3] {} }`",
+    ),
+    Capability(
+        "several targets",
+        "A pass writes more than one render target: `target a : rgba8 = x`, `target b : r8 = y`.",
+        (Way((SEVERAL_TARGETS,)),),
+        "draw them by several passes",
     ),
     SOME_BLENDED,
     BLENDED_APART,
@@ -215,11 +285,12 @@ CAPABILITIES: tuple[Capability, ...] = (
         "`load` each of the four",
     ),
     Capability(
-        "gathering comparisons",
-        "The comparisons with the four texels around a place: `d.gather(uv, depth)`.",
-        (Way((some_builtins("gathering of comparisons", "gather_compare"),)),),
-        "compare at each of the four texels",
+        "textures of depths",
+        "A texture of depths is compared with: `map d : depth2d`, `d(uv, depth)`.",
+        (Way((DEPTH_TEXTURES,)),),
+        "have depths in a `texture2d`, and compare with what is read",
     ),
+    GATHERED_COMPARISONS,
     Capability(
         "number of levels",
         "How many levels a texture has: `t.levels()`, and `t.load(texel, level)`, which asks for "
@@ -228,18 +299,93 @@ CAPABILITIES: tuple[Capability, ...] = (
         "read level 0, which all have, or filter with `.level(…)`",
     ),
     Capability(
-        "comparing and loading",
-        "A texture of depths is both compared with and read by `load`.",
-        (Way((SEPARATE_SAMPLERS,)),),
-        "declare a second `map` for one of the two",
+        "levels of textures",
+        "A read says at which level, or by which gradients: `t.level(uv, 2)`, `t.grad(uv, a, b)`.",
+        (Way((some_builtins("reads of levels that are said", "sample_level", "sample_grad"),)),),
+        "read `t(uv)`, where all pixels do so",
+    ),
+    Capability(
+        "loading texels",
+        "A texel is read by its numbers: `t.load(texel)`.",
+        (Way((some_builtins("loading of texels", "load"),)),),
+        "read the middle of the texel, `t(uv)`",
+    ),
+    Capability(
+        "sizes of textures",
+        "How many texels a texture has: `t.size()`.",
+        (Way((some_builtins("way to tell the size of a texture", "texture_size"),)),),
+        "declare a parameter that tells it, `param size : vec2`",
+    ),
+    Capability(
+        "textures with layers",
+        "A texture has layers: `map t : texture2d_array`.",
+        (Way((LAYERED_TEXTURES,)),),
+        "put the layers beside each other in one `texture2d`",
+    ),
+    Capability(
+        "textures of three dimensions",
+        "A texture has three dimensions: `map t : texture3d`.",
+        (Way((VOLUMES,)),),
+        "put its slices beside each other in one `texture2d`",
+    ),
+    Capability(
+        "textures of integers",
+        "A texture has whole numbers: `map t : itexture2d`, `map t : utexture2d`.",
+        (Way((INTEGER_TEXTURES,)),),
+        "have the numbers in a `texture2d`",
+    ),
+    COMPARED_AND_LOADED,
+    Capability(
+        "integers of 32 bits",
+        "Integers without a sign, and what depends on bits: `uint`, `a & b`, `a << 2`, "
+        "`bits_of(x)`. A profile without them has integers up to 65 535 that may be floats.",
+        (Way((WIDE_INTEGERS,)),),
+        "compute with `int` or `float`",
+    ),
+    Capability(
+        "vertex inputs of integers",
+        "What a mesh supplies is whole: `attribute bone : int`.",
+        (Way((INTEGER_ATTRIBUTES,)),),
+        "declare it as `float`",
+    ),
+    Capability(
+        "values of a single vertex",
+        "Fragments read what one vertex of their triangle has, and not a mean of all: this is how "
+        "integers and bools get to them.",
+        (Way((FLAT_VALUES,)),),
+        "let floats cross, which are interpolated",
+    ),
+    Capability(
+        "computed places",
+        "The place of an element or a lane is any integer: `weights[int(9 * uv.x)]`. A profile "
+        "without this takes constants, and the numbers of turns of loops.",
+        (Way((COMPUTED_PLACES,)),),
+        "look for the place in a loop: `sum(w[i] for i in 0..9 where i == place)`",
+    ),
+    Capability(
+        "numbers of vertices",
+        "What the pipeline counts: `vertex_index`.",
+        (Way((VERTEX_NUMBERS,)),),
+        "give the number as a vertex input: `attribute number : float`",
+    ),
+    Capability(
+        "instances",
+        "A mesh is drawn several times by one draw: `instance_index`, "
+        "`attribute place : vec3 per instance`.",
+        (Way((INSTANCES,)),),
+        "draw each by a draw of its own, with what differs as a parameter `per draw`",
     ),
     Capability(
         "counting bits",
         f"What there is in a number's bits: {', '.join(f'`{name}`' for name in BIT_COUNTS)}.",
         (
-            Way((words_for("word for each of these", *BIT_COUNTS),)),
-            Way((), "a function in the text computes what the language has no word for"),
+            Way((WIDE_INTEGERS, words_for("word for each of these", *BIT_COUNTS))),
+            Way(
+                (WIDE_INTEGERS,),
+                "a function in the text computes what the language has no word for",
+            ),
         ),
+        "compute with `int` or `float`",
     ),
     Capability(
         "single file",

@@ -1,8 +1,8 @@
 """Forms: the small templates in a language's rows, and the rows of statements and expressions.
 
 A *form* is a text with fields in braces, filled in by ``str.format``: ``if ({condition}) {{``. A
-brace that is meant as such is doubled. A test knows which fields each form can have, and compares
-that with the forms of all languages. Besides plain fields there are these:
+brace that is meant as such is doubled. ``form_fields.py`` lists which fields each form can have. A
+language is compared with that when it is loaded. Besides plain fields there are these:
 
 ``{0}``, ``{1}`` …
     the operands of a native, as they stand between commas
@@ -11,6 +11,8 @@ that with the forms of all languages. Besides plain fields there are these:
     holds an expression: ``{value:p}``
 ``{going:and}``
     the same for an operand of ``&&``
+``{0:factor}``
+    the same for an operand of ``*`` or ``/``
 ``{type}``
     the type of the result; ``{lanes}`` is how many lanes that has
 ``{lane}``
@@ -39,7 +41,7 @@ class Forms:
     """Expressions and statements that are not calls of builtins. The defaults are C-like.
 
     ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. Which fields each
-    form can have is listed in ``tests/targets/form_fields.py``; what is not listed there is a plain
+    form can have is listed in ``form_fields.py``; what is not listed there is a plain
     text, in which no brace is doubled.
     """
 
@@ -59,8 +61,12 @@ class Forms:
     end: str = "}"
     """Closes what ``if_``, ``else_``, ``loop`` and ``loop_while`` open."""
     loop: str = "for ({index_typed} = {zero}; {index} < {count}; {index}++) {{"
+    """A loop of ``{count}`` turns. Where a loop has to say a number, it says ``{bound}``, which no
+    count exceeds, and ``enough`` leaves it."""
+    enough: str = ""
+    """The first line in a loop that says its ``{bound}``: leaves it behind ``{count}`` turns."""
     loop_while: str = "for ({index_typed} = {zero}; {index} < {count} && {going:and}; {index}++) {{"
-    """A loop that also ends when ``going`` is false."""
+    """A loop that also ends when ``going`` is false; empty where ``leave`` has to end it."""
     leave: str = "if (!{going:p}) {{ break; }}"
     """Leaves a loop in its middle when ``going`` is false."""
     return_: str = "return {value};"
@@ -118,6 +124,9 @@ class Forms:
     matrix: str = "{type}({columns})"
     matrix_by_rows: bool = False
     """Whether a matrix of constants lists its lanes row by row."""
+    product_of_tall: str = ""
+    """A tall ``{matrix}`` times a ``{vector}``, where a tall matrix is written as a square one:
+    ``{zeros}`` are the lanes that the vector has not got."""
     product_of_columns: str = ""
     """A matrix from its ``{columns}`` times a ``{vector}``, where that is shorter than as
     ``matrix`` has it."""
@@ -129,7 +138,7 @@ class Forms:
     """An element of an array, or a computed lane of a vector."""
     column: str = "{matrix:p}[{position}]"
     array: str = "{type}({elements})"
-    """An array from its elements."""
+    """An array from its elements; empty where each element has to be assigned."""
     member: str = "{name}"
     """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
     stored: str = "{value}"

@@ -7,12 +7,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Literal
 
 from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, RASTERISED, Chain, StageRow
+from ...compiler.ir.types import TEXTURES, Texture
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain
-from .spellings import PipelineInput, Spellings
+from .forms import Forms
+from .spellings import Literals, PipelineInput, Spellings, TypeNames
 
 Numbering = Literal["set", "kind"]
 """The bindings of a set, whatever is bound; or, where there are no sets, those of one kind."""
@@ -84,8 +87,15 @@ class Limits:
     """Those that a kernel reads and writes; likewise."""
     textures: int = 16
     """Textures with their samplers that one stage reads."""
+    vertex_textures: int = 16
+    """Those that a stage reads which computes vertices."""
     block_bytes: int = 16384
     """Bytes of one uniform block."""
+    vertex_uniforms: int | None = None
+    """Vectors of loose uniforms that a stage reads which computes vertices, where blocks are loose
+    uniforms (``Profile.loose_uniforms``)."""
+    fragment_uniforms: int | None = None
+    """Those that the fragment stage reads; likewise."""
     render_targets: int = 8
     """Render targets that a pass writes."""
     nested_blocks: int = 240
@@ -136,7 +146,10 @@ LIMITED: Mapping[str, Limited] = {
     "fragment_buffers": Limited("storage buffers of the fragment stage"),
     "kernel_buffers": Limited("storage buffers of a kernel", COMPUTE),
     "textures": Limited("textures"),
+    "vertex_textures": Limited("textures of a stage that computes vertices"),
     "block_bytes": Limited("bytes in a uniform block"),
+    "vertex_uniforms": Limited("vectors of uniforms of a stage that computes vertices"),
+    "fragment_uniforms": Limited("vectors of uniforms of the fragment stage"),
     "render_targets": Limited("render targets"),
     "nested_blocks": Limited("nested blocks"),
     "inlined_operations": Limited("operations in place of calls"),
@@ -164,10 +177,23 @@ class Profile:
 
     name: str
     doc: str
+    on_request: bool = False
+    """Whether it has to be named, and is neither among ``all`` nor proposed: one in which many
+    programs cannot be had."""
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
     requires: Mapping[str, str] = EMPTY
     """By native, the line that opens a file in which it is used."""
+    defaults: tuple[str, ...] = ()
+    """Lines behind these two: default precisions, where extensions have to come first."""
+    types: TypeNames | None = None
+    """How it writes types, where it does not do so as its language does."""
+    literals: Literals | None = None
+    """Its constants, likewise."""
+    forms: Forms | None = None
+    """Its statements and expressions, likewise."""
+    skeleton: Path | None = None
+    """Its skeleton, likewise."""
     stages: Chain = RASTERISED
     """Those that it has, in any order."""
     stream_output: StreamOutput | None = None
@@ -209,6 +235,22 @@ class Profile:
     """Spellings that only this profile has."""
     inputs: Mapping[str, PipelineInput] = EMPTY
     """Inputs that this profile has otherwise than its language."""
+    without_inputs: frozenset[str] = frozenset()
+    """Values of the pipeline that its stages have not got."""
+    textures: frozenset[Texture] = frozenset(TEXTURES)
+    """The types of textures that it has."""
+    wide_integers: bool = True
+    """Whether integers have 32 bits, with or without a sign, and operations on these bits."""
+    integer_attributes: bool = True
+    """Whether vertex inputs can be integers."""
+    flat_varyings: bool = True
+    """Whether fragments can read what one vertex of their triangle has, as integers have to be."""
+    computed_indices: bool = True
+    """Whether any integer can be the place of an element or a lane. Otherwise it is made of
+    constants and of numbers of turns of the loops around it; only arrays of uniforms are read at
+    any place, where vertices are computed."""
+    loose_uniforms: bool = False
+    """Whether the members of blocks are uniforms, each on its own, which a host sets by name."""
     lacks: frozenset[str] = frozenset()
     """Builtins that the dialect has no word for: each becomes a function of the text, made from
     the builtin's ``definition``."""

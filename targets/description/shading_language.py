@@ -9,6 +9,7 @@ else has to change, since the registry finds the folder. What has a default here
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Literal
 
@@ -16,7 +17,7 @@ from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import STAGES
 from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import Dimension
-from ...frozen import EMPTY, frozen
+from ...frozen import EMPTY, changed, frozen
 from .forms import Forms
 from .profile import Profile
 from .reserved import Reserved
@@ -112,6 +113,10 @@ class Language:
     """Says which line of which file the next one is, by ``{line}`` and the file's ``{name}`` or
     ``{number}``; empty where the language has no such thing."""
 
+    def under(self, profile: Profile) -> Language:
+        """The language as a profile writes it, which may have rows of its own."""
+        return _under(self, profile)
+
     def register(self, kind: BindingKind, binding: int) -> str:
         """A binding in the language's own words; empty where it has none."""
         return self.registers.get(kind, "").format(binding=binding)
@@ -124,3 +129,11 @@ class Language:
             if profile.name == name:
                 return profile
         raise KeyError(name)
+
+
+@cache
+def _under(language: Language, profile: Profile) -> Language:
+    """The language with the profile's rows in place of its own; itself if there are none."""
+    own = {name: getattr(profile, name) for name in ("types", "literals", "forms", "skeleton")}
+    own = {name: row for name, row in own.items() if row is not None}
+    return changed(language, **own) if own else language

@@ -45,6 +45,8 @@ class Context:
         """Writes types, with the final names of structs."""
         self.textures = TextureSpeller(language.textures, program)
         """Writes the types of textures and samplers."""
+        self.in_place = legal.in_place
+        """Values that no statement gives a name."""
         self._passed = legal.passed
 
     def passed(self, stage: StageName, body: Node) -> Passed:

@@ -123,7 +123,8 @@ class Declarations:
 
     def _member(self, block: Block, member: StoredMember) -> MemberView:
         name = self._names.member(block.name, member.name)
-        return MemberView(self._types.declare_stored(name, member.type), comment_line(member.doc))
+        typed = self._types.declare_stored(name, member.type)
+        return MemberView(typed, comment_line(member.doc), member.parameter is None)
 
     def _buffer(self, buffer: Buffer) -> BufferView:
         name, stored = self._names.buffers[buffer.name], stored_type(buffer.type)

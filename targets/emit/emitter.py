@@ -144,10 +144,11 @@ class _Emitter:
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
         reads = [read for stage in stages for read in stage.reads]
+        natives = [native for stage in stages for native in stage.natives]
         images = self._declarations.images(stages)
         return FileView(
             opening=[
-                *opening_lines(self._profile, self._context.textures, reads),
+                *opening_lines(self._profile, self._context.textures, natives, reads),
                 *image_lines(self._profile, images),
             ],
             header=self._header(stages),

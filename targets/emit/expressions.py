@@ -143,9 +143,17 @@ class Expressions:
             if made.op == "matrix" and made not in self.bound and isinstance(node.type, Vector):
                 return self._product_of_columns(made, vector)
         operands = self.operands(node.operands)
+        if self._forms.product_of_tall and isinstance(node.operands[0].type, TallMatrix):
+            return self._product_of_tall(node.operands[1].type, *operands)
         if node.data in _SHIFTS and self._is_literal(node.operands[0]):
             operands[0] = self._typed(operands[0], node.type)
         return self._natives.print(node, operands)
+
+    def _product_of_tall(self, type_: Type, matrix: Printed, vector: Printed) -> Printed:
+        """A tall matrix times a vector of ``type_``, where it is written as a square one."""
+        zeros = ", ".join([literal(0.0, "float", self._literals)] * (4 - width(type_)))
+        form = self._forms.product_of_tall
+        return form.format(matrix=Field(*matrix), vector=vector[0], zeros=zeros), POSTFIX
 
     def _product_of_columns(self, made: Node, vector: Node) -> Printed:
         type_, columns = self._types.type(made.type), self._arguments(made.operands)
@@ -172,6 +180,7 @@ class Expressions:
         return self._forms.matrix.format(type=type_, columns=columns), POSTFIX
 
     def _array(self, node: Node) -> Printed:
+        assert self._forms.array, "each element is assigned"
         type_, elements = self._types.type(node.type), self._arguments(node.operands)
         return self._forms.array.format(type=type_, elements=elements), POSTFIX
 

@@ -62,7 +62,9 @@ def words_in(text: str) -> list[str]:
 
 
 def _of_skeleton(language: Language) -> str:
-    text = "\n".join(skeleton_texts(language.skeleton))
+    own = (profile.skeleton for profile in language.profiles)
+    skeletons = dict.fromkeys((language.skeleton, *filter(None, own)))
+    text = "\n".join(chain.from_iterable(map(skeleton_texts, skeletons)))
     return _SHOWN.sub(_PART, _TAG.sub(" ", text))
 
 
@@ -103,8 +105,9 @@ def _profile_rows(profile: Profile) -> tuple[object, ...]:
     """The same of a profile."""
     framebuffer = profile.framebuffer
     return (
-        profile.preamble, profile.requires, profile.natives, profile.inputs, profile.samplers,
-        framebuffer.inputs, framebuffer.natives, profile.patch_winding,
+        profile.preamble, profile.requires, profile.defaults, profile.natives, profile.inputs,
+        profile.samplers, framebuffer.inputs, framebuffer.natives, profile.patch_winding,
+        profile.types, profile.literals, profile.forms,
     )  # fmt: skip
 
 

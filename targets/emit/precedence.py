@@ -69,7 +69,12 @@ INFIX = {
 PREFIX = frozenset("-!~")
 
 
-_SPECS = {"": Binding.CHOICE, "and": Binding.AND, "p": Binding.POSTFIX}
+_SPECS = {
+    "": Binding.CHOICE,
+    "and": Binding.AND,
+    "factor": Binding.PREFIX,
+    "p": Binding.POSTFIX,
+}
 """How tightly a field of a form binds what stands there."""
 
 Printed: TypeAlias = tuple[str, Binding]

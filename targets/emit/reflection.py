@@ -24,6 +24,7 @@ from ..description.profile import Profile
 from ..description.shading_language import BindingKind, Language
 from ..legalise.bindings import BindingSlot
 from .emitter import Emission
+from .names import Names
 
 
 def backend_row(
@@ -53,10 +54,10 @@ def backend_row(
         blocks={
             block.name: BlockBindingRow(
                 **_point(
-                    language, profile,
-                    names.blocks[block.name], bindings.blocks[block.name], "block",
+                    language, profile, "" if profile.loose_uniforms else names.blocks[block.name],
+                    bindings.blocks[block.name], "block",
                 ),
-                members={m.name: names.members[block.name, m.name] for m in _real(block)},
+                members=_members(block, names, profile),
             )
             for block in program.blocks
         },
@@ -113,6 +114,19 @@ def backend_row(
         first_row="bottom" if profile.framebuffer.rows_up != turned else "top",
         source_maps={name: _source_map(spans) for name, spans in sorted(source_maps.items())},
     )  # fmt: skip
+
+
+def _members(block: Block, names: Names, profile: Profile) -> dict[str, str]:
+    """What the members of a block are called, and those of structures, if hosts have to name them:
+    ``Lamp.place``."""
+    found = {member.name: names.members[block.name, member.name] for member in _real(block)}
+    if profile.loose_uniforms:
+        found |= {
+            f"{struct.name}.{name}": names.member(struct.name, name)
+            for struct in block.structs
+            for name, _type in struct.members
+        }
+    return found
 
 
 def _real(block: Block) -> list[StoredMember]:

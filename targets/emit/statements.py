@@ -38,6 +38,7 @@ class Statements:
         self._literals = context.language.literals
         self._types = context.types
         self._expressions = expressions
+        self._in_place = context.in_place
         self._namer = namer
         self._mark = marks.mark
 
@@ -62,9 +63,14 @@ class Statements:
     def _region(self, region: Region) -> Lines:
         for statement in region.statements:
             match statement:
+                case Let() if statement.node in self._in_place:
+                    continue
                 case Let():
                     yield from comment_lines(statement.doc, "//")
-                    yield self._let(statement)
+                    if statement.node.op == "array" and not self._forms.array:
+                        yield from self._filled(statement)
+                    else:
+                        yield self._let(statement)
                 case Branch():
                     yield from self._branch(statement)
                 case Connective():
@@ -81,6 +87,18 @@ class Statements:
         typed = self._types.declare(name, let.node.type)
         text = self._form(let.node).format(name=name, typed=typed, value=value)
         return self._mark(text, let.node)
+
+    def _filled(self, let: Let) -> Lines:
+        """A variable for an array, and what assigns each of its elements."""
+        values = [self._expressions.text(element) for element in let.node.operands]
+        name = self._namer.declare(let.name)
+        self._expressions.bound[let.node] = name, NAME
+        typed = self._types.declare(name, let.node.type)
+        yield self._mark(self._forms.variable.format(name=name, typed=typed), let.node)
+        array = Field(name, NAME)
+        for position, (value, node) in enumerate(zip(values, let.node.operands, strict=True)):
+            element = self._forms.element.format(aggregate=array, position=position)
+            yield self._mark(self._forms.assign.format(name=element, value=value), node)
 
     def _form(self, node: Node) -> str:
         """The form of the statement that binds a name to a node."""
@@ -144,7 +162,7 @@ class Statements:
         name = self._namer.declare(loop.name)
         yield self._variable(name, loop.node, start)
         yield self._opened(loop, count)
-        yield self._turn(loop, name)
+        yield self._turn(loop, name, count)
         yield self._forms.end
         self._namer.leave()
         self._expressions.bound[loop.node] = name, NAME
@@ -176,12 +194,20 @@ class Statements:
             index_typed=self._types.declare(index, loop.count.type),
             zero=literal(0, kind, self._literals),
             count=count,
+            bound=self._bound(loop),
             going=None if going is None else Field(*self._expressions.operand(going)),
         )
         return self._mark(text, loop.node)
 
-    def _turn(self, loop: Loop, name: str) -> Lines:
+    def _enough(self, loop: Loop | Iterate, count: str) -> Lines:
+        """What leaves a loop behind its last turn, where its first line can only say the bound."""
+        if self._forms.enough and loop.count.op != "constant":
+            index = self._expressions.formals[loop.index]
+            yield self._mark(self._forms.enough.format(index=index, count=count), loop.node)
+
+    def _turn(self, loop: Loop, name: str, count: str) -> Lines:
         with self._inside():
+            yield from self._enough(loop, count)
             yield from self._region(loop.body)
             combined = self._expressions.accumulated(loop.operator, name, loop.value)
             yield self._mark(combined, loop.value)
@@ -195,11 +221,13 @@ class Statements:
         for state, name, start in zip(loop.states, names, starts, strict=True):
             yield self._variable(name, state.start, start, loop.node)
             expressions.formals[state.formal] = name
-        if not loop.head.statements and loop.going.op != "constant":
+        ends = loop.going.op != "constant"
+        in_head = bool(loop.head.statements) or (ends and not self._forms.loop_while)
+        if ends and not in_head:
             yield self._opened(loop, count, loop.going)
         else:
             yield self._opened(loop, count)
-        yield self._step(loop, names)
+        yield self._step(loop, names, count, in_head=in_head)
         yield self._forms.end
         self._namer.leave()
         if len(names) == 1:
@@ -207,12 +235,13 @@ class Statements:
         for position, name in zip(loop.positions, names, strict=True):
             expressions.states[loop.node, str(position)] = name
 
-    def _step(self, loop: Iterate, names: list[str]) -> Lines:
+    def _step(self, loop: Iterate, names: list[str], count: str, *, in_head: bool) -> Lines:
         """The body of such a loop: the condition that leaves it, and the states' new values."""
         expressions = self._expressions
         with self._inside():
+            yield from self._enough(loop, count)
             yield from self._region(loop.head)
-            if loop.head.statements:
+            if in_head:
                 left = self._forms.leave.format(going=Field(*expressions.operand(loop.going)))
                 yield self._mark(left, loop.going)
             yield from self._region(loop.body)
@@ -233,11 +262,17 @@ class Statements:
 
     def _count(self, loop: Loop | Iterate) -> str:
         """The number of iterations. It never exceeds the bound, whatever value the host has set."""
+        if loop.count.op == "constant":
+            return self._bound(loop)
+        value = self._expressions.text(loop.count)
+        return self._forms.at_most.format(value=value, bound=self._bound(loop))
+
+    def _bound(self, loop: Loop | Iterate) -> str:
+        """The number of iterations that no count exceeds; the count itself, if it is constant."""
         kind: ScalarKind = "uint" if loop.count.type == UINT else "int"
-        bound = literal(loop.bound, kind, self._literals)
-        if isinstance(loop.count.data, int) and loop.count.op == "constant":
-            return literal(min(loop.count.data, loop.bound), kind, self._literals)
-        return self._forms.at_most.format(value=self._expressions.text(loop.count), bound=bound)
+        known = loop.count.data if loop.count.op == "constant" else loop.bound
+        assert isinstance(known, int)
+        return literal(min(known, loop.bound), kind, self._literals)
 
     def _block(self, region: Region, name: str, value: Node) -> Lines:
         """The statements of a nested region, and what assigns ``value`` to a variable."""

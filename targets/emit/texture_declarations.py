@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...compiler.ir.leaves import Resource
-from ...compiler.ir.program import Program, TextureRead
+from ...compiler.ir.program import NativeUse, Program, TextureRead
 from ...compiler.ir.types import Texture
 from ..description.profile import Profile
 from ..description.shading_language import Language
@@ -44,15 +44,19 @@ class TextureSpeller:
 
 
 def opening_lines(
-    profile: Profile, textures: TextureSpeller, reads: Iterable[TextureRead]
+    profile: Profile,
+    textures: TextureSpeller,
+    natives: Iterable[NativeUse],
+    reads: Iterable[TextureRead],
 ) -> list[str]:
-    """The first lines of a file that its texture reads make necessary, such as extensions."""
-    found: dict[str, None] = {}
-    for read in reads:
-        if read.builtin in profile.requires:
-            found[profile.requires[read.builtin]] = None
-        if profile.samplers.precision:
-            found[profile.samplers.precision.format(type=textures.combined(read.resource))] = None
+    """The first lines of a file behind the preamble: the extensions that what it uses makes
+    necessary, default precisions, and the precisions of the textures that it reads."""
+    used = (*(use.builtin for use in natives), *(read.builtin for read in reads))
+    extensions = (profile.requires[name] for name in used if name in profile.requires)
+    precision = profile.samplers.precision
+    types = [textures.combined(read.resource) for read in reads] if precision else []
+    precisions = (precision.format(type=type_) for type_ in types)
+    found = dict.fromkeys((*extensions, *profile.defaults, *precisions))
     return [line for line in found if line not in profile.preamble]
 
 

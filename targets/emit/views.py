@@ -17,6 +17,8 @@ class MemberView:
 
     typed: str
     comment: str = ""
+    is_padding: bool = False
+    """Whether it only keeps the others at their places."""
 
 
 @frozen

@@ -1,4 +1,7 @@
-"""GLSL: for Vulkan, for OpenGL 3.3 and 4.5, and for OpenGL ES 3.0 (and WebGL 2) and 3.1."""
+"""GLSL: for Vulkan, for OpenGL 3.3 and 4.5, and for OpenGL ES 3.0 (and WebGL 2) and 3.1.
+
+``es100.py`` has the profile for OpenGL ES 2.0 and WebGL 1, which is written otherwise.
+"""
 
 from __future__ import annotations
 
@@ -31,6 +34,7 @@ from ..description.spellings import (
     TextureNames,
     TypeNames,
 )
+from .es100 import es100
 
 FOLDER = Path(__file__).parent
 
@@ -315,6 +319,8 @@ ES_31 = Profile(
     checkers=("glslang-es310",),
 )
 
+ES_2 = es100(BOTTOM_FIRST)
+
 OF_EXTENSIONS = (
     # The types of numbers, vectors and matrices that say how many bits they have.
     "(float(16|32|64)|u?int(8|16|32|64))_t$",
@@ -345,7 +351,7 @@ LANGUAGE = Language(
     atomics=ATOMICS,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,
-    profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31),
+    profiles=(VULKAN, OPENGL, OPENGL_4, ES, ES_31, ES_2),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", "gl_", "GL_", ".*__", *OF_EXTENSIONS),
     buffer_blocks=True,
     global_fields=True,

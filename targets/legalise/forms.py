@@ -1,13 +1,14 @@
 """Chooses the form in which a profile has a program, where there are several.
 
 ``api.py`` asks before anything is legalised: a kernel over images is a compute shader where the
-profile can write these images, and a full-screen pass elsewhere.
+profile can write these images, and a full-screen pass elsewhere, if vertices have numbers there.
 """
 
 from __future__ import annotations
 
 from ...compiler.ir.stages import COMPUTE
 from ...compiler.passes.pipeline import Form, Staged
+from ..description.capabilities import VERTEX_NUMBERS
 from ..description.profile import Profile
 
 
@@ -19,4 +20,6 @@ def form_for(staged: Staged, profile: Profile) -> Form:
         and len(images) <= profile.most_images
         and all(image.format in profile.image_formats for image in images)
     )
-    return staged.own if is_written or staged.full_screen is None else staged.full_screen
+    if is_written or staged.full_screen is None or not VERTEX_NUMBERS.is_met(profile):
+        return staged.own
+    return staged.full_screen

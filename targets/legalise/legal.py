@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program
 from ...compiler.ir.shader import Notes
 from ...frozen import frozen
@@ -24,5 +25,7 @@ class Legal:
     bindings: Bindings
     passed: ResourceArguments
     """The blocks and textures that functions get as arguments."""
+    in_place: frozenset[Node] = frozenset()
+    """Values that get no names, since they are parts of places that have to be constant."""
     notes: Notes | None = None
     """Names and places of the program's nodes, if nodes were added to those of the shader."""

@@ -18,6 +18,7 @@ from .bindings import assign_bindings
 from .definitions import with_definitions
 from .guards import with_guards
 from .legal import Legal
+from .places import counted_places
 from .resource_arguments import resource_arguments
 
 
@@ -31,10 +32,11 @@ def legalise(
     program, definitions = with_definitions(program, profile)
     return Legal(
         program,
-        language,
+        language.under(profile),
         profile,
         definitions,
         assign_bindings(program, profile),
         resource_arguments(program, language),
+        frozenset() if profile.computed_indices else counted_places(program),
         notes,
     )

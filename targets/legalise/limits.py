@@ -1,42 +1,33 @@
-"""Finds what a program uses and a profile lacks, or does not have enough of.
+"""Finds what a profile has not as often as a program needs it.
 
 ``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
-by ``availability.py`` where it follows from the table of capabilities or from other profiles.
+by ``availability.py`` where it follows from other profiles. ``lacks.py`` finds what a profile has
+not got at all.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
-from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.kernel import invocations
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import OF_GROUPS
-from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
-from ...compiler.ir.shader import RenderTarget
-from ...compiler.ir.stages import CAPTURE, CONTROL, TARGET, VERTEX
+from ...compiler.ir.program import Program, Stage
+from ...compiler.ir.stages import CAPTURE, COMPUTE, FRAGMENT, TARGET, VERTEX
 from ...compiler.ir.statements import Region
-from ...compiler.ir.types import Struct, Texture, width
+from ...compiler.ir.types import Struct, width
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
 from ..description.capabilities import (
-    BLENDED_APART,
-    BLENDED_FLOATS,
-    CAPTURES,
-    DIVIDED_CAPTURES,
-    EDGES,
-    EMITTED_CAPTURES,
-    NUMBERED_CAPTURES,
-    SEPARATE_SAMPLERS,
-    SOME_BLENDED,
+    INSTANCES,
+    SEVERAL_TARGETS,
     buffers_of,
-    feature_of_builtin,
     lacking,
     without_native_stages,
 )
-from ..description.capability import Capability, feature_of_stage, standing
+from ..description.capability import feature_of_stage
 from ..description.profile import LIMITED, Limits, Profile, buffer_limit
-from .samplers import sampler_use
+from .lacks import capturing, emitting, is_lowered
 
 
 @frozen
@@ -60,35 +51,20 @@ class Excess:
         return LIMITED[self.limit_name].what
 
 
-@frozen
-class Lack:
-    """Something that a profile has not got, and a program uses."""
-
-    feature: str
-    """That of a ``Need`` in the table of capabilities, behind "… has no"."""
-    node: int
-    """The id of a node that needs it."""
-    of_expansion: bool = False
-    """Whether it is what the material turns its primitives or patches into that needs it."""
-    instead: str = ""
-    """What a user can do, if it is no matter of other profiles alone."""
-    needed_for: Capability | None = None
-    """The capability for which it is needed, if the feature alone does not say."""
-    target: int | None = None
-    """The number of the render target that needs it, if it is not its value that does."""
-
-
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits of a profile that a program exceeds."""
-    by_corner = program.expansion is not None and not _emitting(program)
+    by_corner = program.expansion is not None and not emitting(program)
     by_corner = by_corner or program.corner_buffer is not None
+    told = {"attributes"} if is_lowered(program) and not INSTANCES.is_met(profile) else set[str]()
     for name, count in _counts(program, profile).items():
+        if name in told:  # By ``lacks``: nothing is drawn as instances.
+            continue
         limit = getattr(profile.limits, name)
-        if count > limit:
+        if limit is not None and count > limit:
             of_corners = by_corner and name == "attributes"
             instead = BY_CORNER if of_corners else INSTEAD.get(name, "")
             yield Excess(name, count, limit, of_expansion=of_corners, instead=instead)
-    if not {stage.row for stage in _emitting(program)} - {*profile.stages}:
+    if not {stage.row for stage in emitting(program)} - {*profile.stages}:
         yield from _too_much_emitted(program, profile)
     yield from _excessive_places(program, profile.limits)
 
@@ -102,14 +78,36 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "varyings": max(*crossing, len(program.results_of(CAPTURE)), 0),
         "attributes": program.input_locations + _missing_inputs(program, profile),
         "textures": max(len(stage.resources) for stage in program.stages),
-        "block_bytes": max((block.size for block in program.blocks), default=0),
+        "vertex_textures": max(
+            (len(stage.resources) for stage in _of_vertices(program)), default=0
+        ),
+        **_uniform_counts(program, profile),
         "nested_blocks": max(depths),
         "inlined_operations": max(map(_inlined_operations, program.stages)),
-        "render_targets": len(program.results_of(TARGET)),
+        # Where there is only one, that is what ``lacks`` tells.
+        "render_targets": len(program.results_of(TARGET)) if SEVERAL_TARGETS.is_met(profile) else 0,
         "work_group": 0 if program.work_group is None else invocations(program.work_group),
         "shared_bytes": _shared_bytes(program),
         **_buffer_counts(program, profile),
     }
+
+
+def _of_vertices(program: Program) -> list[Stage]:
+    """The stages that compute vertices."""
+    return [stage for stage in program.stages if stage.row not in (FRAGMENT, COMPUTE)]
+
+
+def _uniform_counts(program: Program, profile: Profile) -> dict[str, int]:
+    """How large blocks are, or how many vectors of uniforms a stage reads instead of them."""
+    if not profile.loose_uniforms:
+        return {"block_bytes": max((block.size for block in program.blocks), default=0)}
+
+    def most(stages: Iterable[Stage]) -> int:
+        sizes = (sum(block.size for block in stage.blocks) for stage in stages)
+        return max(sizes, default=0) // VECTOR_BYTES
+
+    fragments = (stage for stage in program.stages if stage.row == FRAGMENT)
+    return {"vertex_uniforms": most(_of_vertices(program)), "fragment_uniforms": most(fragments)}
 
 
 def _missing_inputs(program: Program, profile: Profile) -> int:
@@ -142,14 +140,9 @@ def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
     return counts
 
 
-def _emitting(program: Program) -> list[Stage]:
-    """The stages that emit vertices."""
-    return [stage for stage in program.stages if stage.emitted]
-
-
 def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
     """More vertices, or numbers, than a stage can emit for one primitive."""
-    for stage in _emitting(program) if program.expansion else ():
+    for stage in emitting(program) if program.expansion else ():
         assert program.expansion is not None
         vertices = program.expansion.vertices
         components = vertices * sum(width(root.type) for root in stage.roots)
@@ -158,7 +151,7 @@ def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
             ("emitted_components", components, profile.limits.emitted_components),
         ):
             if count > limit:
-                capability = _capturing(program) or lacking(feature_of_stage(stage.row))
+                capability = capturing(program) or lacking(feature_of_stage(stage.row))
                 instead = without_native_stages(capability, profile)
                 yield Excess(name, count, limit, of_expansion=True, instead=instead)
 
@@ -201,12 +194,10 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 
 
 LANE_BYTES = 4
+VECTOR_BYTES = 4 * LANE_BYTES
 UNCOUNTED = 10**9
 """So many operations in place of calls, or more: they double with each function that calls the one
 before it twice."""
-FLOATS = frozenset(("r32f", "rg32f", "rgba32f"))
-"""The formats of targets that have 32-bit floats."""
-
 INLINED = (
     "compilers and drivers put the whole body of a function wherever it is called, with those of "
     "all that it calls: have an equation compute once what several calls share, or a loop what "
@@ -219,111 +210,3 @@ BY_CORNER = (
 )
 INSTEAD = {"inlined_operations": INLINED}
 """What a user can do about a limit that no profile has more of."""
-
-WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captures the vertices"
-
-
-def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
-    """What a program uses and the profile has not got."""
-    capturing = _capturing(program)
-    missing = [stage for stage in program.stages if stage.row not in profile.stages]
-    if capturing is not None:
-        yield from _cannot_capture(program, profile, capturing)
-    elif missing:
-        # What misses the first one of several that belong together misses all of them.
-        stage = missing[0]
-        of_primitives = bool(stage.emitted) or stage.row == CONTROL
-        yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
-    if program.fill == "lines" and not EDGES.is_met(profile):
-        yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
-    yield from _blended(program, profile)
-    for stage in program.stages:
-        need = buffers_of(stage.row)
-        buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
-        if buffers and stage.row in profile.stages and not need.is_met(profile):
-            yield Lack(need.feature, _first_use(stage))
-    for native in [native for stage in program.stages for native in stage.natives]:
-        if native.builtin in profile.cannot and not _is_read(native):
-            yield Lack(feature_of_builtin(native.builtin), native.node)
-    for read in program.reads:
-        if read.builtin in profile.cannot:
-            yield Lack(feature_of_builtin(read.builtin), read.node)
-        compared = _is_depth(read) and read.resource in program.sampled
-        if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
-            yield Lack(SEPARATE_SAMPLERS.feature, read.node)
-
-
-def _blended(program: Program, profile: Profile) -> Iterator[Lack]:
-    """What the profile has not got of the ways in which the targets are blended."""
-    for capability, number in _ways_of_blending(program.targets):
-        for feature in standing(capability, profile).missing[:1]:
-            root = program.results_of(TARGET)[number].value.id
-            yield Lack(feature, root, needed_for=capability, target=number)
-
-
-def _ways_of_blending(targets: Sequence[RenderTarget]) -> Iterator[tuple[Capability, int]]:
-    """What targets need of a profile, each with the number of the first target that needs it."""
-    blended = [number for number, target in enumerate(targets) if target.blend != REPLACES]
-    apart = [number for number in blended if targets[number].blend != targets[blended[0]].blend]
-    if apart:
-        yield BLENDED_APART, apart[0]
-    else:
-        states = [(target.blend, target.mask) for target in targets]
-        unlike = [number for number, state in enumerate(states) if state != states[0]]
-        yield from ((SOME_BLENDED, number) for number in unlike[:1])
-    floats = [number for number in blended if targets[number].format in FLOATS]
-    yield from ((BLENDED_FLOATS, number) for number in floats[:1])
-
-
-def _capturing(program: Program) -> Capability | None:
-    """What a program needs that captures; ``None`` if it draws."""
-    if program.capture is None:
-        return None
-    if program.tessellation is not None:
-        return DIVIDED_CAPTURES
-    return CAPTURES if program.expansion is None else EMITTED_CAPTURES
-
-
-def _cannot_capture(program: Program, profile: Profile, capturing: Capability) -> Iterator[Lack]:
-    """What the profile has not got of a stream output or, where this is lowered, of kernels."""
-    cell, captured = standing(capturing, profile), program.results_of(CAPTURE)
-    if not captured:
-        (kernel,) = program.stages
-        if kernel.row not in profile.stages:
-            instead = WITH_STREAM_OUTPUT if cell.kind == "native" else ""
-            root = kernel.roots[0].id
-            yield Lack(feature_of_stage(kernel.row), root, instead=instead, needed_for=capturing)
-    elif cell.kind != "native":
-        made = program.expansion or program.tessellation
-        feature = cell.missing[0]
-        yield Lack(feature, captured[0].value.id, made is not None, needed_for=capturing)
-    elif not NUMBERED_CAPTURES.is_met(profile):
-        reading = _reading_numbers(program)
-        yield from (Lack(NUMBERED_CAPTURES.feature, root.id) for root in reading[:1])
-
-
-def _reading_numbers(program: Program) -> list[Node]:
-    """What the first stage delivers that depends on the number of a vertex."""
-    stage = program.stages[0]
-    (number, *_) = stage.row.inputs
-    return [
-        root
-        for root in stage.roots
-        if any(n.op == "input" and n.data == number for n in visible((root,), into_bodies=True))
-    ]
-
-
-def _first_use(stage: Stage) -> int:
-    """The id of a node that reads a storage buffer, or else of one that is written to it."""
-    nodes = visible(stage.roots, into_bodies=True)
-    reads = (n.id for n in nodes if n.op == "index" and n.operands[0].op == "buffer")
-    return next(reads, stage.roots[0].id)
-
-
-def _is_read(native: NativeUse) -> bool:
-    """Whether it reads a texture: then it stands among the reads, once for each texture."""
-    return bool(native.types) and isinstance(native.types[0], Texture)
-
-
-def _is_depth(read: TextureRead) -> bool:
-    return sampler_use(read.resource) == "comparison"

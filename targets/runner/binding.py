@@ -18,6 +18,7 @@ from ...compiler.documents.drawing import (
     VertexInputRow,
 )
 from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.values import BlockRow
 from ...compiler.ir import blending
 from ...compiler.ir import render_state as ir
 from ...compiler.ir.render_state import DepthState, StencilState
@@ -38,6 +39,7 @@ from .drivers.render_state import (
     Winding,
 )
 from .drivers.slots import BlockSlot, BufferSlot, ImageSlot, Place, TextureSlot
+from .loose_uniforms import uniforms_of
 from .routes import EVERY_DRIVER, Route
 
 FORMATS: Mapping[str, TargetFormat] = {
@@ -100,9 +102,7 @@ def pipeline(
         inputs=tuple(
             _input(row, backend) for row in reflection.vertex_inputs if row.buffer is None
         ),
-        blocks=tuple(
-            BlockSlot(_place(backend.blocks[row.name]), row.size) for row in reflection.blocks
-        ),
+        blocks=tuple(_block(row, backend.blocks[row.name]) for row in reflection.blocks),
         textures=_textures(reflection, backend),
         buffers=tuple(_buffers(reflection, backend)),
         images=tuple(
@@ -219,6 +219,12 @@ def _input(row: VertexInputRow, backend: BackendRow) -> Input:
     assert row.location is not None, "it is in no buffer"
     identifier = backend.vertex_inputs[row.name].identifier
     return Input(identifier, row.location, VERTEX_FORMATS[row.representation], row.step)
+
+
+def _block(row: BlockRow, binding: BlockBindingRow) -> BlockSlot:
+    """A block; one that has no name in the text is uniforms there."""
+    loose = () if binding.identifier else tuple(uniforms_of(row, binding))
+    return BlockSlot(_place(binding), row.size, loose)
 
 
 def _place(row: BindingRow | BlockBindingRow) -> Place:

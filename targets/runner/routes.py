@@ -111,11 +111,12 @@ _PLATFORMS: Mapping[str, Platform] = {
     "wgsl:webgpu": "wgsl",
     "glsl:gl330": "opengl",
     "glsl:gl450": "opengl",
+    "glsl:es100": "es",
     "glsl:es300": "es",
     "glsl:es310": "es",
 }
 """The platform for which each profile that is drawn is written."""
-_BOTTOM_UP = frozenset({"glsl:gl330", "glsl:es300", "glsl:es310"})
+_BOTTOM_UP = frozenset({"glsl:gl330", "glsl:es100", "glsl:es300", "glsl:es310"})
 """The profiles whose rows count upwards."""
 
 _PACKAGE = __name__.rpartition(".")[0]
@@ -215,6 +216,18 @@ ROUTES: Mapping[str, Route] = {
 }  # fmt: skip
 """The routes that draw the same on every machine: those that ``all`` means."""
 
+NARROW_ROUTES: Mapping[str, Route] = {
+    route.name: route
+    for route in (
+        Route(
+            "llvmpipe:es100", f"GLSL ES 1.00, {DRIVERS['llvmpipe'].title}",
+            "glsl:es100", "llvmpipe",
+        ),
+    )
+}  # fmt: skip
+"""The routes of profiles in which many programs cannot be had. They draw the same on every machine,
+too, and only if they are named, since all that is drawn with every route needs more."""
+
 DEVICE_ROUTES: Mapping[str, Route] = {
     route.name: route
     for route in (
@@ -225,7 +238,7 @@ DEVICE_ROUTES: Mapping[str, Route] = {
 }
 """The routes that draw with any device of the machine, and only if they are named."""
 
-EVERY_ROUTE: Mapping[str, Route] = {**ROUTES, **DEVICE_ROUTES}
+EVERY_ROUTE: Mapping[str, Route] = {**ROUTES, **NARROW_ROUTES, **DEVICE_ROUTES}
 
 ALL = "all"
 
@@ -239,8 +252,8 @@ def select(names: Iterable[str]) -> tuple[Route, ...]:
 
     A name is that of a route, or one half of it, which means all routes that have it (``lavapipe``,
     ``hlsl-dxc``), or a pattern with ``*``, or ``all``, or several of these separated by commas.
-    Routes that draw with any device are meant only by names that no other route has: ``vulkan``,
-    ``vulkan:glsl``. Raises ``UnknownRouteError``.
+    Routes of narrow profiles, and those that draw with any device, are meant only by names that no
+    other route has: ``es100``, ``vulkan``, ``vulkan:glsl``. Raises ``UnknownRouteError``.
     """
     wanted = [part.strip() for name in names for part in name.split(",")]
     chosen = set(chain.from_iterable(_meant(name) for name in wanted if name))
@@ -248,7 +261,9 @@ def select(names: Iterable[str]) -> tuple[Route, ...]:
 
 
 def _meant(name: str) -> list[str]:
-    found = list(ROUTES) if name == ALL else _named(ROUTES, name) or _named(DEVICE_ROUTES, name)
+    tables = (ROUTES, NARROW_ROUTES, DEVICE_ROUTES)
+    named = (found for table in tables if (found := _named(table, name)))
+    found = list(ROUTES) if name == ALL else next(named, [])
     if not found:
         halves = chain.from_iterable(route.split(":") for route in EVERY_ROUTE)
         known = (*EVERY_ROUTE, *halves, ALL)

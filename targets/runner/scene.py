@@ -136,11 +136,11 @@ def _light_role(row: ParameterRow | MemberRow) -> str | None:
     return known or by_type
 
 
-def set_by_scene(reflection: Reflection) -> set[str]:
+def set_by_scene(declared: Declared) -> set[str]:
     """The names of the parameters that every scene sets, including those of single lights."""
-    parameters = _by_name(reflection)
+    parameters = _by_name(declared)
     found = {name for name, row in parameters.items() if row.role in _OF_VIEWS}
-    for light in reflection.lights:
+    for light in declared.lights:
         if light.capacity is None:
             roles = light_roles(parameters, light)
             found.update(f"{light.name}.{name}" for name, role in roles if role in MADE_UP)

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from .clang import check_against, headers_in
 from .directives import foreign_directive
-from .glslang import check_glsl, check_hlsl, check_vulkan_glsl
+from .glslang import check_glsl, check_hlsl, check_vulkan_glsl, check_webgl1
 from .job import Job, Message, Verdict
 from .messages import read_dxc, read_naga, read_tint
 from .process import RUST_PANIC
@@ -141,6 +141,7 @@ CHECKERS: dict[str, Checker] = {
         ),
         Checker("glslang-gl330", ("glslang",), check_glsl, batch=32, together=8),
         Checker("glslang-gl450", ("glslang",), check_glsl, batch=32, together=8),
+        Checker("glslang-es100", ("glslang",), check_webgl1, batch=32, together=8),
         Checker("glslang-es300", ("glslang",), check_glsl, batch=32, together=8),
         Checker("glslang-es310", ("glslang",), check_glsl, batch=32, together=8),
         Checker(

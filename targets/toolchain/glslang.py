@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 from operator import attrgetter
 from pathlib import Path
@@ -14,6 +14,24 @@ from .process import Outcome
 from .toolbox import Toolbox
 from .verdicts import accepted_unless_error, judge_spirv, rejected, undone
 
+_LIMITS = "limits.conf"
+"""The file with the resources of devices; glslang knows it by its ending."""
+APPENDIX_A: Mapping[str, int] = {
+    **dict.fromkeys(("nonInductiveForLoops", "whileLoops", "doWhileLoops"), 0),
+    "generalUniformIndexing": 0,
+    "generalAttributeMatrixVectorIndexing": 0,
+    "generalVaryingIndexing": 0,
+    "generalSamplerIndexing": 0,
+    "generalVariableIndexing": 0,
+    "generalConstantMatrixVectorIndexing": 0,
+    "MaxVertexAttribs": 8,
+    "MaxVertexTextureImageUnits": 0,
+    "MaxTextureImageUnits": 8,
+    "MaxVaryingVectors": 8,
+    "MaxDrawBuffers": 1,
+}
+"""What Appendix A of the specification of GLSL ES 1.00 lets devices leave out, and what its section
+7.4 promises of their resources."""
 _TO_VULKAN = ("-V", "--target-env", "vulkan1.1")
 
 
@@ -100,8 +118,11 @@ def _verdict(job: Job, outcome: Outcome) -> Verdict:
     return accepted_unless_error(job, messages, outcome.log)
 
 
-def check_glsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
-    """Check GLSL for OpenGL and OpenGL ES, all jobs in one process.
+def check_glsl(
+    jobs: Sequence[Job], toolbox: Toolbox, limits: Mapping[str, int] | None = None
+) -> list[Verdict]:
+    """Check GLSL for OpenGL and OpenGL ES, all jobs in one process; ``limits`` are resources of
+    devices that differ from glslang's own, by its names.
 
     If the process crashes, or its answers cannot be assigned to jobs, each job gets its own
     process.
@@ -111,11 +132,27 @@ def check_glsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
         folder = Path(name)
         for file, job in zip(files, jobs, strict=True):
             (folder / file).write_text(job.text, encoding="utf-8")
-        outcome = toolbox.run("glslang", *jobs[0].flags, *files, folder=folder)
+        if limits is not None:
+            (folder / _LIMITS).write_text(_with_limits(limits, toolbox), encoding="utf-8")
+        given = (*jobs[0].flags, *([_LIMITS] if limits is not None else ()), *files)
+        outcome = toolbox.run("glslang", *given, folder=folder)
     if len(jobs) == 1:
         return [_verdict(jobs[0], outcome)]
     verdicts = _split(jobs, files, outcome)
-    return verdicts or [check_glsl([job], toolbox)[0] for job in jobs]
+    return verdicts or [check_glsl([job], toolbox, limits)[0] for job in jobs]
+
+
+def check_webgl1(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
+    """Check GLSL ES 1.00, as a device has it that leaves out all that it may."""
+    return check_glsl(jobs, toolbox, APPENDIX_A)
+
+
+def _with_limits(limits: Mapping[str, int], toolbox: Toolbox) -> str:
+    """The text of glslang's configuration, with other numbers for some resources."""
+    with tempfile.TemporaryDirectory() as name:
+        own = toolbox.run("glslang", "-c", folder=Path(name)).output.decode(errors="replace")
+    rows = (line.split() for line in own.splitlines())
+    return "".join(f"{row[0]} {limits.get(row[0], row[1])}\n" for row in rows if len(row) == 2)
 
 
 def _split(jobs: Sequence[Job], files: Sequence[str], outcome: Outcome) -> list[Verdict]:

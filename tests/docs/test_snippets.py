@@ -18,6 +18,7 @@ import burnish
 from burnish.commands.group import burnish as group
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.render import render_all
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.selection import DEFAULT
 
 from .kit import PAGES, ROOT, Block, all_blocks, blocks
@@ -105,11 +106,11 @@ def test_json(block: Block) -> None:
     quoted = json.loads(block.text)
     example = block.value("from") or "plastic"
     (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", ("glsl",)).materials
-    reflection = material.reflection
+    reflection = to_json(material.reflection)
     rows = [
         row for key in ("parameters", "derived", "promises", "blocks") for row in reflection[key]
     ]
-    rows.append(reflection.draw)
+    rows.append(reflection["draw"])
     assert any(quoted.items() <= row.items() for row in rows)
 
 

@@ -63,9 +63,7 @@ DOCUMENTS: Mapping[type, tuple[Any, Callable[[Any], None]]] = {
 }
 """A document of each kind, and what is done with such."""
 PLACES = {
-    f"{kind.__name__} {where.name}": (kind, where)
-    for kind in DOCUMENTS
-    for where in growing(kind)
+    f"{kind.__name__} {where.name}": (kind, where) for kind in DOCUMENTS for where in growing(kind)
 }
 
 

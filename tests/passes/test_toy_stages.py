@@ -46,8 +46,8 @@ from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.description.spellings import PipelineInput
 from burnish.targets.emit.emitter import emit
+from burnish.targets.legalise.lacks import lacks
 from burnish.targets.legalise.legalise import legalise
-from burnish.targets.legalise.limits import lacks
 
 from .toy import Toy
 

@@ -10,7 +10,14 @@ import pytest
 
 from burnish.targets import registry
 from burnish.targets.runner import routes
-from burnish.targets.runner.routes import DRIVERS, ROUTES, Route, UnknownRouteError, select
+from burnish.targets.runner.routes import (
+    DRIVERS,
+    NARROW_ROUTES,
+    ROUTES,
+    Route,
+    UnknownRouteError,
+    select,
+)
 from burnish.targets.toolchain import CHECKERS
 from burnish.targets.toolchain.tools import tool_named
 
@@ -29,8 +36,14 @@ def test_a_route_is_made_of_what_there_is(route: Route) -> None:
 
 
 def test_every_profile_that_is_proven_is_drawn_and_every_driver_used() -> None:
-    profiles = {f"{n}:{p.name}" for n in registry.defaults() for p in registry.load(n).profiles}
-    assert {route.profile for route in ROUTES.values()} == profiles
+    profiles = {
+        f"{name}:{profile.name}": profile.on_request
+        for name in registry.defaults()
+        for profile in registry.load(name).profiles
+    }
+    for table, on_request in ((ROUTES, False), (NARROW_ROUTES, True)):
+        drawn = {route.profile for route in table.values()}
+        assert drawn == {name for name, is_such in profiles.items() if is_such == on_request}
     assert {route.driver for route in ROUTES.values()} == DRIVERS.keys()
 
 

@@ -153,6 +153,14 @@ PROBES: Mapping[str, Probe] = {
         "material M { color = vec3(uv, 0) } pass P : Forward { raster { fill = lines } }",
         options={"pass_": "P"},
     ),
+    "several targets": Probe(
+        """material M { color = vec3(uv, 0) }
+        pass P : Forward {
+            target color : rgba8 = vec4(color, 1)
+            target other : rgba8 = vec4(1 - color, 1)
+        }""",
+        options={"pass_": "P"},
+    ),
     "blending by target": Probe(
         """material M { color = vec3(uv, 0) }
         pass P : Forward {
@@ -182,13 +190,40 @@ PROBES: Mapping[str, Probe] = {
         color = @vertex tints[int(uv.x * 4)]
     }"""),
     "gathering texels": Probe("material M { map t : texture2d  color = t.gather(uv, 0).rgb }"),
+    "textures of depths": Probe("material M { map d : depth2d  color = vec3(d(uv, 0.5), uv) }"),
     "gathering comparisons": Probe("material M { map d : depth2d  color = d.gather(uv, 0.5).rgb }"),
     "number of levels": Probe(
         "material M { map t : texture2d  color = vec3(uv * float(t.levels()), 0) }"
     ),
+    "levels of textures": Probe("material M { map t : texture2d  color = t.level(uv, 2).rgb }"),
+    "loading texels": Probe("material M { map t : texture2d  color = t.load(ivec2(0)).rgb }"),
+    "sizes of textures": Probe(
+        "material M { map t : texture2d  color = vec3(vec2(t.size()), uv.x) / 64 }"
+    ),
+    "textures with layers": Probe("material M { map t : texture2d_array  color = t(uv, 1).rgb }"),
+    "textures of three dimensions": Probe(
+        "material M { map t : texture3d  color = t(vec3(uv, 0.5)).rgb }"
+    ),
+    "textures of integers": Probe(
+        "material M { map t : itexture2d  color = vec3(t.load(ivec2(0)).rgb) / 255 }"
+    ),
     "comparing and loading": Probe(
         "material M { map d : depth2d  color = vec3(d(uv, 0.5), d.load(ivec2(0)), uv.x) }"
     ),
+    "integers of 32 bits": Probe("material M { color = vec3(uv, float(int(9 * uv.x) & 3)) }"),
+    "vertex inputs of integers": Probe(
+        "material M { attribute bone : int  color = @vertex vec3(uv, float(bone)) }"
+    ),
+    "values of a single vertex": Probe(
+        "material M { color = if @vertex (position.x > 0) then vec3(uv, 0) else vec3(0, uv) }"
+    ),
+    "computed places": Probe(
+        "material M { param w : float[9]  color = vec3(uv, w[int(8 * uv.x)]) }"
+    ),
+    "numbers of vertices": Probe(
+        "material M { color = @vertex vec3(uv, float(vertex_index)) / 100 }"
+    ),
+    "instances": Probe("material M { color = @vertex vec3(uv, float(instance_index)) / 100 }"),
     "counting bits": Probe(
         """material M {
             n     = uint(uv.x * 1000)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter, Resource
 from burnish.compiler.ir.node import Node
-from burnish.compiler.ir.program import Program
+from burnish.compiler.ir.program import NativeUse, Program
 from burnish.compiler.ir.statements import Let, Region
 from burnish.compiler.ir.types import (
     FLOAT,
@@ -33,7 +33,9 @@ from burnish.targets import registry
 from burnish.targets.description.profile import Profile
 from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.emitter import Emission, EmitOptions, emit
+from burnish.targets.legalise.lacks import lacks
 from burnish.targets.legalise.legalise import legalise
+from burnish.targets.legalise.values import needs_wide_integers
 
 from .programs import Maker, block, tiny
 
@@ -161,6 +163,19 @@ def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
     return any(row.domain(facts(values)) for values in (zeros, ones, rising, pattern))
 
 
+def can_have(selected: Selected, program: Program) -> bool:
+    """Whether a profile has all that a program needs; the other programs are refused."""
+    return not list(lacks(program, selected.profile))
+
+
+def has(profile: Profile, row: Builtin, operands: tuple[Type, ...]) -> bool:
+    """Whether a profile has a builtin for operands of these types, if it has the builtin."""
+    textures = [type_ for type_ in operands if isinstance(type_, Texture)]
+    if row.name in profile.cannot or not profile.textures.issuperset(textures):
+        return False
+    return profile.wide_integers or not needs_wide_integers(NativeUse(row.name, operands, 0))
+
+
 def program_of_rows(profile: Profile) -> Program:
     """A fragment stage that calls every instance of every builtin that a profile has natively.
 
@@ -202,9 +217,9 @@ def program_of_rows(profile: Profile) -> Program:
     lets = [
         Let(f"{row.name}_{number}", call(row, operands, result))
         for row in BUILTINS.values()
-        if row.name not in profile.cannot and row.of_group is None
+        if row.of_group is None
         for number, (operands, result) in enumerate(instances(row))
-        if is_native(row, operands)
+        if is_native(row, operands) and has(profile, row, operands)
     ]
     color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
     resources = tuple(textures.values())

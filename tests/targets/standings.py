@@ -11,8 +11,9 @@ PROFILES = tuple(
     f"{target.name}:{profile.name}"
     for target in map(registry.load, registry.names())
     for profile in target.profiles
+    if not profile.on_request
 )
-"""The full names of all profiles."""
+"""The full names of the profiles that ``all`` means."""
 
 
 def profiles(kind: Kind, *capabilities: str) -> frozenset[str]:

@@ -11,7 +11,7 @@ from burnish.compiler.ir.program import Program
 from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.toolchain import Job, Toolchain
 
-from .kit import PROFILES, Selected, printed, program_of_rows
+from .kit import PROFILES, Selected, can_have, printed, program_of_rows
 from .programs import odd, plastic
 from .test_names import program_of_words
 
@@ -29,7 +29,8 @@ def words(selected: Selected) -> Program:
 
 
 def programs(selected: Selected) -> list[Program]:
-    return [plastic(), odd(), program_of_rows(selected.profile), words(selected)]
+    given = [plastic(), odd(), program_of_rows(selected.profile), words(selected)]
+    return [program for program in given if can_have(selected, program)]
 
 
 def jobs(selected: Selected, program: Program) -> Iterator[Job]:

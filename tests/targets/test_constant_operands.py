@@ -41,7 +41,7 @@ from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
 from burnish.targets.toolchain import Job, Toolchain
 
-from .kit import PROFILES, instances
+from .kit import PROFILES, can_have, instances
 
 SPECIAL: Mapping[ScalarKind, tuple[Number, ...]] = {
     "float": (0.0, 1.0, -1.0, 0.5, 2.5, -0.0, 1e-30, 1e-40, 100.0, 1e30, LARGEST_FLOAT, -3e38),
@@ -162,6 +162,8 @@ def jobs(row: Builtin) -> Iterator[Job]:
     for made in shaders(row):
         staged = stage(made, Options())
         for selected in PROFILES:
+            if not can_have(selected, staged.program):
+                continue
             legal = legalise(staged.program, selected.language, selected.profile, staged.undecided)
             for file, checker in product(emit(legal).files, selected.profile.checkers):
                 if "fragment" in file.entries:

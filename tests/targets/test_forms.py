@@ -1,27 +1,25 @@
-"""Forms of languages use only fields that there are."""
+"""The table of the fields of forms is whole, and spellings use only fields that there are."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from string import Formatter
 
 import pytest
 
 from burnish.stdlib.builtins import BUILTINS
+from burnish.targets.description.form_fields import FIELDS, NEEDED
 from burnish.targets.description.forms import Forms
 from burnish.targets.description.spellings import Read, Spelling, Spellings
 
-from .form_fields import FIELDS, fields_of
 from .kit import PROFILES, Selected
 
 OF_NATIVES = {"type", "lanes", "lane", "sampler", *map(str, range(6))}
 
 
-def texts(forms: Forms) -> Iterator[tuple[str, str]]:
-    """Each form with the name of its row."""
-    for name in FIELDS:
-        row = getattr(forms, name)
-        for text in row.values() if isinstance(row, Mapping) else (row,):
-            yield name, text
+def fields_of(form: str) -> frozenset[str]:
+    """The names of the fields in a form; those of operands are numbers."""
+    return frozenset(name for _text, name, _spec, _conversion in Formatter().parse(form) if name)
 
 
 def spellings(table: Spellings) -> Iterator[str]:
@@ -44,10 +42,10 @@ def test_every_row_is_a_form_or_a_plain_text() -> None:
     assert {*FIELDS, *plain, *flags} == set(Forms.__match_args__)
 
 
-@pytest.mark.parametrize("selected", PROFILES, ids=str)
-def test_forms(selected: Selected) -> None:
-    for name, text in texts(selected.language.forms):
-        assert fields_of(text) <= FIELDS[name], f"{name}: {text}"
+def test_what_a_form_has_to_have_is_what_it_can_have() -> None:
+    assert NEEDED.keys() <= FIELDS.keys()
+    for form, needed in NEEDED.items():
+        assert frozenset[str]().union(*needed) <= FIELDS[form], form
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)

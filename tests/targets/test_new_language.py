@@ -7,6 +7,7 @@ their samplers in them, and bindings without sets. What it has is a row, and so 
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -159,19 +160,27 @@ work {{ entry.name }}(
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
-@pytest.fixture
-def ledger(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, language: str, skeleton: str) -> str:
     """The language's name; its folder is beside the others for the time of a test."""
     folder = tmp_path / "languages" / "ledger"
     folder.mkdir(parents=True)
     (folder / "__init__.py").write_text("")
-    (folder / "language.py").write_text(LANGUAGE)
-    (folder / "shader.ledger.j2").write_text(SKELETON)
+    (folder / "language.py").write_text(language)
+    (folder / "shader.ledger.j2").write_text(skeleton)
     (folder / "reserved.txt").write_text("normal position  # keywords\n")
     folders = [*burnish.targets.__path__, str(folder.parent)]
     monkeypatch.setattr(burnish.targets, "__path__", folders)
     monkeypatch.setattr(registry, "folders", folders)
+    registry.load.cache_clear()
+    monkeypatch.delitem(sys.modules, "burnish.targets.ledger.language", raising=False)
+    monkeypatch.delitem(sys.modules, "burnish.targets.ledger", raising=False)
     return "ledger"
+
+
+@pytest.fixture
+def ledger(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """The language, beside the others."""
+    return installed(tmp_path, monkeypatch, LANGUAGE, SKELETON)
 
 
 WRITTEN = """

@@ -9,26 +9,25 @@ from itertools import product
 import pytest
 
 import burnish
-from burnish.compiler.ir.stages import COMPUTE, inputs_of
+from burnish.compiler.ir.stages import COMPUTE
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from burnish.stdlib.builtins.row import Builtin, nowhere
 from burnish.targets import registry
 from burnish.targets.emit.natives import spelling_of
 from burnish.targets.emit.precedence import INFIX, PREFIX
+from burnish.targets.legalise.definitions import has_meaning
 
-from .kit import BY_NAME, PROFILES, Selected, emitted, instances, is_native, program_of_rows
+from .kit import BY_NAME, PROFILES, Selected, emitted, has, instances, is_native, program_of_rows
 
 NATIVES = [row for row in BUILTINS.values() if row.domain is not nowhere and row.of_group is None]
 """What languages have words for. What joins work groups is a function of the text."""
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
-def test_images_that_a_profile_writes_are_spelled(selected: Selected) -> None:
-    language, profile = selected.language, selected.profile
-    assert profile.image_formats <= language.images.keys()
+def test_profiles_with_kernels_write_images(selected: Selected) -> None:
+    profile = selected.profile
     assert bool(profile.image_formats) == (COMPUTE in profile.stages)
-    assert not profile.image_formats or language.forms.store_texel
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
@@ -37,8 +36,10 @@ def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
     table = {**selected.language.natives, **selected.profile.natives}
     functions = selected.language.reserved().words
     for operands, result in instances(row):
-        if not is_native(row, operands) or row.name in selected.profile.lacks:
+        if not is_native(row, operands) or not has(selected.profile, row, operands):
             continue
+        if not has_meaning(selected.profile, (row.name, operands)):
+            continue  # It is a function of the text.
         spelled = spelling_of(row.name, operands, table)
         arity = len(operands)
         known = (
@@ -48,11 +49,6 @@ def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
             or functions.issuperset(spelled.split("::"))
         )
         assert known, f"{selected} has no {row.name} of {operands} -> {result}: {spelled!r}"
-
-
-@pytest.mark.parametrize("selected", PROFILES, ids=str)
-def test_what_a_profile_lacks_is_defined(selected: Selected) -> None:
-    assert all(BUILTINS[name].definition for name in selected.profile.lacks)
 
 
 NUMBERS = (-(2.0**31), -1.0, 0.0, 1.0, 31.0, 32.0, 2.0**31 - 1)
@@ -112,14 +108,6 @@ def test_targets_are_found_by_their_folders() -> None:
     for unknown in ("emit", "toolchain", "no_such_language", "glsl:gl999", "../glsl"):
         with pytest.raises(KeyError):
             registry.select(unknown)
-
-
-@pytest.mark.parametrize("selected", PROFILES, ids=str)
-def test_pipeline_inputs_are_spelled(selected: Selected) -> None:
-    assert (
-        inputs_of(selected.profile.stages).keys()
-        <= {**selected.language.inputs, **selected.profile.inputs}.keys()
-    )
 
 
 def test_attributes_have_semantics() -> None:

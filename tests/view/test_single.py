@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import json
-from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
-import jsonschema
 import numpy as np
 import pytest
-from referencing import Registry, Resource
 
 import burnish
+from burnish.compiler.documents.plan import FramePlan, SizeRow, WrittenBuffer
+from burnish.compiler.documents.reading import read
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.checking import PlanError
 from burnish.targets.runner.frames.host import FrameHost
-from burnish.targets.runner.frames.single import SIZE, single_frame, single_scenery
+from burnish.targets.runner.frames.single import single_frame, single_scenery
+from burnish.targets.runner.frames.single_plan import SIZE
 from burnish.targets.runner.meshes import MESHES
 from burnish.targets.runner.render import by_reference
 from burnish.targets.runner.scene import Scene, with_inputs
@@ -25,23 +25,13 @@ from burnish.targets.runner.scene_state import set_up
 EXAMPLES = Path(__file__).parents[2] / "examples"
 WIDTH, HEIGHT = 24, 16
 
-SCHEMAS = {
-    name: json.loads((files("burnish.compiler.reflection") / name).read_text())
-    for name in ("plan.schema.json", "reflection.schema.json")
-}
-
 
 @pytest.mark.parametrize("name", ["plastic", "sprites", "cube_map"])
 def test_it_draws_the_same(name: str) -> None:
     """Lights of a rig, a parameter called `size`, and layers."""
     material = burnish.compile(EXAMPLES / f"{name}.burnish", ("wgsl",)).materials[0]
     frame = single_frame(material)
-    registry: Any = Registry().with_resources(
-        (key, Resource.from_contents(schema)) for key, schema in SCHEMAS.items()
-    )
-    plan = json.loads(json.dumps(frame.plan))
-    schema = SCHEMAS["plan.schema.json"]
-    jsonschema.Draft202012Validator(schema, registry=registry).validate(plan)
+    assert read(FramePlan, json.loads(json.dumps(to_json(frame.plan)))) == frame.plan
 
     host = FrameHost(frame, single_scenery(frame, "sphere", 2), (WIDTH, HEIGHT))
     assert host.values.get(SIZE) == (WIDTH, HEIGHT)
@@ -62,21 +52,23 @@ def test_a_kernel_over_images_is_run() -> None:
     (kernel,) = burnish.compile(EXAMPLES / "ray_tracer.burnish", ("wgsl",)).materials
     plan = single_frame(kernel).plan
     assert [step.kind for step in plan.steps] == ["run"]
-    assert plan.textures[0].size == {"value": None, "extent_of": "shown", "level": 0}
-    assert plan.models == []
+    assert plan.textures[0].size == SizeRow(value=None, extent_of="shown", level=0)
+    assert plan.models == ()
 
 
 def test_a_kernel_over_buffers_is_run() -> None:
     """Each of its results is an output that is a buffer."""
     kernel = burnish.compile(EXAMPLES / "cloth.burnish", ("wgsl",))["Hung"]
     plan = single_frame(kernel).plan
-    assert [row.buffers for row in plan.steps] == [[
-        {"name": "now", "result": "shown.now"}, {"name": "before", "result": "shown.before"},
-    ]]  # fmt: skip
+    (step,) = plan.steps
+    assert step.buffers == (
+        WrittenBuffer(name="now", result="shown.now"),
+        WrittenBuffer(name="before", result="shown.before"),
+    )
     assert [(row.name, row.texture) for row in plan.outputs] == [
         ("now", None), ("before", None),
     ]  # fmt: skip
-    assert plan.textures == []
+    assert plan.textures == ()
 
 
 def test_what_leaves_nothing_has_no_frame() -> None:

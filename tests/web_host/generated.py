@@ -5,22 +5,20 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
+from burnish.compiler.documents.typescript import typescript
 from burnish.targets.toolchain.tools import program
+from burnish.targets.web_host.documents import Package
 
 from ..suite.processes import run
 from .builtin_table import table
-from .document_types import whole_schema
 
 _BANNER = "// Generated from {} by the tests: do not edit."
 _PRETTIER = "--print-width=100"
 
 
-def generated_modules(folder: Path) -> dict[str, str]:
+def generated_modules() -> dict[str, str]:
     """The text of each module by its name; ``folder`` is for a file of the tool's."""
-    return {"builtins.ts": _builtins(), "documents.ts": _documents(folder)}
+    return {"builtins.ts": _builtins(), "documents.ts": _documents()}
 
 
 def _builtins() -> str:
@@ -29,12 +27,9 @@ def _builtins() -> str:
     return _node("prettier.cjs", "--parser", "typescript", _PRETTIER, text=text)
 
 
-def _documents(folder: Path) -> str:
-    schema = folder / "documents.json"
-    schema.write_text(json.dumps(whole_schema()), encoding="utf-8")
-    banner = _BANNER.format("the JSON Schemas of packages, plans and reflections")
-    further = ("--bannerComment", banner, "--style.printWidth", "100")
-    return _node("cli.js", "--input", str(schema), *further)
+def _documents() -> str:
+    banner = _BANNER.format("the records of documents (compiler/documents, documents.py)")
+    return f"{banner}\n\n{typescript(Package)}"
 
 
 def _node(name: str, *arguments: str, text: str = "") -> str:

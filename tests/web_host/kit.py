@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.toolchain.tools import program
 
 from ..suite.processes import run
@@ -40,6 +41,6 @@ def in_node(
     assert node is not None
     script = _SCRIPT.format(imports="\n".join(imports), body=body)
     command = [str(node), "--input-type=module", "--eval", script]
-    found: list[Any] = json.loads(run(command, text=json.dumps(given), check=True).stdout)
+    found: list[Any] = json.loads(run(command, text=json.dumps(to_json(given)), check=True).stdout)
     assert len(found) == len(given)
     return found

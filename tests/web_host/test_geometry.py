@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.documents.plan import DrawStep
+from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery
 from burnish.targets.web_host.package import frame_package
@@ -53,7 +55,7 @@ def hosted(name: str) -> tuple[FrameHost, dict[str, Any]]:
     return host, frame_package(host)
 
 
-def seen(reflection: Mapping[str, Any], geometry: Any) -> dict[str, Any]:
+def seen(reflection: Reflection | Mapping[str, Any], geometry: Any) -> dict[str, Any]:
     """What the host has of a packaged geometry, or of so many vertices that have nothing but their
     numbers."""
     further = [("geometry.js", "bareMesh"), ("webgl2/vertices.js", "interleaved")]
@@ -69,6 +71,7 @@ def seen(reflection: Mapping[str, Any], geometry: Any) -> dict[str, Any]:
 def test_the_same_is_drawn_of_a_mesh(name: str) -> None:
     host, package = hosted(name)
     (step,) = host.plan.steps
+    assert isinstance(step, DrawStep)
     (drawn,) = host.draws(step, is_first=True)
     wanted, reflection = drawn.state.draw(), drawn.state.instance.reflection
     (model,) = package["models"]

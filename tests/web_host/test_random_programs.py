@@ -13,6 +13,7 @@ import pytest
 
 import burnish
 from burnish.api import CompiledMaterial
+from burnish.compiler.documents.plan import DrawStep
 from burnish.targets.conformance.sample import sample_buffers, sample_textures, sample_values
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
@@ -66,6 +67,7 @@ def test_random_programs_draw_as_jobs_do(runner: Runner) -> None:
                 sample_buffers(instance, number)
                 sample_textures(instance, number)
             (step,) = host.plan.steps
+            assert isinstance(step, DrawStep)
             (drawn,) = host.draws(step, is_first=True)
             codes = compile_one(ROUTE, material.files, toolchain)
             job = Job(pipeline(material.reflection, ROUTE, codes), (drawn.state.draw(),))

@@ -11,6 +11,7 @@ import pytest
 
 import burnish
 from burnish import Instance
+from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.runner.scene import Scene
 
 from .kit import in_node
@@ -39,11 +40,11 @@ _SET = """([reflection, name, value]) => {
 
 
 @cache
-def reflections(name: str) -> list[dict[str, Any]]:
+def reflections(name: str) -> list[Reflection]:
     return [each.reflection for each in burnish.compile(EXAMPLES / f"{name}.burnish", "wgsl")]
 
 
-def set_up(reflection: dict[str, Any]) -> Instance:
+def set_up(reflection: Reflection) -> Instance:
     instance = Instance(reflection)
     Scene().apply(instance, 1.5)
     return instance

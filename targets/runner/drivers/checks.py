@@ -83,13 +83,15 @@ def check_names(pipeline: Pipeline) -> None:
     A driver cannot distinguish this from a block or texture that its linker has removed.
     """
     inputs = [slot.identifier for slot in pipeline.inputs]
-    blocks = [slot.place.identifier for slot in pipeline.blocks]
+    blocks = [slot.place.identifier for slot in pipeline.blocks if not slot.uniforms]
+    loose = [each.identifier for slot in pipeline.blocks for each in slot.uniforms]
     textures = [slot.texture.identifier for slot in pipeline.textures]
     everything = _words(*(code.text for code in pipeline.stages.values()))
     _find("vertex attribute", inputs, _words(pipeline.stages["vertex"].text))
     _find("uniform block", blocks, everything)
     _find("texture", textures, everything)
     _find("uniform", pipeline.host_uniforms, everything)
+    _find("uniform", [re.split(r"\W", name)[0] for name in loose], everything)
 
 
 def _words(*texts: str) -> Set[str]:

@@ -27,12 +27,25 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
+class UniformSlot:
+    """A uniform on its own, which has the value of a member of a block."""
+
+    identifier: str
+    """Its name in the text."""
+    offset: int
+    """The byte of the block where its value begins."""
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
 class BlockSlot:
     """A uniform block of the pipeline."""
 
     place: Place
     size: int
     """The number of bytes."""
+    uniforms: tuple[UniformSlot, ...] = ()
+    """What the text has instead, if it has no blocks."""
 
 
 @dataclass(frozen=True, slots=True)

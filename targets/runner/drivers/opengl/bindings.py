@@ -9,10 +9,13 @@ from typing import Protocol
 import moderngl
 
 from ..pipeline import Pipeline
-from ..slots import Place, TextureSlot
+from ..slots import BlockSlot, Place, TextureSlot
 from ..texels import Image
 from .context import Functions
 from .texture_units import bound_texture
+
+Linked = moderngl.Program | moderngl.ComputeShader
+LANE_BYTES = 4
 
 
 class Bindable(Protocol):
@@ -26,6 +29,7 @@ class Bindable(Protocol):
 def bound(
     context: moderngl.Context,
     functions: Functions,
+    program: Linked,
     pipeline: Pipeline,
     contents: Sequence[bytes],
     textures: Sequence[Image | Bindable],
@@ -33,9 +37,13 @@ def bound(
 ) -> Iterator[None]:
     """Bind the contents of blocks, storage buffers, and textures, some of which are on the device
     already, for a while."""
+    # OpenGL keeps what is bound only as long as somebody has the buffer.
     blocks = [context.buffer(data) for data in contents]
     for number, (block, buffer) in enumerate(zip(pipeline.blocks, blocks, strict=True)):
-        buffer.bind_to_uniform_block(bound_at(block.place, number))
+        if block.uniforms:
+            _set(program, block, contents[number])
+        else:
+            buffer.bind_to_uniform_block(bound_at(block.place, number))
     for number, (slot, buffer) in enumerate(zip(pipeline.buffers, storage, strict=True)):
         buffer.bind_to_storage_buffer(bound_at(slot.place, number))
     with ExitStack() as owned:
@@ -46,6 +54,17 @@ def bound(
             else:
                 given.bind(texture, unit)
         yield
+
+
+def _set(program: Linked, block: BlockSlot, data: bytes) -> None:
+    """Set the uniforms that a block is in the text, but those that the compiler has left out. What
+    is longer there than in the block, such as a matrix with further columns, ends in zeros."""
+    for slot in block.uniforms:
+        uniform = program.get(slot.identifier, None)
+        if isinstance(uniform, moderngl.Uniform):
+            size = uniform.dimension * uniform.array_length * LANE_BYTES
+            value = data[slot.offset : slot.offset + min(size, slot.size)]
+            uniform.write(value.ljust(size, b"\0"))
 
 
 def bound_at(place: Place, number: int) -> int:

@@ -15,7 +15,7 @@ from ..draw_job import Draw
 from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..kernel_job import Dispatch
 from ..pipeline import Pipeline
-from .bindings import bound, bound_at
+from .bindings import Linked, bound, bound_at
 from .blending import set_blending, write_all_lanes
 from .capture import captured
 from .context import (
@@ -183,7 +183,7 @@ class _Frame:
         program = self._program(drawn)
         with (
             vertices(self._context, program, pipeline, draw) as array,
-            self._bound(pipeline, drawn, draw),
+            self._bound(program, pipeline, drawn, draw),
         ):
             array.render(MODES[pipeline.primitive], instances=draw.instance_count)
 
@@ -196,7 +196,7 @@ class _Frame:
             return Captured(0, b"")
         with (
             vertices(self._context, program, pipeline, draw) as array,
-            self._bound(pipeline, drawn, draw),
+            self._bound(program, pipeline, drawn, draw),
         ):
             return captured(self._context, self._functions, pipeline, draw, (program, array), most)
 
@@ -205,7 +205,7 @@ class _Frame:
         pipeline, dispatch = self._job.pipelines[drawn.pipeline], drawn.dispatch
         assert dispatch is not None
         program = self._program(drawn)
-        with self._bound(pipeline, drawn, dispatch):
+        with self._bound(program, pipeline, drawn, dispatch):
             for number, (slot, image) in enumerate(zip(pipeline.images, step.images, strict=True)):
                 self._textures[image].bind_image(bound_at(slot.place, number))
             if all(step.groups):
@@ -214,7 +214,7 @@ class _Frame:
 
     @contextmanager
     def _bound(
-        self, pipeline: Pipeline, drawn: FrameDraw, values: Draw | Dispatch
+        self, program: Linked, pipeline: Pipeline, drawn: FrameDraw, values: Draw | Dispatch
     ) -> Iterator[None]:
         """Bind what a draw brings along, and what the frame has."""
         images, contents = iter(values.textures), iter(values.buffers)
@@ -225,5 +225,6 @@ class _Frame:
             self._context.buffer(next(contents)) if number == OWN else self._buffers[number]
             for number in drawn.buffers
         ]
-        with bound(self._context, self._functions, pipeline, values.blocks, textures, buffers):
+        given = values.blocks, textures, buffers
+        with bound(self._context, self._functions, program, pipeline, *given):
             yield

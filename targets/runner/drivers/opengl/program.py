@@ -9,10 +9,8 @@ import moderngl
 from ..checks import check_block_size, lane_count
 from ..device import DriverError
 from ..pipeline import Pipeline
-from .bindings import bound_at
+from .bindings import Linked, bound_at
 from .context import Functions
-
-Linked = moderngl.Program | moderngl.ComputeShader
 
 KINDS = {"float32": "f", "sint32": "i", "uint32": "u"}
 """moderngl's letter for the lanes of a ``VertexFormat``."""
@@ -96,6 +94,7 @@ def _refuse_strangers(program: Linked, pipeline: Pipeline) -> None:
             raise DriverError(f"the shader reads storage buffer {name!r}, which nobody binds")
     uniforms = {slot.texture.identifier for slot in pipeline.textures} | {*pipeline.host_uniforms}
     uniforms |= {slot.place.identifier for slot in pipeline.images}
+    uniforms |= {each.identifier for block in pipeline.blocks for each in block.uniforms}
     _require("uniform", uniforms, _members(program, moderngl.Uniform))
     for name, kind in kinds.items():
         attribute = program.get(name, None)

@@ -1,9 +1,11 @@
-"""The fields that each form of a language can have, and how to find those of a text."""
+"""The fields that each form of a language can have, and those that it has to have.
+
+``faults.py`` compares the forms of each language with them when it is loaded.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from string import Formatter
 from types import MappingProxyType
 
 FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
@@ -18,8 +20,9 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "accumulate": "name value",
             "if_": "condition",
             "else_if": "condition",
-            "loop": "index index_typed zero count",
-            "loop_while": "index index_typed zero count going",
+            "loop": "index index_typed zero count bound",
+            "enough": "index count",
+            "loop_while": "index index_typed zero count bound going",
             "leave": "going",
             "deliver": "name value",
             "deliver_position": "value",
@@ -40,6 +43,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "element": "aggregate position",
             "splat": "type value lanes",
             "matrix": "type columns",
+            "product_of_tall": "matrix vector zeros",
             "product_of_columns": "type columns vector",
             "column": "matrix position",
             "array": "type elements",
@@ -60,6 +64,44 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
 """The fields that each form can have, or each form of a table."""
 
 
-def fields_of(form: str) -> frozenset[str]:
-    """The names of the fields in a form; those of operands are numbers."""
-    return frozenset(name for _text, name, _spec, _conversion in Formatter().parse(form) if name)
+NEEDED: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
+    {
+        form: tuple(frozenset(word.split("|")) for word in fields.split())
+        for form, fields in {
+            "let": "typed|name value",
+            "constant_array": "typed|name value",
+            "variable": "typed|name",
+            "variable_set": "typed|name value",
+            "assign": "name value",
+            "accumulate": "name value",
+            "if_": "condition",
+            "else_if": "condition",
+            "loop": "index|index_typed count|bound",
+            "enough": "index count",
+            "loop_while": "index|index_typed count|bound going",
+            "leave": "going",
+            "return_": "value",
+            "function": "name parameters",
+            "parameter": "typed|name",
+            "select": "condition then otherwise",
+            "at_most": "value",
+            "constructor": "parts",
+            "lane": "vector lanes",
+            "swizzle": "vector lanes",
+            "element": "aggregate position",
+            "splat": "value",
+            "matrix": "columns",
+            "product_of_tall": "matrix vector zeros",
+            "product_of_columns": "columns vector",
+            "column": "matrix position",
+            "array": "elements",
+            "member": "name",
+            "stored": "value",
+            "texture": "texture",
+            "input": "name",
+            "scatter": "place value",
+        }.items()
+    }
+)
+"""Of each form that is written at all, the fields without which it loses something: one of those
+between which a ``|`` stands."""

@@ -1,0 +1,234 @@
+"""Finds what a program uses that a profile has not got at all.
+
+``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
+by ``availability.py``, as it follows from the table of capabilities. ``limits.py`` finds what a
+profile has, but not as often as a program needs it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence, Set
+
+from ...compiler.ir.blending import REPLACES
+from ...compiler.ir.node import Node
+from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
+from ...compiler.ir.shader import RenderTarget
+from ...compiler.ir.stages import CAPTURE, CONTROL, GEOMETRY, TARGET
+from ...compiler.ir.types import Texture
+from ...compiler.passes.walks import visible
+from ...frozen import frozen
+from ..description.capabilities import (
+    BLENDED_APART,
+    BLENDED_FLOATS,
+    CAPTURED_NUMBERS,
+    CAPTURES,
+    COMPARED_AND_LOADED,
+    DIVIDED_CAPTURES,
+    EDGES,
+    EMITTED_CAPTURES,
+    GATHERED_COMPARISONS,
+    INSTANCES,
+    NUMBERED_CAPTURES,
+    SEPARATE_SAMPLERS,
+    SEVERAL_TARGETS,
+    SOME_BLENDED,
+    STREAM_OUTPUT,
+    buffers_of,
+    feature_of_builtin,
+    feature_of_texture,
+)
+from ..description.capability import Capability, feature_of_stage, standing
+from ..description.profile import Profile
+from .samplers import sampler_use, texture_type
+from .values import features_of_values
+
+
+@frozen
+class Lack:
+    """Something that a profile has not got, and a program uses."""
+
+    feature: str
+    """That of a ``Need`` in the table of capabilities, behind "… has no"."""
+    node: int
+    """The id of a node that needs it."""
+    of_expansion: bool = False
+    """Whether it is what the material turns its primitives or patches into that needs it."""
+    instead: str = ""
+    """What a user can do, if it is no matter of other profiles alone."""
+    needed_for: Capability | None = None
+    """The capability for which it is needed, if the feature alone does not say."""
+    target: int | None = None
+    """The number of the render target that needs it, if it is not its value that does."""
+
+
+FLOATS = frozenset(("r32f", "rg32f", "rgba32f"))
+"""The formats of targets that have 32-bit floats."""
+
+
+WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captures the vertices"
+
+
+def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
+    """What a program uses and the profile has not got."""
+    captured = capturing(program)
+    missing = [stage for stage in program.stages if stage.row not in profile.stages]
+    if captured is not None:
+        yield from _cannot_capture(program, profile, captured)
+    elif missing:
+        # What misses the first one of several that belong together misses all of them.
+        stage = missing[0]
+        of_primitives = bool(stage.emitted) or stage.row == CONTROL
+        yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
+    elif is_lowered(program) and not INSTANCES.is_met(profile):
+        # All else that its stages need was not written by the user.
+        row = GEOMETRY if program.tessellation is None else CONTROL
+        yield Lack(feature_of_stage(row), program.stages[0].roots[0].id, of_expansion=True)
+        return
+    if program.fill == "lines" and not EDGES.is_met(profile):
+        yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
+    yield from _of_targets(program, profile)
+    if captured is None or STREAM_OUTPUT.is_met(profile):
+        values = features_of_values(program, profile)
+        yield from (Lack(feature, node) for feature, node in values)
+    yield from _buffers(program, profile)
+    for native in [native for stage in program.stages for native in stage.natives]:
+        if native.builtin in profile.cannot and not _is_read(native):
+            yield Lack(feature_of_builtin(native.builtin), native.node)
+    yield from _textures(program, profile)
+
+
+def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:
+    """The number of the render targets, and how they are blended."""
+    if len(program.targets) > 1 and not SEVERAL_TARGETS.is_met(profile):
+        second = program.results_of(TARGET)[1].value.id
+        ways = (way for way, _ in _ways_of_blending(program.targets) if way != BLENDED_FLOATS)
+        yield Lack(SEVERAL_TARGETS.feature, second, needed_for=next(ways, None), target=1)
+    else:
+        yield from _blended(program, profile)
+
+
+def _buffers(program: Program, profile: Profile) -> Iterator[Lack]:
+    """Storage buffers, where a stage can have none."""
+    for stage in program.stages:
+        need = buffers_of(stage.row)
+        buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
+        if buffers and stage.row in profile.stages and not need.is_met(profile):
+            yield Lack(need.feature, _first_use(stage))
+
+
+def _textures(program: Program, profile: Profile) -> Iterator[Lack]:
+    """Types of textures, and ways to read the others."""
+    absent = {
+        read.resource: read.node
+        for read in reversed(program.reads)
+        if texture_type(read.resource) not in profile.textures
+    }
+    for resource, node in absent.items():
+        builtins = {read.builtin for read in program.reads if read.resource == resource}
+        feature = feature_of_texture(texture_type(resource), profile)
+        yield Lack(feature, node, needed_for=_way_of_comparing(builtins))
+    for read in program.reads:
+        if read.resource in absent:
+            continue
+        if read.builtin in profile.cannot:
+            yield Lack(feature_of_builtin(read.builtin), read.node)
+        compared = _is_depth(read) and read.resource in program.sampled
+        if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
+            yield Lack(SEPARATE_SAMPLERS.feature, read.node)
+
+
+def _way_of_comparing(builtins: Set[str]) -> Capability | None:
+    """What a texture of depths needs of a profile besides that there are such textures."""
+    if {"compare", "load"} <= builtins:
+        return COMPARED_AND_LOADED
+    return GATHERED_COMPARISONS if "gather_compare" in builtins else None
+
+
+def _blended(program: Program, profile: Profile) -> Iterator[Lack]:
+    """What the profile has not got of the ways in which the targets are blended."""
+    for capability, number in _ways_of_blending(program.targets):
+        for feature in standing(capability, profile).missing[:1]:
+            root = program.results_of(TARGET)[number].value.id
+            yield Lack(feature, root, needed_for=capability, target=number)
+
+
+def _ways_of_blending(targets: Sequence[RenderTarget]) -> Iterator[tuple[Capability, int]]:
+    """What targets need of a profile, each with the number of the first target that needs it."""
+    blended = [number for number, target in enumerate(targets) if target.blend != REPLACES]
+    apart = [number for number in blended if targets[number].blend != targets[blended[0]].blend]
+    if apart:
+        yield BLENDED_APART, apart[0]
+    else:
+        states = [(target.blend, target.mask) for target in targets]
+        unlike = [number for number, state in enumerate(states) if state != states[0]]
+        yield from ((SOME_BLENDED, number) for number in unlike[:1])
+    floats = [number for number in blended if targets[number].format in FLOATS]
+    yield from ((BLENDED_FLOATS, number) for number in floats[:1])
+
+
+def is_lowered(program: Program) -> bool:
+    """Whether its primitives or patches are drawn as instances, without stages of their own."""
+    made_of = program.expansion or program.tessellation
+    rows = {stage.row for stage in program.stages}
+    return made_of is not None and program.capture is None and not rows & {CONTROL, GEOMETRY}
+
+
+def emitting(program: Program) -> list[Stage]:
+    """The stages that emit vertices."""
+    return [stage for stage in program.stages if stage.emitted]
+
+
+def capturing(program: Program) -> Capability | None:
+    """What a program needs that captures; ``None`` if it draws."""
+    if program.capture is None:
+        return None
+    if program.tessellation is not None:
+        return DIVIDED_CAPTURES
+    return CAPTURES if program.expansion is None else EMITTED_CAPTURES
+
+
+def _cannot_capture(program: Program, profile: Profile, capturing: Capability) -> Iterator[Lack]:
+    """What the profile has not got of a stream output or, where this is lowered, of kernels."""
+    cell, captured = standing(capturing, profile), program.results_of(CAPTURE)
+    if not captured:
+        (kernel,) = program.stages
+        if kernel.row not in profile.stages:
+            instead = WITH_STREAM_OUTPUT if cell.kind == "native" else ""
+            root = kernel.roots[0].id
+            yield Lack(feature_of_stage(kernel.row), root, instead=instead, needed_for=capturing)
+    elif cell.kind != "native":
+        made = program.expansion or program.tessellation
+        feature = cell.missing[0]
+        if capturing == CAPTURES and _reading_numbers(program):
+            capturing = CAPTURED_NUMBERS
+        yield Lack(feature, captured[0].value.id, made is not None, needed_for=capturing)
+    elif not NUMBERED_CAPTURES.is_met(profile):
+        reading = _reading_numbers(program)
+        yield from (Lack(NUMBERED_CAPTURES.feature, root.id) for root in reading[:1])
+
+
+def _reading_numbers(program: Program) -> list[Node]:
+    """What the first stage delivers that depends on the number of a vertex."""
+    stage = program.stages[0]
+    (number, *_) = stage.row.inputs
+    return [
+        root
+        for root in stage.roots
+        if any(n.op == "input" and n.data == number for n in visible((root,), into_bodies=True))
+    ]
+
+
+def _first_use(stage: Stage) -> int:
+    """The id of a node that reads a storage buffer, or else of one that is written to it."""
+    nodes = visible(stage.roots, into_bodies=True)
+    reads = (n.id for n in nodes if n.op == "index" and n.operands[0].op == "buffer")
+    return next(reads, stage.roots[0].id)
+
+
+def _is_read(native: NativeUse) -> bool:
+    """Whether it reads a texture: then it stands among the reads, once for each texture."""
+    return bool(native.types) and isinstance(native.types[0], Texture)
+
+
+def _is_depth(read: TextureRead) -> bool:
+    return sampler_use(read.resource) == "comparison"
