@@ -221,8 +221,9 @@ def _reduced(self: Any) -> tuple[Any, ...]:
 
 
 def _reduced_by_name(self: Any) -> tuple[Any, ...]:
-    fields = dict(zip(self.__match_args__, _values(self), strict=True))
-    return partial(type(self), **fields), ()
+    kind: Any = type(self)
+    fields = dict(zip(kind.__match_args__, _values(self), strict=True))
+    return partial(kind, **fields), ()
 
 
 def _values(self: Any) -> tuple[Any, ...]:
