@@ -221,8 +221,8 @@ def _reduced(self: Any) -> tuple[Any, ...]:
 
 
 def _reduced_by_name(self: Any) -> tuple[Any, ...]:
-    fields = dict(zip(self.__match_args__, _values(self), strict=True))
-    kind: Callable[..., Any] = type(self)
+    kind: Any = type(self)
+    fields = dict(zip(kind.__match_args__, _values(self), strict=True))
     return partial(kind, **fields), ()
 
 

@@ -18,6 +18,7 @@ from ... import api
 from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ...compiler.diagnostics.render import render_all
 from ...compiler.diagnostics.style import Style
+from ...compiler.documents.writing import to_json
 from ..console import remark, say, show
 from ..failures import drawing_errors
 from ..frames import scenery_of
@@ -181,7 +182,7 @@ class Documents:
             "doc": frame.plan.doc,
             "controls": [{**row, "picture": given.get(row["name"])} for row in controls(host)],
             "orbit": orbit(host.scenery),
-            "package": frame_package(host, (choice.profile,)),
+            "package": to_json(frame_package(host, (choice.profile,))),
         }  # fmt: skip
 
     def _declared(self) -> api.Declared:

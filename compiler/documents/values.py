@@ -170,9 +170,9 @@ class LightRow:
     name: str
     """Name in the rig."""
     kind: str
-    """The declaration of the light: ``Spot``."""
+    """The declaration of the light: ``Lantern``."""
     library: str | None
-    """Which declaration of the library that is, ``std.lights.Spot``; null where it is none of
+    """Which declaration of the library that is, ``std.lights.Lantern``; null where it is none of
     them."""
     doc: str
     """Doc comment of the rig's entry; empty where there is none."""

@@ -32,9 +32,9 @@ class LightInfo:
     name: str
     """As a host says it: ``torch``, or ``Studio.torch`` where something else has this name."""
     kind: str
-    """The declaration of the light: ``Spot``."""
+    """The declaration of the light: ``Lantern``."""
     library: str
-    """Which declaration of the library that is, ``std.lights.Spot``; empty for others."""
+    """Which declaration of the library that is, ``std.lights.Lantern``; empty for others."""
     doc: str
 
 

@@ -138,6 +138,16 @@ class ModelRow:
 
 
 @frozen(kw_only=True)
+class ElementsRow:
+    """The elements of a storage buffer."""
+
+    name: str
+    """The buffer."""
+    data: str
+    """Its elements, in base64."""
+
+
+@frozen(kw_only=True)
 class GeometryRow:
     """What a draw call gets of a mesh. Numbers have 32 bits, and are little-endian and in base64. A
     vertex, or an instance, has the vertex inputs of the reflection that step with it, one behind
@@ -153,9 +163,8 @@ class GeometryRow:
     """How many vertices are drawn of each instance."""
     instance_count: Count
     """How many instances there are."""
-    elements: Mapping[str, str]
-    """The elements of storage buffers that stand for vertex inputs, in base64, by the buffer's
-    name."""
+    elements: tuple[ElementsRow, ...]
+    """The elements of storage buffers that stand for vertex inputs."""
 
 
 @frozen(kw_only=True)

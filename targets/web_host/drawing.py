@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from ...compiler.documents.writing import to_json
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
 from ..runner.frames.counting import check_textures
@@ -28,5 +29,5 @@ def draw_frames(
         return by_route.draw_frames(host, route, runner, toolchain, count)
     names = [row.name for row in host.plan.outputs if row.texture is not None]
     package = frame_package(host, [route.profile])
-    found = iter(runner.draw_package(route, package, names, count))
+    found = iter(runner.draw_package(route, to_json(package), names, count))
     return [{name: by_route.array_of(next(found)) for name in names} for _ in range(count)]

@@ -7,13 +7,12 @@ the library's declarations mean in a scene, and what draw calls get of meshes.
 
 from __future__ import annotations
 
-import json
 from base64 import b64encode
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +20,6 @@ from numpy.typing import NDArray
 from ...compiler.budget import check
 from ...compiler.documents.drawing import VertexInputRow
 from ...compiler.documents.reflection import Reflection
-from ...compiler.documents.writing import to_json
 from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...frozen import changed
 from ..runner.frames.host import FrameHost
@@ -37,12 +35,22 @@ from ..runner.scene import texture_roles, value_roles
 from ..runner.scene_state import drawn_state
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
+from .documents import (
+    CameraRow,
+    ElementsRow,
+    GeometryRow,
+    ModelRow,
+    Package,
+    PackagedShader,
+    PictureRow,
+    ShaderTextRow,
+)
 from .webgpu import WGSL, format_of, pipelines, webgpu_pipeline
 
 MODULES = Path(__file__).with_name("modules")
 """The folder with the modules that a page loads; ``host.js`` is the first of them."""
 
-VERSION = 1
+VERSION: Literal[2] = 2
 """The version of the document; a host refuses others."""
 
 _COPIES = 5
@@ -56,7 +64,7 @@ _CAMERA = {"world_to_clip": "view_projection", "eye": "eye"}
 """What the host calls a value of the camera, by what a scene calls it."""
 
 
-def frame_package(host: FrameHost, profiles: Iterable[str] = (WGSL,)) -> dict[str, Any]:
+def frame_package(host: FrameHost, profiles: Iterable[str] = (WGSL,)) -> Package:
     """The package of a frame with the values and the scene that its host has now, and with the
     texts for some profiles.
 
@@ -71,69 +79,69 @@ class _Package:
     def __init__(self, host: FrameHost, profiles: frozenset[str]) -> None:
         self._host = host
         self._profiles = profiles
-        self._pictures: list[dict[str, Any]] = []
+        self._pictures: list[PictureRow] = []
         self._picture_of: dict[Texture, int] = {}
-        self._geometries: list[dict[str, Any]] = []
+        self._geometries: list[GeometryRow] = []
         self._geometry_of: dict[tuple[int, int], int] = {}
-        self._made: dict[str, int] = {}
+        self._made: dict[GeometryRow, int] = {}
         """The numbers of geometries, by what they consist of."""
         self._draws = _draws_of_models(host)
         self._instances: list[Instance] = []
         self._bytes = 0
         """Of all pictures, buffers and meshes so far."""
 
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Package:
         host = self._host
         scene, values = host.scenery.scene, host.values
         camera = scene.values(_SQUARE)
-        shaders = [self._shader(*each) for each in enumerate(host.shaders)]
-        return {
-            "package": VERSION,
-            "plan": to_json(host.plan),
-            "shaders": shaders,
-            "pipelines": list(pipelines(host.plan, shaders)),
-            "formats": [format_of(row) for row in host.plan.textures],
-            "size": list(host.size),
-            "camera": {own: camera[name] for name, own in _CAMERA.items()},
-            "models": [self._model(model) for model in host.scenery.models],
-            "geometries": self._geometries,
-            "values": _values(values),
-            "roles": _roles(values.declared),
-            "given": sorted(host.given),
-            "textures": self._textures(values),
-            "buffers": self._buffers(values),
-            "pictures": self._pictures,
-        }
+        shaders = tuple(self._shader(*each) for each in enumerate(host.shaders))
+        return Package(
+            package=VERSION,
+            plan=host.plan,
+            shaders=shaders,
+            pipelines=tuple(pipelines(host.plan, shaders)),
+            formats=tuple(map(format_of, host.plan.textures)),
+            size=host.size,
+            camera=CameraRow(**{own: camera[name] for name, own in _CAMERA.items()}),
+            models=tuple(map(self._model, host.scenery.models)),
+            geometries=tuple(self._geometries),
+            values=_values(values),
+            roles=_roles(values.declared),
+            given=tuple(sorted(host.given)),
+            textures=self._textures(values),
+            buffers=self._buffers(values),
+            pictures=tuple(self._pictures),
+        )
 
     # --- shaders ---------------------------------------------------------------------------------
 
-    def _shader(self, number: int, shader: Subject) -> dict[str, Any]:
+    def _shader(self, number: int, shader: Subject) -> PackagedShader:
         instance = self._host.instances[number].copied()
         plain = replace(self._host.scenery.scene, look=PLAIN, bones=None)
         plain.apply(instance, _SQUARE, self._host.given)
         self._instances.append(instance)
         reflection, texts = instance.reflection, self._texts(shader)
         stages = texts.get(WGSL)
-        return {
-            "reflection": to_json(_without_source_maps(reflection)),
-            "texts": texts,
-            "values": _values(instance),
-            "roles": _roles(reflection),
-            "lights": dict(self._lights(number, reflection)),
-            "textures": self._textures(instance),
-            "texture_roles": texture_roles(reflection),
-            "buffers": self._buffers(instance),
-            "levels": _levels(instance),
-            "webgpu": webgpu_pipeline(reflection, stages) if stages else None,
-        }
+        return PackagedShader(
+            reflection=_without_source_maps(reflection),
+            texts=texts,
+            values=_values(instance),
+            roles=_roles(reflection),
+            lights=dict(self._lights(number, reflection)),
+            textures=self._textures(instance),
+            texture_roles=texture_roles(reflection),
+            buffers=self._buffers(instance),
+            levels=_levels(instance),
+            webgpu=webgpu_pipeline(reflection, stages) if stages else None,
+        )
 
-    def _texts(self, shader: Subject) -> dict[str, dict[str, Any]]:
-        found: dict[str, dict[str, Any]] = {}
+    def _texts(self, shader: Subject) -> dict[str, dict[str, ShaderTextRow]]:
+        found: dict[str, dict[str, ShaderTextRow]] = {}
         for file in shader.files:
             profile = f"{file.target}:{file.profile}"
             if profile in self._profiles:
                 for stage, entry in file.entry_points.items():
-                    text = {"text": file.text, "entry": entry}
+                    text = ShaderTextRow(text=file.text, entry=entry)
                     found.setdefault(profile, {})[stage] = text
         return found
 
@@ -163,7 +171,7 @@ class _Package:
 
     # --- the scene -------------------------------------------------------------------------------
 
-    def _model(self, model: Model) -> dict[str, Any]:
+    def _model(self, model: Model) -> ModelRow:
         scene = replace(
             self._host.scenery.scene,
             object_to_world=model.placement,
@@ -175,21 +183,21 @@ class _Package:
         words = {
             word for each in shaders for word in texture_roles(self._reflection(each)).values()
         }
-        return {
-            "material": model.material,
-            "tags": ["scene", *sorted(model.tags)],
-            "geometries": {str(each): self._geometry(model.mesh, each) for each in shaders},
-            "values": {
+        return ModelRow(
+            material=model.material,
+            tags=("scene", *sorted(model.tags)),
+            geometries={str(each): self._geometry(model.mesh, each) for each in shaders},
+            values={
                 role: value
                 for role, value in scene.values(_SQUARE).items()
                 if role in roles and role not in _CAMERA
             },
-            "textures": {
+            textures={
                 word: self._picture(texture)
                 for word, texture in model.look.textures.items()
                 if word in words
             },
-        }
+        )
 
     def _reflection(self, shader: int) -> Reflection:
         return self._host.instances[shader].reflection
@@ -207,12 +215,11 @@ class _Package:
         key = id(mesh), shader
         if key not in self._geometry_of:
             made = _geometry(self._instances[shader].copied(), mesh)
-            self._count(sum(len(text) for text in made.values() if isinstance(text, str)))
-            content = json.dumps(made)
-            if content not in self._made:
-                self._made[content] = len(self._geometries)
+            self._count(sum(map(len, (made.vertices, made.instances, made.indices or ""))))
+            if made not in self._made:
+                self._made[made] = len(self._geometries)
                 self._geometries.append(made)
-            self._geometry_of[key] = self._made[content]
+            self._geometry_of[key] = self._made[made]
         return self._geometry_of[key]
 
     # --- pictures --------------------------------------------------------------------------------
@@ -224,14 +231,16 @@ class _Package:
         if texture not in self._picture_of:
             self._count(sum(map(len, texture.levels)))
             self._picture_of[texture] = len(self._pictures)
-            self._pictures.append({
-                "format": texture.format,
-                "dimension": texture.dimension,
-                "width": texture.width,
-                "height": texture.height,
-                "depth": texture.depth,
-                "levels": [_base64(level) for level in texture.levels],
-            })  # fmt: skip
+            self._pictures.append(
+                PictureRow(
+                    format=texture.format,
+                    dimension=texture.dimension,
+                    width=texture.width,
+                    height=texture.height,
+                    depth=texture.depth,
+                    levels=tuple(map(_base64, texture.levels)),
+                )
+            )
         return self._picture_of[texture]
 
     # --- buffers ---------------------------------------------------------------------------------
@@ -258,7 +267,7 @@ def _draws_of_models(host: FrameHost) -> Mapping[tuple[str, str], set[int]]:
     return found
 
 
-def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
+def _geometry(instance: Instance, mesh: Mesh) -> GeometryRow:
     """What a draw call gets of a mesh. The instance gets the buffer that has vertex inputs."""
     state = drawn_state(instance, mesh, (1, 1))
     rows = [row for row in instance.reflection.vertex_inputs if row.buffer is None]
@@ -269,17 +278,17 @@ def _geometry(instance: Instance, mesh: Mesh) -> dict[str, Any]:
     corners = state.triangles.reshape(-1)
     is_in_order = np.array_equal(corners, np.arange(len(corners)))
     buffers = instance.buffers()
-    return {
-        "vertices": _interleaved(steps[VERTICES]),
-        "instances": _interleaved(steps[INSTANCES]),
-        "indices": None if is_in_order else _base64(corners.astype("<u4").tobytes()),
-        "count": len(corners),
-        "instance_count": state.instance_count,
-        "elements": {
-            name: _base64(buffers[name].data)
-            for name in {place.name for _, place in mesh_rows(instance.reflection)}
-        },
-    }
+    return GeometryRow(
+        vertices=_interleaved(steps[VERTICES]),
+        instances=_interleaved(steps[INSTANCES]),
+        indices=None if is_in_order else _base64(corners.astype("<u4").tobytes()),
+        count=len(corners),
+        instance_count=state.instance_count,
+        elements=tuple(
+            ElementsRow(name=name, data=_base64(buffers[name].data))
+            for name in dict.fromkeys(place.name for _, place in mesh_rows(instance.reflection))
+        ),
+    )
 
 
 def _interleaved(inputs: list[tuple[VertexInputRow, NDArray[Any]]]) -> str:
@@ -292,14 +301,12 @@ def _interleaved(inputs: list[tuple[VertexInputRow, NDArray[Any]]]) -> str:
     return _base64(np.hstack(words).tobytes()) if words else ""
 
 
-def _levels(instance: Instance) -> list[float] | None:
+def _levels(instance: Instance) -> tuple[float, ...] | None:
     """How finely the host divides patches, if it does; with the values that the instance has."""
-    draw = instance.reflection.draw
-    row = draw and draw.tessellation
-    if not row or row.levels is None:
+    if instance.reflection.levels is None:
         return None
     edges, inside = instance.patch_levels()
-    return [*edges, *inside]
+    return *edges, *inside
 
 
 def _roles(declared: Declared) -> dict[str, str]:

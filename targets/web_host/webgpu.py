@@ -5,10 +5,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Collection, Iterator, Sequence
 
 from ...compiler.documents.plan import DrawStep, FramePlan, FrameTextureRow, RunStep
+from ...compiler.documents.reading import read
 from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.stages import COMPUTE
 from ..runner.binding import FORMATS, pipeline
@@ -17,21 +17,22 @@ from ..runner.drivers import webgpu
 from ..runner.drivers.slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 from ..runner.frames.by_route import DEPTH_FORMATS
 from ..runner.routes import ROUTES
+from .documents import PackagedShader, PipelineRow, WebGPUPipeline
 
 _ROUTE = ROUTES["chromium:webgpu"]
 WGSL = _ROUTE.profile
 """The profile whose texts WebGPU takes."""
 
 
-def webgpu_pipeline(reflection: Reflection, stages: Collection[str]) -> dict[str, Any]:
+def webgpu_pipeline(reflection: Reflection, stages: Collection[str]) -> WebGPUPipeline:
     """The descriptors of the pipeline of a shader with texts for these stages, and what is bound in
     its groups."""
     made = pipeline(reflection, _ROUTE, Codes({}))
     visibility = webgpu.COMPUTED if COMPUTE.name in stages else webgpu.DRAWN
-    return webgpu.for_pages(made, visibility, _names(reflection))
+    return read(WebGPUPipeline, webgpu.for_pages(made, visibility, _names(reflection)))
 
 
-def pipelines(plan: FramePlan, shaders: Sequence[Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
+def pipelines(plan: FramePlan, shaders: Sequence[PackagedShader]) -> Iterator[PipelineRow]:
     """The formats of what steps draw to, once for each pipeline that they use."""
     found: dict[tuple[int, tuple[str, ...], str | None], None] = {}
     for step in plan.steps:
@@ -41,12 +42,12 @@ def pipelines(plan: FramePlan, shaders: Sequence[Mapping[str, Any]]) -> Iterator
             for drawn in step.draws:
                 found |= {(use.shader, targets, depth): None for use in drawn.uses}
         elif isinstance(step, RunStep):
-            is_computed = COMPUTE.name in shaders[step.use.shader]["texts"].get(WGSL, ())
+            is_computed = COMPUTE.name in shaders[step.use.shader].texts.get(WGSL, ())
             images = () if is_computed else step.images
             found[step.use.shader, tuple(_format(plan, row.texture) for row in images), None] = None
     for shader, targets, depth in found:
-        if shaders[shader]["webgpu"]:
-            yield {"shader": shader, "targets": list(targets), "depth": depth}
+        if shaders[shader].webgpu is not None:
+            yield PipelineRow(shader=shader, targets=targets, depth=depth)
 
 
 def _format(plan: FramePlan, texture: int) -> str:

@@ -152,6 +152,14 @@ def test_instances_of_what_is_no_reflection() -> None:
         burnish.Instance(None)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"^/: there is no `material`\n/: there is no `pass`\n"):
         burnish.Instance({"format": 2})
+    instance = burnish.compile(FOUR, "wgsl")["Four"].instance()
+    for call in (instance.set, instance.set_text):
+        with pytest.raises(TypeError, match="`name` takes a text"):
+            call(3, "1")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="`name` takes a text"):
+        instance.get(None)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="`text` takes a text"):
+        instance.set_text("t", 3)  # type: ignore[arg-type]
 
 
 def test_textures_of_what_is_none() -> None:

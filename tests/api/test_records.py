@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import pickle
 import re
 from collections.abc import Callable
@@ -128,3 +129,9 @@ def test_a_cached_property_is_computed_once_for_each_record() -> None:
     assert pile == other
     with pytest.raises(AttributeError, match="cannot change"):
         setattr(pile, "parts", [])  # noqa: B010
+
+
+def test_records_that_are_made_by_name_are_copied_and_pickled() -> None:
+    order = Order(buyer="Ada", number=3)
+    for copied in (copy.deepcopy(order), pickle.loads(pickle.dumps(order))):
+        assert copied == order and copied is not order

@@ -29,4 +29,4 @@ def test_no_stage_reads_a_texture_that_is_switched_off(
     made: dict[str, burnish.CompiledMaterial],
 ) -> None:
     found = [made[name].reflection.textures for name in NAMES]
-    assert [[texture.stages for texture in each] for each in found] == [[[]], [["fragment"]]]
+    assert [[texture.stages for texture in each] for each in found] == [[()], [("fragment",)]]

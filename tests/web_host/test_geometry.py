@@ -15,6 +15,7 @@ import pytest
 import burnish
 from burnish.compiler.documents.plan import DrawStep
 from burnish.compiler.documents.reflection import Reflection
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery
 from burnish.targets.web_host.package import frame_package
@@ -52,7 +53,7 @@ def hosted(name: str) -> tuple[FrameHost, dict[str, Any]]:
     subject = burnish.compile(EXAMPLES / f"{name}.burnish", "wgsl").materials[0]
     frame = single_frame(subject)
     host = FrameHost(frame, single_scenery(frame, "cube", INSTANCES), (8, 8))
-    return host, frame_package(host)
+    return host, to_json(frame_package(host))
 
 
 def seen(reflection: Reflection | Mapping[str, Any], geometry: Any) -> dict[str, Any]:

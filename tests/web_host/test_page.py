@@ -13,6 +13,7 @@ from PIL import Image
 from playwright.sync_api import Page
 
 import burnish
+from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import Scenery
 from burnish.targets.web_host.package import frame_package
@@ -168,7 +169,7 @@ def test_the_elements_of_buffers(page: Page, site: Path) -> None:
     file = site / "counted.burnish"
     file.write_text(COUNTED)
     (frame,) = burnish.compile(file, targets=("wgsl:webgpu",)).frames
-    package = frame_package(FrameHost(frame, Scenery(()), (8, 8)))
+    package = to_json(frame_package(FrameHost(frame, Scenery(()), (8, 8))))
     (site / "Counted.json").write_text(json.dumps(package))
     page.goto(ADDRESS)
     told = page.evaluate(READ)

@@ -123,7 +123,7 @@ def _library_name(record: Record, of_leaf: str) -> str:
 
 
 def library_name(symbol: Symbol) -> str:
-    """Which declaration of the library something is: ``std.lights.Spot``; empty for others."""
+    """Which declaration of the library something is: ``std.lights.Lantern``; empty for others."""
     module = symbol.module
     if not module.is_standard or module.path is None:
         return ""

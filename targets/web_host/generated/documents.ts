@@ -1,4 +1,4 @@
-// Generated from the records of compiler/documents and documents.py by the tests: do not edit.
+// Generated from the records of documents (compiler/documents, documents.py) by the tests: do not edit.
 
 /** What a target of the pass, or its depths, is drawn to. */
 export interface AttachmentRow {
@@ -513,6 +513,14 @@ export interface DrawnRow {
   uses: UseRow[];
 }
 
+/** The elements of a storage buffer. */
+export interface ElementsRow {
+  /** The buffer. */
+  name: string;
+  /** Its elements, in base64. */
+  data: string;
+}
+
 /** One stage's text. */
 export interface FileRow {
   /** The stage, such as `vertex`. */
@@ -667,10 +675,8 @@ export interface GeometryRow {
   count: number;
   /** How many instances there are. */
   instance_count: number;
-  /**
-   * The elements of storage buffers that stand for vertex inputs, in base64, by the buffer's name.
-   */
-  elements: Record<string, string>;
+  /** The elements of storage buffers that stand for vertex inputs. */
+  elements: ElementsRow[];
 }
 
 /** A texture or a buffer of the host. */
@@ -780,9 +786,11 @@ export interface LayoutRow {
 export interface LightRow {
   /** Name in the rig. */
   name: string;
-  /** The declaration of the light: `Spot`. */
+  /** The declaration of the light: `Lantern`. */
   kind: string;
-  /** Which declaration of the library that is, `std.lights.Spot`; null where it is none of them. */
+  /**
+   * Which declaration of the library that is, `std.lights.Lantern`; null where it is none of them.
+   */
   library: string | null;
   /** Doc comment of the rig's entry; empty where there is none. */
   doc: string;

@@ -10,9 +10,7 @@ export function unpacked({ count, instance_count, ...packed }) {
         instances: bytesOf(packed.instances),
         indices: packed.indices === null ? null : bytesOf(packed.indices),
         /** By the name of a storage buffer that stands for vertex inputs. */
-        elements: Object.entries(packed.elements).map(([name, bytes]) => {
-            return { name, bytes: bytesOf(bytes) };
-        }),
+        elements: packed.elements.map(({ name, data }) => ({ name, bytes: bytesOf(data) })),
     };
 }
 /** So many vertices one after the other, which have nothing but their numbers. Of primitives that

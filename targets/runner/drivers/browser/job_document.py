@@ -268,5 +268,5 @@ def _geometry(pipeline: Pipeline, draw: Draw) -> dict[str, Any]:
         "indices": to_json(draw.indices),
         "count": len(draw.indices) // 4,
         "instance_count": draw.instance_count,
-        "elements": {},
+        "elements": [],
     }

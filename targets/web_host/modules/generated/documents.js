@@ -1,2 +1,2 @@
-// Generated from the records of compiler/documents and documents.py by the tests: do not edit.
+// Generated from the records of documents (compiler/documents, documents.py) by the tests: do not edit.
 export {};
