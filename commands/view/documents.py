@@ -338,10 +338,10 @@ def _takes_mesh(frame: FrameSubject) -> bool:
 
 def _wanted(host: FrameHost, name: str) -> Wanted | None:
     """What the texture of this name has to be, if there is one."""
-    for instance in (host.values, *host.instances):
-        for row in instance.reflection["textures"]:
-            if row["name"] == name:
-                return Wanted(row["dimension"], row["sample"])
+    for values in (host.values, *host.instances):
+        for row in values.declared.textures:
+            if row.name == name:
+                return Wanted(row.dimension, row.sample)
     return None
 
 

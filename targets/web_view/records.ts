@@ -1,6 +1,6 @@
 // The elements of a buffer as numbers, by the rows of the reflection that say how they lie.
 
-import type { Capture, FramePackage, Member } from "../web_host/generated/documents.js";
+import type { CaptureRow, MemberRow, Package } from "../web_host/generated/documents.js";
 
 /** A number, vector, matrix or list of numbers that each element has. */
 export interface Column {
@@ -24,13 +24,13 @@ export interface Layout {
 const CORNERS = { point: 1, line: 2, triangle: 3 } as const;
 
 /** The layout of an output that is a buffer; null for a picture. */
-export function layoutOf(from: FramePackage, output: string): Layout | null {
+export function layoutOf(from: Package, output: string): Layout | null {
   const row = from.plan.outputs.find(({ name }) => name === output);
   if (!row || row.texture !== null) return null;
   for (const step of from.plan.steps) {
     const written = step.kind === "run" && step.buffers.find(({ result }) => result === row.result);
     if (!written) continue;
-    const { results, capture } = from.shaders[step.shader].reflection;
+    const { results, capture } = from.shaders[step.use.shader].reflection;
     const result = results.find(({ name }) => name === written.name)!;
     const captured = capture?.buffer === result.name ? capture : null;
     return {
@@ -44,7 +44,7 @@ export function layoutOf(from: FramePackage, output: string): Layout | null {
   return null;
 }
 
-function ofCapture({ name, representation, offset }: Capture["members"][number]): Column {
+function ofCapture({ name, representation, offset }: CaptureRow["members"][number]): Column {
   const kind = ({ i: "int", u: "uint" } as const)[representation[0]] ?? "float";
   const lanes = Number(/\d$/.exec(representation)?.[0] ?? 1);
   const places = Array.from({ length: lanes }, (_, lane) => offset + 4 * lane);
@@ -56,7 +56,7 @@ const ofElement = (type: string) => type.replace(/\[\]$/, "");
 
 /** The columns of a value; those of a structure are called `member` and `member.part`. */
 function columnsOf(
-  row: Pick<Member, "type" | "layout" | "members">, name: string, offset: number,
+  row: Pick<MemberRow, "type" | "layout" | "members">, name: string, offset: number,
 ): Column[] {
   if (row.members.length) {
     const within = name ? `${name}.` : "";

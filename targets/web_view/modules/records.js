@@ -9,7 +9,7 @@ export function layoutOf(from, output) {
         const written = step.kind === "run" && step.buffers.find(({ result }) => result === row.result);
         if (!written)
             continue;
-        const { results, capture } = from.shaders[step.shader].reflection;
+        const { results, capture } = from.shaders[step.use.shader].reflection;
         const result = results.find(({ name }) => name === written.name);
         const captured = capture?.buffer === result.name ? capture : null;
         return {
