@@ -221,7 +221,7 @@ Names = Mapping[type, Sequence[str]]
 
 def for_pages(pipeline: Pipeline, visibility: int, names: Names) -> dict[str, Any]:
     """The descriptors of a pipeline, and what is bound in its groups, as a page hands them to the
-    browser: see ``web_gpu_pipeline`` in ``package.schema.json``."""
+    browser: see ``WebGPUPipeline`` in ``web_host/documents.py``."""
     found: dict[str, Any] = _camel({
         "groups": [list(_named_slots(group, visibility, names)) for group in bound(pipeline)],
         "buffers": [buffer_layout(each) for each in vertex_buffers(pipeline.inputs)],
