@@ -67,7 +67,7 @@ def _without_stride(shape: Shape, position: int) -> tuple[str, int, Shape]:
 def _of_the_operand(steps: Any, inputs: Any) -> Any:
     """Store the value before the last step."""
     last = steps[-1]
-    alike = [number for number in last["args"] if steps[number]["type"] == last["type"]]
+    alike = [number for number in last.args if steps[number].type == last.type]
     return step(steps[: alike[0] + 1] if alike else steps, inputs)
 
 
