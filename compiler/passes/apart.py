@@ -16,7 +16,7 @@ from ..ir.node import Node, Roots
 from ..ir.shader import Result
 
 Change = Callable[[Roots, Roots], Sequence[Node]]
-"""What a pass makes of values. It also gets all values that may use them."""
+"""A change that a pass makes to values. It is also given all values that may use them."""
 
 
 @frozen
@@ -28,7 +28,7 @@ class Apart:
 
     @classmethod
     def of(cls, results: Iterable[Result], placing: Set[str]) -> Apart:
-        """Those of the kinds ``placing`` apart from all others."""
+        """Separates the results of the kinds ``placing`` from all others."""
         numbered = list(enumerate(results))
         return cls(
             tuple(number for number, result in numbered if result.kind in placing),

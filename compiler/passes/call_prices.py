@@ -1,4 +1,4 @@
-"""What calls cost, and what their bodies would cost in their place: ``inline`` decides by it.
+"""Estimates the cost of calls, and of their bodies in their place: ``inline`` decides by it.
 
 A call with constant arguments may leave little of a body. So the price of such a call is found by
 putting these arguments in, and counting what is left.
@@ -26,7 +26,7 @@ DEAR = 1024
 
 
 class CallPrices:
-    """What bodies cost, and what is left of them for the arguments of a call."""
+    """Costs of bodies, and of the rest of a body for the arguments of a call."""
 
     def __init__(self, simplifier: Simplifier) -> None:
         self._simplifier = simplifier
@@ -35,12 +35,12 @@ class CallPrices:
         self._costs: dict[Node, int] = {}
         """Of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
-        """What of a body depends on nothing inside it, and so is computed before the call."""
+        """By body, its nodes that depend on nothing inside it, and are computed before the call."""
         self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
         """By the body and the arguments that are put in."""
 
     def is_worth_calling(self, call: Node) -> bool:
-        """Whether a call is better than its body written out."""
+        """True if a call is better than its body written out."""
         body, *arguments = call.operands
         if self._is_trivial(body):
             return False

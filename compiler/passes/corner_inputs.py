@@ -1,8 +1,8 @@
-"""What vertices read of the primitives of a mesh that are drawn as instances.
+"""The vertex inputs for primitives of a mesh that are drawn as instances.
 
-``lower_expansion`` and ``lower_tessellation`` use it, and ``lower_capture`` a part of it. What the
-mesh has at the corners of a primitive are vertex inputs per instance, one for each corner that is
-read.
+``lower_expansion`` and ``lower_tessellation`` use it, and ``lower_capture`` a part of it. The
+attributes of the mesh at the corners of a primitive are vertex inputs per instance, one for each
+corner that is read.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def as_attribute(row: SystemInput) -> Attribute:
 
 
 def placed(shader: Shader, is_there: Node, position: Node) -> Node:
-    """Where a vertex lies in clip space that may have nothing to show."""
+    """The position of a vertex in clip space; outside of the view if there is nothing to show."""
     nowhere = build.constant(shader.graph, VEC4, NOWHERE)
     value = shader.graph.node("select", VEC4, (is_there, position, nowhere))
     shader.notes.names.setdefault(value.id, "placed")
@@ -69,7 +69,7 @@ class CornerInputs:
         """The inputs of the mesh's vertices, with the numbers that they have in it."""
         self._place = {info.attribute: place for place, info in enumerate(self._infos)}
         self._read: dict[tuple[int, int], AttributeInfo] = {}
-        """What is read for each primitive instead: by the place of an input and the corner."""
+        """The inputs per primitive that are read instead, by place of an input and corner."""
         self._known: dict[Node, dict[Node, Node]] = {}
         """For each corner, what values of the vertices have become there."""
         self._is_instanced = any(map(_tells_instances_apart, shader.roots.nodes))

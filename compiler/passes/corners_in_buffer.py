@@ -65,12 +65,12 @@ def corners_in_buffer(shader: Shader) -> Shader:
 
 
 def _is_of_corner(info: AttributeInfo) -> bool:
-    """Whether an input has a value for each primitive that is drawn as an instance."""
+    """True if an input has a value for each primitive that is drawn as an instance."""
     return info.mesh is not None and info.attribute.step == INSTANCES
 
 
 def _span(shader: Shader) -> Span:
-    """Where the primitives are named, or the patches."""
+    """The span that names the primitives, or the patches."""
     made = shader.tessellation or shader.expansion
     assert made is not None
     return made.span

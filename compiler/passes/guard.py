@@ -34,7 +34,7 @@ class Guard:
     facts: tuple[Fact, ...]
     span: Span | None
     by_profile: bool = False
-    """Whether there are languages that need none."""
+    """True if there are languages that need no guard here."""
 
     @property
     def reason(self) -> str:
@@ -49,13 +49,13 @@ def _interval(fact: Fact) -> str:
 
 @record
 class Decisions:
-    """What was decided about guards in several parts of a program."""
+    """The decisions about guards in several parts of a program."""
 
     kept: dict[int, Guard] = fresh(factory=dict)
     """By the id of the ``call`` that was expanded."""
     remarks: dict[Hashable, Remark] = fresh(factory=dict)
     undecided: bool = False
-    """Whether any call was left to the profiles."""
+    """True if any call was left to the profiles."""
 
     def add(self, guarding: Guarding) -> None:
         """Take over what was decided in one part."""
@@ -84,12 +84,12 @@ class Guarding(Expanding):
         self._paths = paths
         self._domains = domains
         self.undecided = False
-        """Whether any call was left to the profiles."""
+        """True if any call was left to the profiles."""
         self._branches: set[int] = set()
         self.kept: dict[int, Guard] = {}
         """By the id of the ``call`` that was expanded."""
         self._asked: Node | None = None
-        """What is being replaced, with operands as they were."""
+        """The node that is being replaced, with its operands as they were."""
 
     def remark(
         self,
@@ -130,7 +130,7 @@ class Guarding(Expanding):
         return simplest
 
     def _is_safe(self, node: Node) -> bool:
-        """Whether ranges or conditions around ``node`` prove it harmless.
+        """True if ranges or conditions around ``node`` prove it harmless.
 
         Its operands may have been expanded by now. They are the same values, of which more is known
         in the form that they had before.
@@ -178,9 +178,9 @@ class Guarding(Expanding):
         return native
 
     def _is_by_profile(self, row: Builtin, node: Node, facts: tuple[Fact, ...]) -> bool:
-        """Whether a profile has to decide about a call.
+        """True if a profile has to decide about a call.
 
-        What is asked of is the last operand, a divisor or an amount. Where that is constant over
+        The condition is about the last operand, a divisor or an amount. Where that is constant over
         the draw, so is its guard, which leaves the shader and costs no language anything.
         """
         open_ = self._domains is None and row.by_profile(facts)

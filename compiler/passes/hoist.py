@@ -59,7 +59,7 @@ class Derived:
 
 @frozen(eq=False)
 class _Reads:
-    """What a value is computed from: parameters, and elements of arrays at one position."""
+    """The sources of a value: parameters, and elements of arrays at one position."""
 
     groups: frozenset[str]
     position: Node | None = None
@@ -67,7 +67,7 @@ class _Reads:
     """The shortest of the arrays."""
 
     def joined(self, other: _Reads) -> _Reads | None:
-        """What a value reads that is computed from two; ``None`` at two positions."""
+        """The reads of a value that is computed from two; ``None`` if they are at two positions."""
         if other is self or not other.groups:
             return self
         if not self.groups:
@@ -101,7 +101,7 @@ def _length(array: Node) -> int:
 
 
 def _saves(root: Node, least: int) -> bool:
-    """Whether a stored value saves operations that cost at least so much."""
+    """True if a stored value saves operations that cost at least ``least``."""
     saved, pending, seen = 0, [root], {root.id}
     while pending and saved < least:
         node = pending.pop()
@@ -114,7 +114,7 @@ def _saves(root: Node, least: int) -> bool:
 
 
 def _compares_pixels(node: Node) -> bool:
-    """Whether an operation depends on neighbours, which may be at other positions of an array."""
+    """True if an operation depends on neighbours, which may be at other positions of an array."""
     builtin = builtin_of(node)
     return builtin is not None and BUILTINS[builtin].compares_pixels
 
@@ -140,13 +140,13 @@ class _Hoisting:
         self._ranges = ranges
         self._reads: dict[int, _Reads | None] = {}
         self._groups: dict[str, _Reads] = {}
-        """What a parameter alone reads, by its group."""
+        """The reads of a parameter by itself, by its group."""
         self._positions: set[int] = set()
         """Indices: a shader clamps them itself, whatever a host has put into its memory."""
         self._taken = set(taken)
         self._naming = Naming(notes)
         self._moved: dict[int, Node] = {}
-        """What indices have become: what they are computed from may be hoisted."""
+        """The rebuilt indices: values from which they are computed may be hoisted."""
         self._single: dict[int, Derived] = {}
         """By the id of the value."""
         self._members: dict[int, tuple[Table, str, Node]] = {}
@@ -154,7 +154,7 @@ class _Hoisting:
         self._tables: dict[tuple[int, str], Table] = {}
         """By the array's id and the group that owns the values."""
         self._filled: Counter[str] = Counter()
-        """How many bytes the tables of each group have at most."""
+        """The largest possible size of the tables of each group, in bytes."""
 
     def choose(self, roots: Roots) -> bool:
         """Find the hoistable nodes that some user which is not hoistable needs, if any."""
@@ -199,7 +199,7 @@ class _Hoisting:
     # --- what can go -----------------------------------------------------------------------------
 
     def _reads_of(self, node: Node) -> _Reads | None:
-        """What a value is computed from; ``None`` if it reads anything else."""
+        """The sources of a value; ``None`` if it reads anything else."""
         if node.op == "parameter":
             return self._of_group(PARAMETER.data(node).group)
         if node.op == "constant":
@@ -252,7 +252,10 @@ class _Hoisting:
             self._members[node.id] = table, member, reads.position
 
     def _has_room(self, reads: _Reads, node: Node) -> bool:
-        """Whether the tables of a group can hold one more value for each element, and then do."""
+        """True if the tables of a group can hold one more value for each element.
+
+        If so, the value is counted.
+        """
         assert reads.array is not None and reads.owner is not None
         columns = node.type.size if isinstance(node.type, Matrix) else 1
         size = ROW * columns * _length(reads.array)

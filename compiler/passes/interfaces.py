@@ -17,7 +17,7 @@ from .pack_varyings import pack_varyings
 
 
 class Interfaces:
-    """What crosses between the stages that are known so far."""
+    """The varyings between the stages that are known so far."""
 
     def __init__(self, notes: Notes, results: Iterable[Result]) -> None:
         """``results`` are all that the stages deliver besides what crosses."""
@@ -28,10 +28,10 @@ class Interfaces:
         self._onward: Sequence[Node] = ()
         """The values of the stage behind, if some of what it reads is handed on to it."""
         self._placed_onward: frozenset[Node] = frozenset()
-        """Those of them that are for positions that have to be invariant."""
+        """The values in ``_onward`` that are for positions that have to be invariant."""
 
     def leaving(self, row: StageRow) -> tuple[Varying, ...]:
-        """What a stage has to deliver to the next one; what it only hands on is not among it."""
+        """The varyings that a stage computes for the next one, not those it only hands on."""
         return leaving(self.all, row)
 
     def enter(

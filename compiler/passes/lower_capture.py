@@ -74,9 +74,9 @@ class _Reading:
         self._notes = shader.notes
         self._of_primitives = shader.expansion is not None or shader.tessellation is not None
         self._listed = listed_each(shader)
-        """How many vertices come of each element of the buffer."""
+        """The number of vertices for each element of the buffer."""
         self.span = _first_span(shader)
-        """Where the first value is that is captured."""
+        """The span of the first captured value."""
         infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
         self._members = {info.attribute: member_name(info.attribute) for info in infos}
         self.mesh = mesh_buffer(shader, infos, is_primitive=self._of_primitives)
@@ -92,7 +92,7 @@ class _Reading:
 
     @property
     def extent(self) -> Node:
-        """How many vertices are written."""
+        """The number of vertices that are written."""
         count = self._graph.node("parameter", INT, (), self.mesh.buffer.count)
         if self._listed == 1:
             return count
@@ -101,7 +101,7 @@ class _Reading:
         return vertices
 
     def rule(self, _graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
-        """What stands for a vertex input, or for a number that the pipeline supplies."""
+        """The replacement of a vertex input, or of a number that the pipeline supplies."""
         leaf = node.data
         if isinstance(leaf, SystemInput):
             if self._of_primitives:
@@ -133,17 +133,17 @@ class _Reading:
 
 
 def listed_each(shader: Shader) -> int:
-    """How many vertices come of each element of the buffer at most."""
+    """The largest number of vertices for each element of the buffer."""
     if shader.listed:
         return shader.listed
     return 1 if shader.expansion is None else shader.expansion.listed
 
 
 def _first_span(shader: Shader) -> Span:
-    """Where the first value is written that is captured and stands somewhere.
+    """The span of the first captured value that is written somewhere.
 
-    Values that the pipeline supplies stand nowhere: if nothing else is captured, it is where
-    anything of the material stands.
+    Values that the pipeline supplies are written nowhere: if nothing else is captured, the span is
+    that of anything in the material.
     """
     spans = shader.notes.spans
     captured = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))

@@ -48,8 +48,10 @@ from .corner_inputs import placed
 from .expanded_corners import CellCorners, Corners, MeshCorners
 
 LAYER_OF_DRAW = "draw.layer"
-"""What the parameter is called that says for which layer a draw is; with ``_`` behind it if a light
-has a parameter of this name."""
+"""The name of the parameter that says for which layer a draw is.
+
+It ends in ``_`` if a light has a parameter of this name.
+"""
 
 
 def lower_expansion(shader: Shader) -> Shader:
@@ -110,7 +112,7 @@ class _Lowering:
         self._expansion = expansion
         self._parameters = shader.parameters
         self.layer: Parameter | None = None
-        """What says for which layer of the render targets a draw is, if they have any."""
+        """The parameter that says for which layer a draw is, if the render targets have layers."""
         self._numbers = EmittedNumbers(shader.graph, expansion, corners.vertex)
 
     def lowered(self, roots: Sequence[Node]) -> Roots:
@@ -118,7 +120,7 @@ class _Lowering:
         return rewrite(self._graph, roots, self._rule, self._notes.follow, ("cross", "input"))
 
     def drawn(self, results: Sequence[Result]) -> Node | None:
-        """Whether the strip of a vertex is there in this draw; ``None`` if all of them are."""
+        """A condition: the strip of a vertex exists in this draw. ``None`` if all of them do."""
         values = [result.value for result in results if result.kind == EMITTING]
         layers = [result.value for result in results if result.kind == LAYER]
         found = [] if all(map(_is_true, values)) else [self._numbers.by_group(values)]
@@ -129,7 +131,10 @@ class _Lowering:
         return reduce(lambda one, other: self._graph.node("call", BOOL, (one, other), "and"), found)
 
     def _is_drawn(self, layer: Node) -> Node:
-        """Whether a draw is for this layer; the host tells for which one it is."""
+        """A condition: a draw is for this layer.
+
+        The host sets a parameter to the layer that it draws.
+        """
         taken = {info.parameter.name for info in self._parameters}
         names = (LAYER_OF_DRAW + "_" * number for number in count())
         self.layer = Parameter(next(n for n in names if n not in taken), INT, "draw")
@@ -168,7 +173,7 @@ def _is_true(value: Node) -> bool:
 
 
 class EmittedNumbers:
-    """Where a vertex of a list of triangles or lines lies among the groups that are emitted."""
+    """Position of a vertex of a list of triangles or lines among the groups that are emitted."""
 
     def __init__(self, graph: Graph, expansion: Expansion, vertex: Node) -> None:
         """``vertex`` is the number of the vertex in that list."""

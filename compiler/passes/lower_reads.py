@@ -37,7 +37,7 @@ _READS = frozenset({"parameter", "buffer", "member", "index"})
 """Apart from these and from variables, operations change only where an operand has changed."""
 
 _MADE = frozenset({"array", "struct", "iterate"})
-"""What is put together in the shader, out of plain values; all other aggregates are stored."""
+"""Operations that build aggregates in the shader, of plain values; all others are stored."""
 
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:

@@ -18,7 +18,7 @@ from ..ir.types import RuntimeArray, Struct, Type
 MESH = "mesh"
 """The buffer; a host binds it with what it sets for each draw, or what a kernel writes."""
 VERTEX_STRUCT, PRIMITIVE_STRUCT = "MeshVertex", "MeshPrimitive"
-"""What its elements are."""
+"""The names of the structures that are the elements of these buffers."""
 
 
 def mesh_buffer(
@@ -44,7 +44,7 @@ def mesh_buffer(
 
 
 def member_name(leaf: Attribute) -> str:
-    """What the member of an element is called that has the values of a vertex input."""
+    """The name of the member of an element that has the values of a vertex input."""
     return leaf.name.replace(".", "_")
 
 
@@ -57,7 +57,7 @@ def buffer_info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInf
 
 
 def names_taken(shader: Shader) -> set[str]:
-    """What parameters, textures and buffers are called."""
+    """The names of all parameters, textures and buffers."""
     return {
         *(info.parameter.name for info in shader.parameters),
         *(info.resource.name for info in shader.resources),

@@ -95,7 +95,7 @@ class _Family:
 
     @property
     def pays(self) -> bool:
-        """Whether no more numbers cross if its work moves."""
+        """True if moving the work does not make more numbers cross between the stages."""
         return sum(self.results.values()) <= sum(self.sources.values())
 
 
@@ -107,7 +107,7 @@ class _Corners:
         self._constant = DrawConstants()
         self._places: dict[int, _Place] = {}
         self._computed: dict[int, int] = {}
-        """What nodes at corners compute, as numbers: the same for the same of other corners."""
+        """The results of nodes at corners, as value numbers: equal for equal work elsewhere."""
         self._numbers: dict[object, int] = {}
         self._families: dict[int, _Family] = {}
         """The families of nodes at corners, and of the values that cross."""
@@ -161,17 +161,17 @@ class _Corners:
 
 
 def _lanes(node: Node) -> int:
-    """How many numbers cross for a value; only scalars and vectors do."""
+    """The number of floats that cross for a value; only scalars and vectors do."""
     return width(node.type) if isinstance(node.type, Scalar | Vector) else 0
 
 
 def _is_movable(node: Node) -> bool:
-    """Whether an operation can be done in either stage, and does not repeat what it reads."""
+    """True if an operation can be done in either stage, and does not repeat what it reads."""
     if node.op not in MOVED or scalar_kind(node.type) != "float":
         return False
     return node.op != "swizzle" or len(set(SWIZZLE.data(node))) == len(SWIZZLE.data(node))
 
 
 def _is_corner(node: Node) -> bool:
-    """Whether a node is what one corner of a primitive has."""
+    """True if a node is a value at one corner of a primitive."""
     return node.op == "cross" and CROSS.data(node).mode == "corner"

@@ -87,17 +87,17 @@ class PatchVertices:
         return self._with(value, self._row, place)
 
     def place(self, number: Node) -> Node:
-        """Where the vertex with this number lies in its patch."""
+        """The place in its patch of the vertex with this number."""
         place = self._with(self._pattern.place, PATTERN_VERTEX, number)
         self._shader.notes.names.setdefault(place.id, self._row.name)
         return place
 
     def is_there(self, number: Node) -> Node:
-        """Whether the patch is divided into so many that it has the vertex with this number."""
+        """A condition: the patch is divided so finely that it has the vertex with this number."""
         return self._with(self._pattern.is_there, PATTERN_VERTEX, number)
 
     def given_place(self, corner: int | None = None) -> Node:
-        """Where the vertex lies, or that ``corner`` of what it is a part of, as a vertex input."""
+        """The place of the vertex, or of a ``corner`` of its primitive, as a vertex input."""
         row = self._row
         of_corner = "" if corner is None else f"corner{corner}."
         leaf = Attribute(f"pattern.{of_corner}{row.name}", row.type, VERTICES)

@@ -41,7 +41,7 @@ class Path:
     depth: int
 
     def outward(self) -> Iterator[Path]:
-        """This region and those around it."""
+        """Iterates over this region and those around it, from the inside out."""
         path: Path | None = self
         while path is not None:
             yield path
@@ -50,7 +50,7 @@ class Path:
 
 @frozen
 class PathRefinement:
-    """What a condition around a region says of a value, and the select that it belongs to."""
+    """The fact that a condition around a region implies for a value, and the condition's select."""
 
     select: Node
     refinement: Refinement
@@ -58,7 +58,7 @@ class PathRefinement:
 
 @frozen
 class KnownOnPath:
-    """What holds of a value on a path, and what that follows from."""
+    """The range of a value on a path, and the conditions from which it follows."""
 
     fact: Fact
     conditions: tuple[PathRefinement, ...]
@@ -80,7 +80,7 @@ class PathConditions:
             self._find(roots, needing_uniform_flow(roots.nodes))
 
     def known(self, user: Node, operand: Node) -> KnownOnPath:
-        """What holds of ``operand`` where ``user`` is computed.
+        """The range of ``operand`` where ``user`` is computed.
 
         A condition may bound the operand itself, or values from which it is computed.
         """
@@ -101,7 +101,7 @@ class PathConditions:
         return KnownOnPath(facts.get(operand.id, self._ranges.of(operand)), tuple(used))
 
     def _refined(self, path: Path | None) -> dict[int, list[PathRefinement]]:
-        """What the conditions around a region say, by the id of the value that they bound."""
+        """The refinements by the conditions around a region, by the id of the bounded value."""
         if path is None or rulebook.AROUND in self._ranges.without:
             return {}
         if path not in self._refined_at:

@@ -48,7 +48,7 @@ class Options:
 
 @frozen
 class Evidence:
-    """What ``proofs.py`` explains: decisions of the passes, on the grounds of these ranges."""
+    """The evidence that ``proofs.py`` explains: decisions of passes, and the ranges behind them."""
 
     remarks: tuple[Remark, ...]
     ranges: Ranges
@@ -76,7 +76,7 @@ class Form:
     """With the results that this form delivers, and the stages that do."""
     program: Program
     undecided: Undecided | None = None
-    """Where the program has calls that each profile decides about."""
+    """The calls in the program that each profile decides about."""
 
 
 @frozen
@@ -90,7 +90,7 @@ class Staged:
     guards: tuple[Guard, ...]
     evidence: Evidence
     undecided: Undecided | None = None
-    """Where the program has such calls."""
+    """The calls in the program that each profile decides about."""
     full_screen: Form | None = None
     """Of a kernel over images, the pass that draws these."""
 

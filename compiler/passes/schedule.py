@@ -58,14 +58,14 @@ class _Block:
     """The variables, where this is the body of a loop."""
     depth: int = 0
     uniform: bool = True
-    """Whether all pixels of a draw take the same branches to it."""
+    """True if all pixels of a draw take the same branches to this region."""
     skipped: bool = False
-    """Whether it may be left out, so that nothing that is computed in it moves out of it."""
+    """True if the region may be skipped at run time. No computation then moves out of it."""
     statements: list[Statement] = fresh(factory=list)
 
     @property
     def region(self) -> Region:
-        """What it becomes, once all of its statements are known."""
+        """The finished region, once all of its statements are known."""
         return Region(tuple(self.statements))
 
 
@@ -81,7 +81,7 @@ class _Strips:
 
     @property
     def group(self) -> EmittedGroup:
-        """What they become, once all of their statements are known."""
+        """The finished group, once all statements of its blocks are known."""
         values = self.values
         return EmittedGroup(
             values.strips, values.strip, values.vertex, values.count, self.strip.region,
@@ -119,7 +119,7 @@ class Scheduler:
         """Branches of which both sides are computed before, since they would nest too deeply."""
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
-        """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
+        """Nodes that are computed before the loop or choice that uses them: they need names."""
         self._coordinates: set[int] = set()
         """Operands of texture reads and derivatives. One in which a ``?:``, ``&&`` or ``||`` would
         be printed has a name in every language, where it is easier to read. glslang needs this
@@ -228,15 +228,17 @@ class Scheduler:
             )
 
     def _branches(self, choice: Node, home: _Block) -> bool:
-        """Whether a choice in a region becomes a branch."""
+        """True if a choice in a region becomes a branch."""
         if has_to_branch(choice):
             return True
         uniform = home.uniform and self._choices.is_uniform(choice)
         return home.depth < DEEPEST and self._choices.is_worth_branching(choice, uniform=uniform)
 
     def _stands_for_whole(self, node: Node) -> bool:
-        """Whether a use of ``node`` counts as one of the value that it is a part of: the user named
-        that, and not the part."""
+        """True if a use of ``node`` counts as one of the value that it is a part of.
+
+        The user named that value, and not the part.
+        """
         names = self._notes.names
         return is_part(node) and node.id not in names and node.operands[0].id in names
 
@@ -323,7 +325,7 @@ class Scheduler:
         )  # fmt: skip
 
     def _bound(self, node: Node) -> bool:
-        """Whether a node gets a statement of its own."""
+        """True if a node gets a statement of its own."""
         access = is_access(node)
         size, depth = self._measure(node, 0 if access else 1)
         if access or self._is_part_of_bound(node):
@@ -341,7 +343,7 @@ class Scheduler:
         return named or size > INLINE_SIZE or depth > INLINE_DEPTH
 
     def _is_part_of_bound(self, node: Node) -> bool:
-        """Whether a node that the user did not name is a part of what a statement has bound."""
+        """True if a node without a name of the user's is a part of a value that has a statement."""
         unnamed = node.id not in self._notes.names
         return unnamed and is_part(node) and self._size.get(node.operands[0].id) == BOUND
 

@@ -34,10 +34,10 @@ class Simplifier(Builder):
         self.at: Span | None = None
         """The source of what is being built."""
         self.expanding = 0
-        """How many expansions deep."""
+        """The number of expansions around the current node."""
         self.remarks: dict[Hashable, Remark] = {}
         self._simplest: set[Node] = set()
-        """What was built here: it is in its simplest form, and so is all that it needs."""
+        """Nodes that were built here: they are in simplest form, with all that they need."""
         self._arguments: dict[Node, Node] = {}
         """The simplest forms of arguments, and of what they need: many share most of it."""
 
@@ -106,15 +106,15 @@ class Simplifier(Builder):
         return rewrite(self.graph, arguments, self.rule, self.notes.follow, nodes=nodes, new=known)
 
     def is_simplest(self, node: Node) -> bool:
-        """Whether a node is known to be in its simplest form, with all that it needs."""
+        """True if a node is known to be in its simplest form, with all that it needs."""
         return node in self._simplest or not node.operands
 
     def _affected(
         self, roots: Iterable[Node], formals: frozenset[Formal], known: Collection[Node] = ()
     ) -> list[Node]:
-        """What of ``roots`` is not in its simplest form, or depends on ``formals``.
+        """The nodes below ``roots`` that are not in their simplest form, or depend on ``formals``.
 
-        What is below a ``known`` node is left out, like the node itself.
+        A ``known`` node is left out, with all nodes below it.
         """
         simplest = self._simplest
         seen = set(roots).difference(known)

@@ -100,7 +100,7 @@ def split_stages(
 
 
 def _corner_buffer(shader: Shader) -> Buffer | None:
-    """What the vertex stage of a draw reads the mesh of, if that are no vertex inputs."""
+    """The storage buffer from which the vertex stage of a draw reads the mesh, if it has one."""
     if shader.chain[0] != VERTEX:
         return None
     return next((info.buffer for info in shader.buffers if info.of_mesh), None)
@@ -139,7 +139,7 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
 def _placing(
     shader: Shader, groups: Sequence[GroupValues], outputs: Sequence[Output]
 ) -> frozenset[Node]:
-    """What a stage computes for positions that have to be invariant."""
+    """The nodes that a stage computes for positions that have to be invariant."""
     numbers = [
         number
         for number, output in enumerate(outputs)
@@ -221,14 +221,14 @@ def _attributes(shader: Shader, nodes: Iterable[Node]) -> tuple[Field, ...]:
 
 @frozen
 class _Work:
-    """What a stage has to do."""
+    """The work of a stage."""
 
     row: StageRow
     outputs: tuple[Output, ...]
     emitting: tuple[Node, ...]
     groups: tuple[GroupValues, ...]
     nodes: list[Node]
-    """What it computes for its outputs, what is computed in bodies included."""
+    """The nodes that it computes for its outputs, including those in bodies."""
 
 
 def _stage(

@@ -47,10 +47,10 @@ def _reciprocal(builder: Builder, _type: Type, divisor: Node) -> Node | None:
 
 @condition(f"{{}} is a whole number in 2..{LARGEST_DIVISOR:g}")
 def _is_small_divisor(_builder: Builder, _type: Type, divisor: Node) -> bool:
-    """Whether quotients by a constant are apart from whole numbers where they should be.
+    """True if quotients by a constant are apart from whole numbers where they should be.
 
-    With a quarter more, no error of 2.5 ulp reaches a whole number where the dividend is below
-    2^22 / 5. From 2^23 on, float32 has neither quarters nor halves, and the sum is rounded to the
+    With a quarter more, no error of 2.5 ulp reaches a whole number where the dividend is below 2^22
+    / 5. From 2^23 on, float32 has neither quarters nor halves, and the sum is rounded to the
     dividend: nothing changes there.
     """
     number = uniform_lane(divisor)

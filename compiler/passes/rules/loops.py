@@ -29,11 +29,11 @@ LONGEST_FIXED = 4096
 """Loops of constants are computed when compiling if they come to no more operations."""
 
 _COMPUTED = with_role("constant", "join", "part", "choice") | {"call"}
-"""What the reference computes for constants."""
+"""The operations that the reference computes for constants."""
 
 
 def _turns(count: Node, loop: Folding | Iterating) -> int | None:
-    """How often a loop turns, where that is known; no count may be above its bound."""
+    """The trip count of a loop, where it is known; no count may be above the loop's bound."""
     if loop.bound == 0:
         return 0
     if count.op != "constant" or not isinstance(count.data, int):
@@ -47,7 +47,7 @@ def _never_turns(_builder: Builder, _type: Type, count: Node, loop: Folding | It
 
 
 def _is_closed(count: Node, loop: Folding | Iterating, parts: Iterable[Node]) -> bool:
-    """Whether a loop computes with constants and its own variables, and not for too long."""
+    """True if a loop computes with constants and its own variables, and not for too long."""
     turns, variables = _turns(count, loop), loop.variables
     if turns is None or count.op != "constant":
         return False
@@ -89,7 +89,7 @@ def _fold_is_closed(_builder: Builder, _type: Type, count: Node, loop: Folding, 
 def _folded(
     builder: Builder, type_: Type, count: Node, start: Node, term: Node, loop: Folding
 ) -> Node:
-    """What a fold comes to."""
+    """The constant result of a fold."""
     folded = builder.graph.node("fold", type_, (count, start, term), loop)
     return constant_of(builder, type_, evaluate(folded))
 
@@ -192,10 +192,10 @@ def _turned(builder: Builder, type_: Type, count: Node, parts: Parts, loop: Iter
 
 
 def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Formal]) -> bool:
-    """Whether a loop is so short, in turns or in operations, that it is better written out.
+    """True if a loop is so short, in iterations or in operations, that it is better unrolled.
 
-    A loop in it is not copied. Only what changes from turn to turn counts, and is looked at only
-    so far as to know that it is too much.
+    A loop in it is not copied. Only operations that change from iteration to iteration count, and
+    the search ends as soon as there are too many.
     """
     if turns is None or turns > MOST_UNROLLED:
         return False
