@@ -199,7 +199,7 @@ def apply(
 
 
 def state(graph: Graph, loop: Node, position: int) -> Node:
-    """What the loop leaves in one of its states."""
+    """The final value of one of a loop's states."""
     data = loop.data
     assert isinstance(data, Iterating)
     return loop if data.states == 1 else member(graph, loop, str(position))

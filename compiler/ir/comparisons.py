@@ -1,4 +1,4 @@
-"""Which comparisons always hold, by the ranges of what is compared.
+"""Finds the comparisons that always hold, by the ranges of their operands.
 
 The simplification rules for comparisons ask for this, and ``semantics/state/conditions.py``, which
 finds sides of choices that are never taken.

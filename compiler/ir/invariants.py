@@ -21,7 +21,7 @@ Turn = Callable[[Sequence[Fact]], Sequence[Fact]]
 
 
 def invariants(starts: Sequence[Fact], turn: Turn, turns: int) -> list[Fact]:
-    """What holds of each state whenever one of at most ``turns`` turns begins."""
+    """Facts of each state that hold at the start of every one of at most ``turns`` iterations."""
     states = list(starts)
     for number in range(1, turns):
         pairs = zip(states, turn(states), strict=True)

@@ -39,7 +39,7 @@ class Meaning:
         return f"{self.kind}<{', '.join(self.spaces)}>" if self.spaces else self.kind
 
     def member(self, name: str) -> Meaning | None:
-        """What member ``name`` of a struct means."""
+        """The meaning of member ``name`` of a struct."""
         return dict(self.members).get(name)
 
 

@@ -28,10 +28,13 @@ from .stages import Crossing, SystemInput
 from .types import Type
 
 Form = Literal["semantics", "opened", "flat", "guarded", "stored"]
-"""What a graph is like after which pass, in order: as semantics leaves it; its binders opened
-(``open_binders``); without structures that were put together (``replace_aggregates``); with
-hardware operations, and such calls as each profile decides about (``guard``); reading parameters as
-blocks store them (``lower_reads``)."""
+"""The forms of a graph after certain passes, in order.
+
+``semantics``: as semantics leaves it. ``opened``: its binders are opened (``open_binders``).
+``flat``: without structures that the shader builds (``replace_aggregates``). ``guarded``: with
+hardware operations, and such calls as each profile decides about (``guard``). ``stored``: it reads
+parameters as blocks store them (``lower_reads``).
+"""
 
 FORMS: tuple[Form, ...] = get_args(Form)
 
@@ -50,8 +53,11 @@ Role = Literal[
 ]
 
 Rate = Literal["constant", "draw", "varying", "operands"]
-"""How often a value changes: never; from draw to draw; from vertex to vertex or pixel to pixel;
-as often as its operands do."""
+"""The rate at which a value changes.
+
+It changes never; from draw to draw; from vertex to vertex or pixel to pixel; or as often as its
+operands do.
+"""
 
 Data = TypeVar("Data")
 
@@ -71,24 +77,24 @@ class Operation(Generic[Data]):
     result: Callable[[Node], Type | None]
     """The type of its value, from its operands and data; ``None`` where they do not fit."""
     arity: int | None = 0
-    """How many operands it has; ``None``: as many as it needs, at least one."""
+    """The number of operands; ``None``: as many as it needs, at least one."""
     until: Form | None = "stored"
     """The last form in which it may stand; ``None``: only while semantics is still at work."""
     stays: Callable[[Node], bool] = lambda _: False
-    """Which nodes may stand in all later forms, too."""
+    """True for nodes that may stay in all later forms, too."""
     rate: Rate = "operands"
     is_global: bool = False
-    """Whether every function of a program can read it where it is."""
+    """True if every function of a program can read it where it is."""
     cost: int = 0
     """ALU operations, not counting its operands; those of builtins are in their rows."""
     noun: str = ""
-    """What a value is called of which nothing else is known; empty: as the operation."""
+    """The name of a value of which nothing else is known; empty: as the operation."""
     data: Callable[[Node], Data] = attrgetter("data")
-    """What a node of this operation has as data."""
+    """The data of a node of this operation."""
 
     @property
     def is_leaf(self) -> bool:
-        """Whether it has no operands."""
+        """True if it has no operands."""
         return self.arity == 0
 
     @property
@@ -151,7 +157,7 @@ FORMAL = Operation("formal", "variable", Formal, result_types.own, rate="varying
 
 
 def _is_by_profile(call: Node) -> bool:
-    """Whether a call is one about which profiles decide, after the passes."""
+    """True if profiles decide about a call, after the passes."""
     row = BUILTINS.get(CALL.data(call))
     return row is not None and row.by_profile is not nowhere
 
@@ -210,10 +216,13 @@ SELECT = Operation[BranchMode | None](
 ``BRANCH``: then what only one side needs is computed only if that is chosen."""
 
 CROSS = Operation("cross", "crossing", Crossing, result_types.cross, arity=None, rate="varying")
-"""What a value of one stage is in the next: a weighted mean of those at several vertices, or
-that of one of them, which is always the first one (``flat``) or has a number (``corner``): this
-is the second operand, and belongs to the later stage. The data names the domains of both stages;
-all that is under the first operand belongs to the earlier one."""
+"""A varying: the value in one stage of a value that the stage before computes.
+
+It is a weighted mean of the values at several vertices; or the value of one of them, which is
+always the first one (``flat``) or has a number (``corner``): this number is the second operand, and
+belongs to the later stage. The data names the domains of both stages. All nodes under the first
+operand belong to the earlier one.
+"""
 
 FOLD = Operation(
     "fold", "loop", Folding, result_types.fold, arity=3, cost=LOOP, noun="total"
@@ -238,8 +247,10 @@ one body are calls of one function."""
 ASCRIBE = Operation[Meaning | None](
     "as", "mark", (Meaning, NoneType), result_types.marked, arity=1, until=None
 )
-"""Its operand, of which a declaration says what it means; without data, that it is a bare number.
-Semantics makes these and erases them."""
+"""Type ascription: a declaration gives its operand a meaning.
+
+Without data, the operand is a bare number. Semantics makes these nodes and erases them.
+"""
 
 CALLED = Operation[Hashable](
     "called", "mark", object, result_types.marked, arity=None, until=None
@@ -273,7 +284,7 @@ BINDING = with_role("loop", "function")
 """Operations with bodies, in which they bind variables."""
 MARKS = with_role("mark")
 VARYING = frozenset(row.name for row in OPERATIONS.values() if row.rate == "varying")
-"""What may differ between the vertices or pixels of a draw."""
+"""Operations whose values may differ between the vertices or pixels of a draw."""
 GLOBALS = frozenset(row.name for row in OPERATIONS.values() if row.is_global)
 
 
@@ -282,7 +293,7 @@ OF_GROUPS = frozenset(name for name, row in BUILTINS.items() if row.of_group is 
 
 
 def joins_group(node: Node) -> bool:
-    """Whether an operation joins the values of all invocations of a work group."""
+    """True if an operation joins the values of all invocations of a work group."""
     return node.head in OF_GROUPS
 
 

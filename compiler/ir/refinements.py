@@ -30,7 +30,7 @@ class Refinement:
     condition: Node
     """The comparison that says so."""
     holds: bool
-    """Whether the comparison is known to be true, or to be false."""
+    """True if the comparison is known to hold, false if it is known not to."""
 
 
 def refinements(
@@ -67,7 +67,7 @@ def _compared(
 
 
 def _bounded(sign: str, bound: Fact) -> Fact:
-    """What is known of a value that stands in a relation to one within ``bound``."""
+    """The fact of a value that stands in a relation to one within ``bound``."""
     match sign:
         case "gt":
             return Fact(bound.lo, math.inf, nonzero=bound.lo >= 0)

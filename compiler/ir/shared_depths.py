@@ -18,7 +18,7 @@ class SharedDepths:
 
     images: tuple[Image, ...]
     steps: tuple[RenderStep, ...]
-    """Those that draw to them, in order."""
+    """The steps that draw to them, in order."""
 
 
 def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
@@ -44,7 +44,7 @@ def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
 
 
 def _depths_of(step: RenderStep) -> tuple[Image, ...]:
-    """What a step draws its depths to, and what it draws them over."""
+    """The image that a step draws its depths to, and the one that it draws them over."""
     if step.depth is None:
         return ()
     return (step.depth.image,) if step.depth.over is None else (step.depth.image, step.depth.over)

@@ -21,7 +21,7 @@ class Let:
 
     @property
     def regions(self) -> tuple[Region, ...]:
-        """It has no blocks of its own."""
+        """The blocks of the statement itself: none."""
         return ()
 
 
@@ -70,7 +70,7 @@ class Loop:
     operator: FoldOperator
     body: Region
     value: Node
-    """What each turn adds (multiplies, …), in terms of ``index``."""
+    """The value that each iteration adds (multiplies, …), in terms of ``index``."""
 
     @property
     def regions(self) -> tuple[Region, ...]:
@@ -87,7 +87,7 @@ class State:
     start: Node
     next: Node
     kept: bool = False
-    """Whether what the turn makes of it has to wait until the other states have followed."""
+    """True if the new value has to wait until the other states have got theirs."""
 
 
 @frozen
@@ -102,7 +102,7 @@ class Iterate:
     """In the order in which a turn sets them; ``positions`` are those in ``node``."""
     positions: tuple[int, ...]
     head: Region
-    """What it takes to know whether to go on."""
+    """The statements that compute whether to go on."""
     going: Node
     body: Region
 
@@ -132,14 +132,14 @@ class EmittedGroup:
     vertex: Formal
     """The number of a vertex in its strip."""
     count: Node
-    """How many strips there are: a constant, or a value that is the same for all of them."""
+    """The number of strips: a constant, or a value that is the same for all of them."""
     head: Region
-    """What is computed for each strip: what it takes to know whether it is emitted."""
+    """The statements for each strip: they compute whether it is emitted."""
     emitted: Node
     entered: Region
-    """What is computed for a strip that is emitted, before its vertices."""
+    """The statements for a strip that is emitted, before its vertices."""
     body: Region
-    """What is computed for each vertex."""
+    """The statements for each vertex."""
     delivered: tuple[Node, ...]
     """The value of each of the stage's results at a vertex."""
 
@@ -155,7 +155,7 @@ class EmittedPart:
 
     condition: Node
     region: Region
-    """What the groups share."""
+    """The statements that the groups share."""
     groups: tuple[EmittedGroup, ...]
 
     @property

@@ -152,7 +152,7 @@ def _bound(node: Node, used: Variables) -> Variables:
 
 
 def _variable_types(node: Node) -> dict[Formal | int, Type]:
-    """What ``node`` binds in its body."""
+    """The types of the variables that ``node`` binds in its body."""
     data = node.data
     assert isinstance(data, Binder)
     types = data.types([operand.type for operand in node.operands])
@@ -163,7 +163,7 @@ def _variable_types(node: Node) -> dict[Formal | int, Type]:
 
 
 def _check_row(node: Node, row: Operation[Any], form: Form) -> None:
-    """Whether data, operands and type are what the table of operations asks for."""
+    """Checks that data, operands and type are what the table of operations asks for."""
     if not isinstance(node.data, row.kinds):
         raise InvalidGraphError(node, "operands or data that the operation does not take")
     fits = len(node.operands) == row.arity if row.arity is not None else bool(node.operands)
