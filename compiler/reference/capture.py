@@ -52,11 +52,11 @@ class Listed:
     values: tuple[tuple[Bounded, ...], ...]
     """Of each member, its lanes, each of shape (vertices,)."""
     certain: Bools
-    """Which vertices every device captures."""
+    """True for the vertices that every device captures."""
     possible: Bools
-    """Which vertices some device may capture."""
+    """True for the vertices that some device may capture."""
     meant: Bools
-    """Which vertices are captured if nothing is rounded."""
+    """True for the vertices that are captured if nothing is rounded."""
 
 
 def captured(
@@ -67,7 +67,7 @@ def captured(
     errors: Errors,
     rules: RasterRules,
 ) -> Listed:
-    """What a pass captures of a mesh's primitives, whose corners ``geometry.triangles`` are.
+    """The captured vertices of a mesh's primitives, whose corners are ``geometry.triangles``.
 
     ``values`` are those of parameters and buffers by name. Raises ``ValueError`` for a shader that
     captures nothing, and where a value is missing.
@@ -89,7 +89,7 @@ def captured_by_kernel(
     errors: Errors,
     rules: RasterRules,
 ) -> Listed:
-    """What a kernel captures that stands for a stream output, of so many vertices."""
+    """The vertices that a kernel in place of a stream output captures, of ``count``."""
     assert shader.capture is not None
     lengths = {info.buffer.name: count for info in shader.written}
     lanes = computed(shader, values, textures, count, lengths, errors, rules)

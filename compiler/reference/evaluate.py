@@ -37,10 +37,10 @@ Stored = Callable[[Lanes], Lanes]
 continues with the value that it returns."""
 
 _ASKED = OUTSIDE | {"cross"}
-"""What ``LeafValues`` may have a value for."""
+"""Operations for which ``LeafValues`` may have a value."""
 
 _GIVEN = _ASKED | {"bound", "formal"}
-"""What may have a value without an operation."""
+"""Operations that may have a value without being evaluated."""
 
 
 class TooLongError(Exception):
@@ -71,7 +71,7 @@ class _Walk:
     root: Node
     frame: Frame
     pending: list[Node]
-    """What is still to be evaluated; the last one comes first."""
+    """The nodes that are still to be evaluated; the last one comes first."""
 
 
 class Evaluator:
@@ -89,12 +89,12 @@ class Evaluator:
         self._stored = stored or _as_it_is
         self._most = most_operations
         self.computed = 0
-        """How many operations and turns have been computed, if that is limited."""
+        """The number of operations and iterations computed so far, if that is limited."""
         self._leaves = leaves
         self._xp = xp
         self._observer = observer
         self._is_lazy = xp is scalars and observer is None
-        """Whether of a choice only the side that is taken is evaluated."""
+        """True if only the side of a choice that is taken is evaluated."""
         self._outermost = Frame()
         self._uses: Counter[int] = Counter()
         """For a node's id, how many users of its value are still to come, if ``values`` knows."""

@@ -18,7 +18,7 @@ NARROWEST = 2.0**-64
 
 
 def _is_tiny(x: Lane) -> Lane:
-    """Whether a device may treat the number as zero."""
+    """True if a device may treat the number as zero."""
     return abs(x) < SMALLEST_NORMAL
 
 

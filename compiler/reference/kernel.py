@@ -41,7 +41,7 @@ from .texture_reads import Reader
 Array = NDArray[Any]
 
 _AT_ONCE = 1 << 15
-"""How many invocations are computed at once, or a work group if that has more."""
+"""The number of invocations computed at once, or a work group if that has more."""
 _OF_A_LANE = 100
 """Bytes that one lane of one element takes until a host has it: what it is and between which
 numbers, as an array of its own and as a part of the buffer."""
@@ -59,8 +59,11 @@ class Lane:
     low: Array
     high: Array
     undecided: Array
-    """Where nothing is defined: it hangs on a promise that is broken, or on an operation without a
-    guard that has left its domain."""
+    """True where the value is undefined.
+
+    It depends on a promise that is broken, or on an operation without a guard that has left its
+    domain.
+    """
 
 
 def computed(
@@ -173,7 +176,7 @@ def _leaves(
 
 
 def _stored(result: Result, lanes: Sequence[Bounded], undecided: Array) -> Iterator[Lane]:
-    """What each invocation writes, or the first one of each work group."""
+    """Yields the lanes that each invocation writes, or the first one of each work group."""
     store = result.store
     assert store is not None
     for number, lane in enumerate(lanes):
@@ -185,7 +188,7 @@ def _stored(result: Result, lanes: Sequence[Bounded], undecided: Array) -> Itera
 def _joined(
     row: Scattered, lanes: Mapping[int, Sequence[Bounded]], length: int, undecided: Array
 ) -> Lane:
-    """What the elements of a buffer become that is scattered to."""
+    """The new elements of a buffer that is scattered to."""
     parts = (lanes[part.id][0] for part in (row.value, row.place, row.condition))
     ends = joined(row.store, length, *parts)
     # What an invocation scatters of which nothing is defined may go anywhere.

@@ -71,8 +71,11 @@ def _constant(node: Node, _operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 @cache
 def builtins() -> Callable[[str, Sequence[Lanes], Namespace, LaneKind], Lanes]:
-    """What evaluates a builtin by name. Its table is loaded with ten modules when it is first asked
-    for: most compiles only fold operations of the graph."""
+    """The function that evaluates a builtin by name.
+
+    Its table is loaded with ten modules when it is first asked for: most compiles only fold
+    operations of the graph.
+    """
     from .functions import evaluate
 
     return evaluate

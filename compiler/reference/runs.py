@@ -76,7 +76,9 @@ def added_to_runs(numbers: Array, first: Array, last: Array, values: Array) -> A
 
 
 def _by_length(first: Array, last: Array) -> list[tuple[int, Array]]:
-    """Which runs are at least as long as a power of two, and less than twice as long: with its
-    exponent."""
+    """The runs by length: at least a power of two, and less than twice as long.
+
+    Each group comes with the exponent.
+    """
     _, above = np.frexp((last - first + 1).astype(np.float64))
     return [(int(each) - 1, above == each) for each in np.unique(above)]

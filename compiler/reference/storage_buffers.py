@@ -53,7 +53,7 @@ _ANYTHING: Mapping[ScalarKind, tuple[int, int]] = {
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """What a storage buffer holds: at least one element."""
+    """The content of a storage buffer: at least one element."""
 
     data: bytes
     ends: NDArray[np.float64] | None = None
@@ -96,7 +96,7 @@ class BufferReader:
         return lanes
 
     def is_undecided(self, position: Any) -> NDArray[np.bool_] | bool:
-        """Whether anything of the elements at these positions is not defined."""
+        """True where any of the elements at these positions is undefined."""
         if self._undecided is None or not self._undecided.any():
             return False
         found: NDArray[np.bool_] = self._undecided[np.clip(position, 0, len(self._rows) - 1)]
@@ -151,12 +151,12 @@ class _Column:
         self._ends = off
 
     def plain(self, at: NDArray[Any]) -> Any:
-        """What it means at these positions; a plain number at a single one."""
+        """The value at these positions; a plain number at a single one."""
         found = self._value[at]
         return found if at.ndim else found.item()
 
     def bounded(self, position: Bounded, last: int) -> Bounded:
-        """What a device may have at these positions, of which ``last`` is the largest one."""
+        """The values of a device at these positions, of which ``last`` is the largest one."""
         value, low, high = (
             np.clip(end, 0, last) for end in (position.value, position.low, position.high)
         )

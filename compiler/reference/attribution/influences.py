@@ -25,7 +25,7 @@ from .local_errors import LocalErrors, flat
 from .pixel import Occurrence, PixelShader, Reader
 
 AT_ONCE = 256
-"""How many ways are evaluated at once: few enough for their values to stay in the CPU's cache."""
+"""The number of ways evaluated at once: few, so that their values stay in the CPU's cache."""
 MOST_WAYS = 4096
 """If there are more lanes than this, all evaluations of one node share their ways."""
 PROBE = 2.0**-24
@@ -41,7 +41,7 @@ Tried = tuple[Occurrence, int]
 
 @dataclass(eq=False, slots=True)
 class Site:
-    """What is known of one evaluation of one node."""
+    """The measurements of one evaluation of one node."""
 
     where: Occurrence
     node: Node
@@ -63,7 +63,7 @@ class Site:
 
     @property
     def reads(self) -> bool:
-        """Whether it reads a texture."""
+        """True if it reads a texture."""
         return bool(self.given) and isinstance(self.given[0][0], Reader)
 
     @property
@@ -78,7 +78,7 @@ class Site:
         return self._scaled(self.error)
 
     def part(self, lane: int) -> float:
-        """How much of the error that is tried for a lane is really made."""
+        """The fraction of the tried error of a lane that is really made."""
         return self.local[lane] / self.probe[lane] if self.probe[lane] > 0 else 0.0
 
     def rates(self, lane: int) -> Floats:
@@ -168,7 +168,7 @@ class _Measuring:
     # --- one error after the other ----------------------------------------------------------------
 
     def _ways(self) -> list[list[Tried]]:
-        """What is tried in each way: a lane of one evaluation, or of all evaluations of a node."""
+        """The errors tried in each way: of a lane of one evaluation, or of all those of a node."""
         tried = [
             (site.where, lane)
             for site in self._sites.values()
@@ -288,7 +288,7 @@ def _portions(ways: list[list[Tried]]) -> Iterator[list[list[Tried]]]:
 
 
 def _rounds(node: Node) -> bool:
-    """Whether a value can have an error of its own."""
+    """True if a value can have an error of its own."""
     if scalar_kind(node.type) != "float":
         return False
     return node.op in BUILTIN_OPS or node.op in ("constant", "cross", "input")
@@ -311,9 +311,11 @@ def _rebuilt(value: Any, lanes: Iterator[Lane]) -> Any:
 
 
 def slopes(site: Site, pixel: PixelShader) -> Iterator[tuple[float, list[float]]]:
-    """How steep an operation is: for each lane of its operands that is a float and not zero, its
-    value, and by how much each lane of the result changes for a tiny relative change in it, divided
-    by that change."""
+    """Yields the steepness of an operation in each lane of its operands.
+
+    Only lanes that are floats and not zero count. Each comes as its value, and by how much each
+    lane of the result changes for a tiny relative change in it, divided by that change.
+    """
     lanes = list(flat(tuple(site.given)))
     for number, lane in enumerate(lanes):
         shown = float(pixel.seen(lane)[0]) if _is_float(lane) else 0.0

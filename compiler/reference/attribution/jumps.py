@@ -20,16 +20,16 @@ from ..namespace import Lane, Lanes
 
 @dataclass(frozen=True, eq=False, slots=True)
 class JumpRule:
-    """How one builtin jumps, lane by lane."""
+    """A rule for the jumps of one builtin, lane by lane."""
 
     coordinate: Callable[..., Lane]
     """From the operands' lanes, a number that moves steadily and is special where it jumps."""
     at_whole: bool
-    """Whether it jumps at whole numbers, and not at zero."""
+    """True if it jumps at whole numbers, and not at zero."""
     beyond: Callable[[Lane, float, list[Lane]], Lane]
     """The result on the other side: from the result, the side (1 or -1) and the operands' lanes."""
     words: str
-    """What is special about the operands where it jumps."""
+    """The property of the operands where it jumps, in words."""
 
 
 def _difference(x: Lane, y: Lane) -> Lane:
@@ -72,9 +72,9 @@ class Jump:
     lane: int
     words: str
     repeats: bool
-    """Whether it jumps at every whole number."""
+    """True if it jumps at every whole number."""
     distance: float
-    """How far the operands are from the jump; of a mod, in divisors."""
+    """The distance of the operands from the jump; of a mod, in divisors."""
     side: float
     """1 above the jump, -1 below it."""
     error: float = 0.0
@@ -84,12 +84,12 @@ class Jump:
 
     @property
     def may_tip(self) -> bool:
-        """Whether rounding may put the operands on the other side."""
+        """True if rounding may put the operands on the other side."""
         return 0 < self.error >= self.distance
 
 
 def rule_of(node: Node) -> JumpRule | None:
-    """How an operation jumps, or ``None``; operations on integers are exact."""
+    """The rule for the jumps of an operation, or ``None``; operations on integers are exact."""
     rule = RULES.get(builtin_of(node) or "")
     if rule is None or scalar_kind(node.operands[0].type) != "float":
         return None

@@ -37,11 +37,11 @@ class LocalErrors:
     """The errors of a platform's operations."""
 
     errors: Errors
-    """Those of functions."""
+    """The errors of functions."""
     place: Barycentric
-    """What interpolates the values of vertices."""
+    """Interpolates the values of vertices."""
     derivatives: Derivatives
-    """Which differences the device takes."""
+    """The differences between pixels that the device takes."""
 
     def of(self, node: Node, operands: list[Lanes], value: Lanes) -> list[Any]:
         """For each lane of a value, its absolute error."""

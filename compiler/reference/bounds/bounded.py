@@ -62,7 +62,7 @@ class Bounded(Operators):
         self._magnitude: Array | None = None
         self._sum: Sum | None = None
         self._factors = 0
-        """How many multiplications made it."""
+        """The number of multiplications that made it."""
         self._number = next(_numbers)
         self._of: frozenset[int] = frozenset()
         """The numbers of all its factors, if it is a product."""
@@ -74,7 +74,7 @@ class Bounded(Operators):
 
     @property
     def is_exact(self) -> bool:
-        """Whether every device has exactly ``value`` everywhere."""
+        """True if every device has exactly ``value`` everywhere."""
         return self.low is self.high
 
     @property
@@ -118,15 +118,15 @@ class Bounded(Operators):
 
     @property
     def any_form(self) -> Form:
-        """Its form, or one that shares no error."""
+        """The form of its error, or one that shares no error with other lanes."""
         return alone(self.radius) if self.form is None else self.form
 
     def __bool__(self) -> bool:
-        """Whether a condition that is the same for all elements certainly holds."""
+        """True if a condition that is the same for all elements certainly holds."""
         return bool(np.all(self.low))
 
     def any(self) -> bool:
-        """Whether a condition may hold anywhere."""
+        """True if a condition may hold anywhere."""
         return bool(np.any(self.high))
 
     def made_as(self, other: Bounded) -> Bounded:
@@ -276,7 +276,7 @@ def widened(x: Bounded, by: Array) -> Bounded:
 
 
 def negated(condition: Bounded) -> Bounded:
-    """Where a condition does not hold."""
+    """The negation of a condition."""
     if condition.is_exact:
         return exact(np.logical_not(condition.value))
     return Bounded(~condition.value, ~condition.high, ~condition.low)
@@ -359,7 +359,7 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
 
 
 def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
-    """Whether float64 holds a sum exactly; else a device may round it to either side."""
+    """True if float64 holds a sum exactly; otherwise a device may round it to either side."""
     return bool((value - x == y).all() and (value - y == x).all())
 
 

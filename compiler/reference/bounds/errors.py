@@ -1,8 +1,8 @@
-"""How far functions may be off on a platform, in numbers: the accuracy of the rows, evaluated.
+"""The possible errors of functions on a platform: the accuracy of the rows, as numbers.
 
-``Bounds`` widens the result of each function by what ``Errors`` returns. The error of a function
-whose accuracy is inherited follows here from the functions that define it. Each formula is an upper
-limit for all operands and results up to the given magnitudes, not only at these.
+``Bounds`` widens the result of each function by the number that ``Errors`` returns. The error of a
+function whose accuracy is inherited follows here from the functions that define it. Each formula is
+an upper limit for all operands and results up to the given magnitudes, not only at these.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Errors:
         return np.where(np.isnan(worst), np.inf, worst)
 
     def rounds(self, name: str) -> bool:
-        """Whether a builtin is correctly rounded, so that a result that float32 has is exact."""
+        """True if a builtin is correctly rounded, so that a result that float32 has is exact."""
         return all(isinstance(each.bound(name), Rounded) for each in self._distinct(name))
 
     def _distinct(self, name: str) -> tuple[_OfPlatform, ...]:
@@ -68,7 +68,7 @@ class Errors:
 
     @cached_property
     def _found(self) -> dict[str, tuple[_OfPlatform, ...]]:
-        """What ``_distinct`` has returned, as it is asked for every operation of a program."""
+        """The cached results of ``_distinct``, which is asked for every operation of a program."""
         return {}
 
 
@@ -80,7 +80,7 @@ class _OfPlatform:
         self._measured = measured
 
     def bound(self, name: str) -> Bound:
-        """What holds of a builtin."""
+        """The bound of a builtin's error."""
         return self._measured.get(name) or self._promise(name)
 
     def error(self, name: str, operand: Floats, result: Floats) -> Floats:

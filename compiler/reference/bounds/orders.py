@@ -24,14 +24,14 @@ _COUNTED = 2.0**24
 
 @dataclass(slots=True, eq=False)
 class Sum:
-    """That a lane is a sum of several terms."""
+    """The terms of a lane that is a sum of several ones."""
 
     roundings: int
-    """How many operations may round a partial sum, in any order."""
+    """The number of operations that may round a partial sum, in any order."""
     operands: tuple[Term, ...]
     """Both terms, until the sum is settled."""
     is_exact: bool
-    """Whether every partial sum of its terms is a float32."""
+    """True if every partial sum of its terms is a float32."""
     error: Array = 0.0
     """By how much its bounds are wider because of the order of its terms."""
     _magnitude: Array | None = None
@@ -47,7 +47,7 @@ class Sum:
 
     @property
     def whole(self) -> Array:
-        """Where every device has exactly each of the terms, and they are whole numbers."""
+        """True where every device has exactly each of the terms, and they are whole numbers."""
         if self._whole is None:
             left, right = self.operands
             self._whole = left.whole
@@ -73,7 +73,7 @@ class Single:
 
     @property
     def whole(self) -> Array:
-        """Where every device has exactly this number, and it is whole."""
+        """True where every device has exactly this number, and it is whole."""
         same = np.equal(self.low, self.high)
         return same & (np.rint(self.low) == self.low) if same.any() else same
 
@@ -99,6 +99,6 @@ def in_any_order(sum_: Sum) -> Array:
 
 
 def is_coarse(value: Array) -> bool:
-    """Whether sums of such numbers are exact in any order: small multiples of a fraction."""
+    """True if sums of such numbers are exact in any order: small multiples of a fraction."""
     scaled = value / _FINEST
     return bool((np.abs(value) < _LARGEST).all() and (np.rint(scaled) == scaled).all())

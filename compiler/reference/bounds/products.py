@@ -10,7 +10,7 @@ from .rounding import Array
 
 
 class Interval(Protocol):
-    """What is read of a lane with bounds."""
+    """The attributes that are read of a lane with bounds."""
 
     value: Array
     low: Array
@@ -18,7 +18,7 @@ class Interval(Protocol):
 
     @property
     def is_exact(self) -> bool:
-        """Whether both ends are the value."""
+        """True if both ends are the value."""
         ...
 
     @property

@@ -20,7 +20,7 @@ from .rounding import Array
 Ends = tuple[Array, Array]
 
 LEAST, LARGEST = -(2**31), 2**32 - 1
-"""What an integer of 32 bits can be, with a sign or without one."""
+"""The ends of all integers of 32 bits, with a sign or without one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ def _jumping(of: Callable[[Any, Any], Any]) -> Operation:
 
 
 def _is_wide(ends: Ends) -> Array:
-    """Where an interval has more than two numbers."""
+    """True where an interval has more than two numbers."""
     return np.asarray(ends[1] - ends[0] > 1)
 
 

@@ -17,7 +17,7 @@ from .scene import Floats, Ints, RasterRules
 LINE = 2
 """The vertices of a line."""
 USUAL = RenderState()
-"""What holds for a pass that says nothing."""
+"""The state for a pass that says nothing."""
 
 
 def faces_of(

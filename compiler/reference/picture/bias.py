@@ -19,7 +19,7 @@ from .scene import Floats
 MANTISSA = 23
 """The binary places of a depth's mantissa in the format ``depth32f``."""
 _ROUNDINGS = 2.0**-21
-"""What computing a bias with float32 adds to it, relative to itself."""
+"""The error of computing a bias with float32, relative to the bias."""
 
 
 def biased(faces: Faces, state: DepthState) -> Faces:

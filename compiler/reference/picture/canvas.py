@@ -1,4 +1,4 @@
-"""What is there while a picture is drawn: depth test, discarding and blending, in drawing order.
+"""The targets while a picture is drawn: depth test, discarding and blending, in drawing order.
 
 ``drawing.py`` draws its fragments on a ``Canvas``, and ``resolve.py`` makes a picture of that. All
 of this is done for each sample; a fragment has one colour for all that it covers.
@@ -40,7 +40,7 @@ _OF_A_TARGET = 200
 _OF_A_LAYER = 10**6
 """Operations of drawing once at some samples, or at only one."""
 _AT_ONCE = 1 << 16
-"""How many samples are drawn at once, so that a large picture needs no more memory than others."""
+"""The number of samples drawn at once, so that a large picture needs no more memory."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ class Shades:
     """(samples,): the fragment that each sample which is covered belongs to."""
 
     def only(self, samples: Ints) -> Shades:
-        """Those of some samples, each by itself."""
+        """The shades of some samples, each by itself."""
         which = self.of_sample[samples]
         colours = [colour[:, which] for colour in self.colours]
         each = np.arange(len(which))
@@ -113,7 +113,7 @@ class Canvas:
         self.counted: Counted = frozenset()
         """The rare rules on which it hangs what has been drawn so far."""
         self.layers = np.zeros(samples, dtype=np.int64)
-        """How many fragments were drawn."""
+        """The number of fragments drawn at each sample."""
         self.undecided = np.zeros(samples, dtype=np.bool_)
         """Samples that are undecided because their coverage is."""
         self.shaky = np.zeros(samples, dtype=np.bool_)
@@ -121,11 +121,11 @@ class Canvas:
         self.is_opaque = all(state.is_replaced for state in self._states)
         constant = np.asarray(blend_constant, np.float32).astype(np.float64)
         self._constants = [clamped(state.format, constant).tolist() for state in self._states]
-        """What the factor ``constant`` means in each target."""
+        """The value of the factor ``constant`` in each target."""
 
     @property
     def formats(self) -> Sequence[str]:
-        """Those of the targets."""
+        """The formats of the targets."""
         return [state.format for state in self._states]
 
     def draw(
@@ -158,7 +158,7 @@ class Canvas:
             self.stencil.unsure[sample] = True
 
     def _shows(self, test: DepthState) -> bool:
-        """Whether a draw changes more than stencil values."""
+        """True if a draw changes more than stencil values."""
         return bool(self.targets) or test.write
 
     def _draw_layer(
@@ -205,7 +205,7 @@ class Canvas:
             target[:, at] = self.mixed(number, colours[:, fragment], target[:, at])
 
     def mixed(self, target: int, colours: Ends, behind: Ends) -> Ends:
-        """What one of the targets holds after colours have been drawn over what is there."""
+        """The content of one of the targets after colours have been drawn over ``behind``."""
         state = self._states[target]
         # A device may blend as precisely as the target's format is, so that it rounds the colour
         # before. If the target is in fixed point, the colour is clamped, too.
@@ -226,9 +226,9 @@ class Canvas:
     def _tested(
         self, test: DepthState, new: Floats, before: Floats, margin: Floats, same: Bools
     ) -> tuple[Bools, Bools]:
-        """Which fragments the depth test lets through, and of which a device may say otherwise.
+        """The fragments that pass the depth test, and those for which a device may differ.
 
-        ``same`` says which of them are of the place whose depth is there, so that these depths are
+        ``same`` says which of them are of the place whose depth is stored, so that these depths are
         equal on every device.
         """
         if not self.has_depth or test.compare in ("always", "never"):
@@ -238,8 +238,10 @@ class Canvas:
         return compared(test.compare, new, before), close
 
     def may_pass(self, test: DepthState, sample: Ints, depth: Floats, off: Floats) -> Bools:
-        """Which fragments the depth test may let through on some device, as far as that is known
-        of what is there now."""
+        """The fragments that the depth test may let through on some device.
+
+        This is as far as the current content is known.
+        """
         nowhere = np.zeros(len(sample), np.bool_)
         before, margin = self.depth[sample], off + self.depth_off[sample]
         passes, close = self._tested(test, depth, before, margin, nowhere)
@@ -247,9 +249,9 @@ class Canvas:
         return passes | close | unsure
 
     def _passes_in_any_case(self, test: DepthState, farthest: Floats, at: Ints) -> Bools:
-        """Which fragments the depth test lets through, whatever was drawn of what is unsure.
+        """The fragments that pass the depth test, whatever was drawn of the undecided ones.
 
-        ``farthest`` is how far away a device may have each of them.
+        ``farthest`` is the largest depth that a device may have for each of them.
         """
         if not self.has_depth or test.compare == "always":
             return np.ones(len(at), np.bool_)

@@ -23,7 +23,7 @@ _AT_ONCE = 1 << 14
 """About how many further choices are computed at once, which limits memory."""
 
 Part = slice | Ints
-"""Which of the pixels something is computed for."""
+"""The pixels for which something is computed."""
 ALL: Part = slice(None)
 
 
@@ -41,7 +41,7 @@ class Choice:
 
     @property
     def is_sure(self) -> bool:
-        """Whether no pixel has a choice."""
+        """True if no pixel has a choice."""
         return self.first is self.last
 
     def mapped(self, change: Callable[[Ints], Ints]) -> Choice:

@@ -75,7 +75,7 @@ def clip_lines(ends: Floats) -> Clipped:
 
 
 def _kept(corners: Floats, distances: Floats) -> tuple[Bools, Bools]:
-    """Which triangles or lines may have a part inside, and which are inside as a whole."""
+    """The triangles or lines that may have a part inside, and those that are inside as a whole."""
     inside = distances >= 0
     finite = np.isfinite(corners).all(axis=(1, 2))
     kept: Bools = np.asarray(finite & inside.any(axis=1).all(axis=-1))
@@ -106,7 +106,7 @@ def _parts(distances: Floats) -> list[Floats]:
 
 
 def _inner_sides(fan: Sequence[Floats]) -> Bools:
-    """Which sides of the triangles of a fan are between two of them, (triangles, 3)."""
+    """True for the sides of a fan's triangles between two of them, (triangles, 3)."""
     inner = np.zeros((len(fan), 3), np.bool_)
     inner[1:, 0] = True
     inner[:-1, 2] = True

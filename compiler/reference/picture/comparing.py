@@ -1,4 +1,4 @@
-"""How a number of a fragment is compared with the one that is there: its depth, or a reference."""
+"""Compares a number of a fragment with the one in the attachment: its depth, or a reference."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""What a target holds after a colour is drawn over what is there: blending, with its bounds.
+"""Blending: the content of a target after a colour is drawn over another, with its bounds.
 
 ``canvas.py`` calls it for every fragment that is drawn to a target which is blended. The formulas
-are those of Vulkan ("Blending"), OpenGL 4.6 (17.3.6) and WebGPU ("Blend State"). What is drawn,
-what is there and the constant have been clamped to the range of the format before, as all of these
+are those of Vulkan ("Blending"), OpenGL 4.6 (17.3.6) and WebGPU ("Blend State"). The source, the
+destination and the constant have been clamped to the range of the format before, as all of these
 want it of formats in fixed point. Each product and each sum is rounded as a device may round it.
 """
 
@@ -24,14 +24,14 @@ ALPHA = 3
 
 @dataclass(frozen=True, slots=True)
 class Sides:
-    """What is blended, lane by lane."""
+    """The operands of blending, lane by lane."""
 
     source: Lanes
-    """What is drawn."""
+    """The colour that is drawn."""
     destination: Lanes
-    """What is there."""
+    """The colour in the target."""
     constant: Lanes
-    """What the host sets for the whole pass."""
+    """The constant that the host sets for the whole pass."""
 
 
 def composed(

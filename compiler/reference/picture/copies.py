@@ -59,7 +59,7 @@ def _moves_instances(shader: Shader) -> bool:
 
 
 def _shows_triangles(shader: Shader) -> bool:
-    """Whether depths or values may change from one triangle to the next where both meet."""
+    """True if depths or values may change from one triangle to the next where both meet."""
     if shader.render_state.depth.is_biased:
         return True
     nodes = reachable(shader.roots)

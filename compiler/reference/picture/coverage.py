@@ -25,7 +25,7 @@ _OF_A_FRAGMENT = 120
 _OF_A_SHADE = 110
 """Bytes for each target that such a pixel is drawn to: four lanes with their ends."""
 _CANDIDATES = 1 << 18
-"""How many pixels are tested at once."""
+"""The number of pixels tested at once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,19 +43,22 @@ class Fragments:
         return Fragments(self.face[which], self.sample[which])
 
     def of(self, faces: Ints) -> Fragments:
-        """Those of some faces, as those of all faces, among which these have these numbers."""
+        """The fragments of some faces as those of all faces.
+
+        ``faces`` are the numbers of these faces among all.
+        """
         return Fragments(faces[self.face], self.sample)
 
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
-    """What faces cover, and where rounding may change that."""
+    """The samples that faces cover, and where rounding may change that."""
 
     fragments: Fragments
     certain: Bools
     """(fragments,): which of them every device has."""
     doubtful: Fragments
-    """Those that a device may have or not, whether they are among the fragments or not."""
+    """The fragments that a device may have or not, whether they are among ``fragments`` or not."""
 
     def in_order(self) -> tuple[Fragments, Bools]:
         """All that any device has, each once, in the order of drawing; which are certain."""
@@ -76,8 +79,10 @@ class _Edges:
     dy: Floats
     """With the sign that makes the edge function positive inside."""
     owns: Bools
-    """Whether the face owns pixels that are exactly on the edge: a top or left edge,
-    or on some devices a bottom or left edge."""
+    """True if the face owns pixels that are exactly on the edge.
+
+    These are top or left edges, or on some devices bottom or left edges.
+    """
     reach: Floats
     """The value of the edge function up to which rounding may move the edge."""
 
@@ -133,8 +138,10 @@ def _check_memory(rows: int, candidates: int, targets: int) -> None:
 
 
 def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
-    """Whether a sample may lie exactly on a level edge, so that it counts which of two faces owns
-    it."""
+    """True if a sample may lie exactly on a level edge.
+
+    Then it matters which of two faces owns it.
+    """
     x, y = faces.x, faces.y
     to_x, to_y = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
     is_level = (y == to_y) & (x != to_x)
@@ -208,7 +215,7 @@ def _clamped(places: Floats, low: int, high: int) -> Ints:
 
 
 def _between(edges: _Edges, face: Ints, y: Floats) -> tuple[Floats, Floats]:
-    """Where the row through ``y`` enters and leaves each face, allowing for rounding."""
+    """The ends of the row through ``y`` within each face, with room for rounding."""
     begin, end = np.full(len(face), -np.inf), np.full(len(face), np.inf)
     for side in range(edges.x.shape[1]):
         dx, dy = edges.dx[face, side], edges.dy[face, side]

@@ -29,8 +29,11 @@ _FACES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
 """For each face, the lane that is the largest there, and its sign."""
 
 _ASSUMED = 2.0**-18
-"""How far a device may be off when it compares a direction's lanes and divides by the largest one,
-relative to that one. No API promises anything; measured."""
+"""The possible error of a device that compares and divides a direction's lanes.
+
+It divides by the largest one, and the error is relative to that one. No API promises anything;
+measured.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +82,7 @@ def met(direction: Sequence[Bounded], exactly: bool = False) -> Iterator[tuple[P
 
 
 def may_be_nowhere(direction: Sequence[Bounded]) -> Bools:
-    """Which directions may be zero, so that no API says where they meet the cube."""
+    """True for directions that may be zero, so that no API says where they meet the cube."""
     return np.asarray(largest([abs(lane) for lane in direction]).low < SMALLEST_NORMAL)
 
 
@@ -94,7 +97,7 @@ def face_of(direction: Sequence[Floats]) -> Ints:
 
 
 def _met(face: Ints, direction: Sequence[Bounded], out: Bounded, off: float) -> Met:
-    """Where directions meet these faces.
+    """The places where directions meet these faces.
 
     Only where the face's own lane is the largest, a device chooses the face. So that lane is not
     smaller than ``out``, and the places are within the face. A direction that may be zero may meet
@@ -136,7 +139,7 @@ def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[In
 
 
 def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
-    """Whether a texel is beyond two edges."""
+    """True if a texel is beyond two edges."""
     column, row = place
     return np.asarray(((column < 0) | (column >= size)) & ((row < 0) | (row >= size)))
 

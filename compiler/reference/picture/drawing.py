@@ -160,7 +160,7 @@ class _Drawing:
             and self._depth.keeps_nearest
             and not self._stencil.writes
         )
-        """Whether of several fragments at a sample only the nearest one counts."""
+        """True if of several fragments at a sample only the nearest one counts."""
         self._canvas = canvas
         canvas.counted |= rules.counted(self._rare())
 
@@ -230,7 +230,7 @@ class _Drawing:
 
     @property
     def _may_hide(self) -> bool:
-        """Whether some test may keep fragments from being drawn."""
+        """True if some test may keep fragments from being drawn."""
         is_tested = self._canvas.has_depth and self._depth.compare != "always"
         return is_tested or self._stencil.tests
 
@@ -307,5 +307,5 @@ class _Drawing:
 
 
 def _within(progress: Tell, begin: float, share: float) -> Tell:
-    """What is told of a part of the work, as what is told of all of it."""
+    """The progress of a part of the work, reported as progress of all of it."""
     return lambda done: progress(begin + share * done)

@@ -73,10 +73,10 @@ class Faces:
     def settled(
         self, face: Ints, place: tuple[Floats, Floats], covered: Bools, close: Bools
     ) -> tuple[Bools, Bools]:
-        """Which candidates are covered, and for which rounding decides.
+        """The candidates that are covered, and those for which rounding decides.
 
-        For each candidate it gets the face, the place of the sample, and what the outline says of
-        both. Where other rules count as well, a subclass has them.
+        For each candidate it gets the face, the place of the sample, and the verdict of the outline
+        on both. Where other rules count as well, a subclass has them.
         """
         del face, place
         return covered, close
@@ -116,7 +116,7 @@ def culled(faces: Faces, cull: Cull) -> Faces:
 
 
 def _may_turn(faces: Faces) -> Bools:
-    """Whether triangles may have their other side in front if their corners are a little elsewhere.
+    """True for triangles that may show their other side if their corners move a little.
 
     A corner that moves changes the area by no more than the way times the opposite side; the moves
     of several corners together add no more than six times the square of the way.

@@ -52,7 +52,7 @@ class Place:
     level: Bounded | None
     """``None`` if all reads use the first one."""
     reference: Bounded | None
-    """What depths are compared with."""
+    """The references that depths are compared with."""
 
     def at(self, part: Part) -> Place:
         """The places of some pixels."""
@@ -63,7 +63,7 @@ class Place:
 
 
 class Filter:
-    """What a read makes of the texels around a place."""
+    """Filters the texels around a place to one value."""
 
     def __init__(self, image: Image, kind: str, lanes: slice = EVERY_LANE) -> None:
         """``kind`` is ``nearest``, ``linear``, or ``gather`` for the four texels that ``linear``

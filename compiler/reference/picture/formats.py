@@ -27,7 +27,7 @@ _READ = 2.0**-22
 
 @frozen
 class Format:
-    """How a target stores numbers."""
+    """A format of a target: how it stores numbers."""
 
     bits: int
     """Of a lane."""
@@ -60,7 +60,7 @@ def format_of(name: str) -> Format:
 
 
 def lanes_of(name: str) -> int:
-    """How many lanes a format stores, each of which its name begins with a letter for."""
+    """The number of lanes that a format stores: its name begins with a letter for each."""
     letters = re.match(r"[a-z]+", name)
     assert letters is not None
     return len(letters[0])

@@ -1,9 +1,9 @@
-"""What an undecided sample may be: whatever some fragment there has drawn, or nothing has.
+"""The hull of an undecided sample: all that some fragment there may have drawn, or nothing.
 
 Where rounding tips which fragments are drawn, a picture alone is not compared. But a later step of
 a frame may read the pixel, and then it matters that it is one of few colours: between the least and
 the largest of them. Where colours are blended, each fragment of which rounding decides may have
-been blended with what was there, or not.
+been blended with the colour before, or not.
 """
 
 from __future__ import annotations

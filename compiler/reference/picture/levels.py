@@ -32,7 +32,7 @@ class Steps:
     down: Sequence[Bounded]
 
     def at(self, part: Part) -> Steps:
-        """Those of some pixels."""
+        """The steps of some pixels."""
         return self.mapped(lambda lane: lane_at(part, lane))
 
     def mapped(self, change: Callable[[Bounded], Bounded]) -> Steps:

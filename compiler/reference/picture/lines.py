@@ -94,7 +94,7 @@ class LineFaces(Faces):
 
 @dataclass(frozen=True, slots=True)
 class _Outline:
-    """The corners of what a line covers, before they are snapped; arrays are (faces, 4, 2).
+    """The corners of the area that a line covers, before they are snapped; arrays (faces, 4, 2).
 
     They are in such an order that the front is seen: a line has no back.
     """
@@ -102,7 +102,7 @@ class _Outline:
     middle: Floats
     """The end of the line to which each corner belongs."""
     beside: Floats
-    """Where the corner lies from there."""
+    """The offset of the corner from there."""
     length: Floats
     """(faces,): that of the line."""
     narrowing: Floats
@@ -167,7 +167,7 @@ def _border(rules: RasterRules) -> tuple[Floats, Floats]:
 
 
 def _leaves(ends: Floats, rules: RasterRules, margin: float = 0.0) -> Bools:
-    """Which lines have an end beyond the viewport, or so close to its border."""
+    """True for lines with an end beyond the viewport, or so close to its border."""
     first, last = _border(rules)
     inside = (ends >= first + margin) & (ends <= last - margin)
     beyond: Bools = np.asarray(~inside.all(axis=(1, 2)))
@@ -175,7 +175,7 @@ def _leaves(ends: Floats, rules: RasterRules, margin: float = 0.0) -> Bools:
 
 
 def _outline(ends: Floats, rules: RasterRules) -> _Outline:
-    """What lines (faces, 2, 2) cover by the rule of the device."""
+    """The area that lines (faces, 2, 2) cover by the rule of the device."""
     begin, end = ends[:, 0], ends[:, 1]
     along = end - begin
     length = np.hypot(*along.T)

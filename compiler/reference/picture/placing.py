@@ -81,7 +81,7 @@ def _written(nodes: Sequence[Node], held: _Held) -> Iterator[bytes]:
 
 
 class _Held:
-    """What the leaves of a draw hold, as bytes."""
+    """The content of the leaves of a draw, as bytes."""
 
     def __init__(
         self, values: Mapping[str, Lanes], textures: Mapping[str, Texels], geometry: Geometry
@@ -91,12 +91,14 @@ class _Held:
         self._geometry = geometry
 
     def is_rounded(self, node: Node) -> bool:
-        """Whether a node is a texture that the device itself has drawn. Another one may have other
-        numbers there, though here they are the same."""
+        """True if a node is a texture that the device itself has drawn.
+
+        Another texture may have other numbers there, though here they are the same.
+        """
         return isinstance(node.data, Resource) and bool(self._textures[node.data.name].low)
 
     def data_of(self, node: Node) -> Iterator[bytes]:
-        """What a node is besides an operation; of a leaf, what the device finds there."""
+        """The data of a node besides its operation; of a leaf, the value that the device finds."""
         match node.data:
             case Parameter():
                 yield from _of_value(self._values[node.data.name])

@@ -23,10 +23,9 @@ _FLUSHED = 2.0**-120
 """The error of a mean where a device may take small numbers of the computation for zero. Means of
 nothing but zeros are exact."""
 _AT_ONCE = 1 << 16
-"""How many depths are computed at once, so that a large picture needs no more memory than
-others."""
+"""The number of depths computed at once, so that a large picture needs no more memory."""
 _HALF = 0.5
-"""How far the samples of a pixel are from its centre at most, to the side and downwards."""
+"""The largest distance of a pixel's samples from its centre, to the side and downwards."""
 _OVERFLOWS = 2.0**124
 """A plane through larger numbers may become infinite on its way."""
 
@@ -41,8 +40,7 @@ class Quads:
     """(quads,): the pixel at the top left."""
     side: int
     at: Location = CENTRE
-    """Where in each pixel the values are; of quads of one pixel, each may have a place of its
-    own."""
+    """The place of the values in each pixel; of quads of one pixel, each may have its own."""
 
     def __len__(self) -> int:
         return len(self.face)
@@ -52,7 +50,7 @@ class Quads:
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)
 
     def places(self) -> tuple[Floats, Floats]:
-        """Where the values are, in pixels: (quads, 1, side) and (quads, side, 1)."""
+        """The places of the values, in pixels: (quads, 1, side) and (quads, side, 1)."""
         across = self._each(self.x, self.at.x)
         down = self._each(self.y, self.at.y)
         return across[:, None, :], down[:, :, None]
@@ -64,7 +62,7 @@ class Quads:
 
 
 def rows_above(rules: RasterRules, side: int) -> int:
-    """How many rows of the first quads are above the picture, as OpenGL pairs rows from below."""
+    """The number of rows of the first quads above the picture: OpenGL pairs rows from below."""
     return rules.height % side if rules.bottom_up else 0
 
 
@@ -155,8 +153,10 @@ class Barycentric:
 
     @cached_property
     def _may_divide_by_zero(self) -> Bools:
-        """Where the divisor may have either sign: near the horizon of a plane, beyond which the
-        centre of a pixel may lie of which only some samples are covered."""
+        """True where the divisor may have either sign: near the horizon of a plane.
+
+        The centre of a pixel may lie beyond it if only some of its samples are covered.
+        """
         lost: Bools = self._far + self._weights_off >= 1.0
         return lost
 
@@ -345,7 +345,7 @@ def _most(corners: Floats) -> Floats:
 
 
 _Weights = tuple[Floats, Floats]
-"""Those of the second and third corner; the first one has the rest."""
+"""The weights of the second and third corner; the first one has the rest."""
 
 
 def _linear(

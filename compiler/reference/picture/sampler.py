@@ -116,7 +116,7 @@ class TextureReader:
 
     @property
     def _moves_on_surface(self) -> bool:
-        """Whether the level follows from the movement on a cube's surface, and not in its face."""
+        """True if the level follows from the movement on a cube's surface, and not in its face."""
         return self._image.type.dimension == "cube" and not self._image.rules.projects_cubes
 
     def _colours(self, where: Sequence[Lanes], level: Bounded | Steps) -> Lanes:

@@ -16,10 +16,13 @@ Bools = NDArray[np.bool_]
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
 Lines = Literal["rectangle", "parallelogram", "diamonds", "any"]
-"""Which pixels a line of the width 1 covers: those with their middle in a rectangle around it, or
-in a parallelogram with sides along the picture, one pixel wide across the line's longer direction;
-those whose diamond it leaves, where values change along its longer direction only; or, if nothing
-is known, by any of these rules."""
+"""The rule by which a line of the width 1 covers pixels.
+
+``rectangle``: pixels with their middle in a rectangle around it. ``parallelogram``: in one with
+sides along the picture, one pixel wide across the line's longer direction. ``diamonds``: pixels
+whose diamond it leaves, where values change along its longer direction only. ``any``: nothing is
+known, so each of these rules is possible.
+"""
 Derivatives = Literal["own", "first", "any"]
 """The differences that a device takes: those of each pixel's own row and column, those of the
 first row and column for the whole quad, or, if nothing is known, any of its quad."""
@@ -45,7 +48,7 @@ class Geometry:
     """(triangles, 3): indices of vertices, in the order of drawing; the first is the provoking
     vertex. Lines have two, and other primitives as many as they have corners."""
     instance_count: int = 1
-    """How often the same vertices are repeated, one instance after the other."""
+    """The number of instances: the same vertices are repeated, one instance after the other."""
 
     @property
     def vertex_count(self) -> int:
@@ -89,13 +92,13 @@ class Texels:
     and the depth of a 3D texture, rounded down, but not below 1.
     """
     is_srgb: bool = False
-    """Whether colours are stored in 8 bits of sRGB, which a device decodes."""
+    """True if colours are stored in 8 bits of sRGB, which a device decodes."""
     low: tuple[Floats, ...] = ()
     high: tuple[Floats, ...] = ()
     """Of a texture that was drawn: for each level, between which numbers those are that a device
     has stored. Of an undecided pixel, these contain all that it may have drawn there."""
     has_undefined: bool = False
-    """Whether some were drawn of which nothing is defined; they are NaN."""
+    """True if some texels were drawn that are undefined; they are NaN."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,18 +110,22 @@ class RasterRules:
     subpixel_bits: int | None = None
     """To how many binary places of a pixel vertices are snapped; ``None``: they are not."""
     interpolates_snapped: bool = False
-    """Whether depth and attributes are interpolated between the snapped vertices, instead of those
-    before snapping. Coverage always depends on the snapped ones."""
+    """True if depth and attributes are interpolated between the snapped vertices.
+
+    Otherwise those before snapping count. Coverage always depends on the snapped ones.
+    """
     clips_sides: bool = False
-    """Whether triangles are clipped at the sides of the picture, before they are snapped."""
+    """True if triangles are clipped at the sides of the picture, before they are snapped."""
     owns_bottom: bool = False
-    """Whether pixels that are exactly on a level edge belong to the face above it, not below."""
+    """True if pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
-    """How close to an edge, in pixels, the device may put a pixel on the wrong side."""
+    """The distance to an edge, in pixels, at which the device may put a pixel on the wrong side."""
     lines: Lines = "rectangle"
     snaps_line_ends: bool = False
-    """Whether the ends of lines are snapped, and half their width by itself, instead of the corners
-    of what they cover."""
+    """True if the ends of lines are snapped, and half their width by itself.
+
+    Otherwise the corners of the covered area are.
+    """
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""
     varying_bits: int | None = None
@@ -136,30 +143,44 @@ class RasterRules:
     ``None``: it is exact."""
     derivatives: Derivatives = "any"
     euclidean_steps: bool = False
-    """Whether the device is known to take differences between pixels in a quad's first row and
-    column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
+    """True if the device is known to take Euclidean lengths of simple differences.
+
+    The differences are between pixels in a quad's first row and column; cubes are excepted. Vulkan
+    allows other ways, too.
+    """
     corner_bits: int | None = None
     """The binary places of the texel beyond a cube's corner, where the device is known to read the
     mean of the three around it, as Vulkan recommends; ``None``: it may read one of them."""
     bottom_up: bool = False
-    """Whether the device counts rows from below. Then a quad's first pixel is the lower left one,
-    which matters for levels and derivatives, and the samples of a pixel lie turned over."""
+    """True if the device counts rows from below.
+
+    Then a quad's first pixel is the lower left one, which matters for levels and derivatives, and
+    the samples of a pixel lie turned over.
+    """
     projects_cubes: bool = True
-    """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
-    Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
+    """True if a cube's level follows from the coordinates in the face, as Vulkan specifies.
+
+    See "Cube Map Derivative Transformation". Otherwise it follows from the movement on the cube's
+    surface, in space.
+    """
     unguarded_is_nan: bool = False
-    """Whether an ``unguarded`` operation outside of its domain makes pixels undecided, as a device
-    may give anything there; or else it means what it does with its guard."""
+    """True if an ``unguarded`` operation outside of its domain makes pixels undecided.
+
+    This is since a device may give anything there. Otherwise the operation means what it does with
+    its guard.
+    """
     viewport: Area | None = None
     """Into which part of the picture the clip volume is drawn; ``None``: into all of it. Nothing is
     drawn outside of it."""
     scissor: Area | None = None
     """To which part of the picture is drawn, likewise."""
     samples: int = 1
-    """How many samples each pixel has."""
+    """The number of samples of each pixel."""
     mirrors_sample_depths: bool = False
-    """Whether the device computes the depth of each sample where another one would be if left and
-    right were exchanged: a known mistake."""
+    """True if the device computes the depth of each sample at the place of a mirrored one.
+
+    Left and right are exchanged: a known mistake.
+    """
 
     @property
     def common(self) -> Counted:
@@ -171,8 +192,10 @@ class RasterRules:
         return frozenset((name, getattr(self, name)) for name in names)
 
     def agree_with(self, counted: Counted) -> bool:
-        """Whether a picture that hangs on these rare rules is also the one by these rules, if
-        they have the others in common."""
+        """True if a picture that depends on these rare rules is also right by these rules.
+
+        They have to have the others in common.
+        """
         return counted <= self.counted(RARE)
 
     @property
@@ -182,12 +205,12 @@ class RasterRules:
 
     @property
     def sample_count(self) -> int:
-        """How many samples the whole picture has."""
+        """The number of samples of the whole picture."""
         return self.width * self.height * self.samples
 
     @property
     def drawn(self) -> Area:
-        """What is drawn to, as the first and the last column and row; the last ones are outside."""
+        """The area that is drawn to: first and last column and row; the last ones are outside."""
         found = (0, 0, self.width, self.height)
         for area in (self.viewport, self.scissor):
             if area is not None:

@@ -40,8 +40,10 @@ DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
 
 VERTICES_AT_ONCE, PIXELS_AT_ONCE = 1 << 14, 1 << 13
-"""How many vertices and how many pixels are evaluated at once, so that a large mesh or picture
-needs no more memory than others."""
+"""The numbers of vertices and of pixels that are evaluated at once.
+
+They are limited so that a large mesh or picture needs no more memory than others.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +68,7 @@ class Shaded:
     targets: tuple[Lanes, ...]
     discarded: Lane
     undecided: Bools
-    """Where a promise is broken."""
+    """True where a promise is broken."""
 
 
 class StageEvaluator:
@@ -83,7 +85,7 @@ class StageEvaluator:
         if shader.chain != RASTERISED:
             raise ValueError(f"{shader.name} has other stages than the reference can draw.")
         self.has_bounds = errors is not None
-        """Whether lanes are ``Bounded``."""
+        """True if lanes are ``Bounded``."""
         self._held = HeldValues(values, as_rounded if self.has_bounds else None)
         self.rules = rules
         self._bounds = Bounds(errors or _no_error)
@@ -106,7 +108,7 @@ class StageEvaluator:
         texels = {resource: _texels(textures, resource) for resource in read}
         self._images = {r: Image(each, r, rules) for r, each in texels.items()}
         self.found = Found.of((*self._targets, self._position), texels.values(), rules)
-        """Where nothing is defined, as far as it is known."""
+        """The places where nothing is defined, as far as it is known."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
@@ -273,6 +275,6 @@ def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
 
 
 def _compares(nodes: Iterable[Node], rules: RasterRules) -> bool:
-    """Whether pixels depend on others of their quad."""
+    """True if pixels depend on others of their quad."""
     neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
     return any(node.op in BUILTIN_OPS and CALL.data(node) in neighbours for node in nodes)

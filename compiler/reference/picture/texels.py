@@ -61,12 +61,12 @@ class Image:
 
     @property
     def is_exact(self) -> bool:
-        """Whether the device reads texels without any error."""
+        """True if the device reads texels without any error."""
         return self.rules.subtexel_bits is None
 
     @property
     def has_known_steps(self) -> bool:
-        """Whether the device takes the steps of a quad as the reference does."""
+        """True if the device takes the steps of a quad as the reference does."""
         return self.is_exact or (self.rules.euclidean_steps and self.type.dimension != "cube")
 
     @property
@@ -76,7 +76,7 @@ class Image:
 
     @property
     def has_one_level(self) -> bool:
-        """Whether all filtered reads use the same level."""
+        """True if all filtered reads use the same level."""
         return self.state["mip"] == "none" or self.levels == 1
 
     @property
@@ -90,7 +90,7 @@ class Image:
 
     @property
     def first_sizes(self) -> list[Ints]:
-        """Those of the first level."""
+        """The sizes of the first level."""
         return self.sizes(np.zeros((), dtype=np.int64))
 
     def layer(self, number: Ints) -> Ints:

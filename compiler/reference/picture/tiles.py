@@ -16,7 +16,7 @@ from .faces import Faces
 from .scene import Floats, Ints, RasterRules
 
 MOST = 1 << 18
-"""How many samples all faces in a tile may cover together, unless it is a single pixel."""
+"""The limit of samples that all faces in a tile cover together, unless it is a single pixel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ class Tile:
 
     @property
     def pixels(self) -> int:
-        """How many it has."""
+        """The number of pixels of the tile."""
         return max(self.right - self.left, 0) * max(self.bottom - self.top, 0)
 
     def within(self, rules: RasterRules) -> RasterRules:
@@ -44,7 +44,7 @@ class Tile:
         return replace(rules, scissor=area)
 
     def halves(self) -> tuple[Tile, Tile]:
-        """Its upper and its lower half, or the left and the right one of a wide row."""
+        """The upper and the lower half, or the left and the right one of a wide row."""
         if self.bottom - self.top > 1:
             middle = (self.top + self.bottom) // 2
             return replace(self, bottom=middle), replace(self, top=middle)
@@ -63,7 +63,7 @@ class _Around:
 
     @classmethod
     def of(cls, faces: Faces) -> _Around:
-        """Those of all faces."""
+        """The surroundings of all faces."""
         slack = faces.unsure.max(axis=1, initial=0.0) + 1.0
         ends = [
             end
@@ -73,7 +73,7 @@ class _Around:
         return cls(np.arange(len(slack)), np.stack(ends))
 
     def within(self, tile: Tile) -> tuple[_Around, float]:
-        """Those that touch a tile, and how many of its pixels all of them have together."""
+        """The faces that touch a tile, and the sum of the pixels of it that each may cover."""
         left, right = np.clip(self.ends[:2], tile.left, tile.right)
         upper, lower = np.clip(self.ends[2:], tile.top, tile.bottom)
         pixels = (right - left) * (lower - upper)

@@ -32,15 +32,17 @@ BROKEN = 1e-5
 
 @dataclass(slots=True)
 class Found:
-    """What all watches over a shader have found."""
+    """The findings of all watches over a shader."""
 
     promised: frozenset[int]
     """The ids of the promises whose values are used in any case."""
     broken: set[int] = field(default_factory=set)
     """The ids of promises that were broken at some vertex, pixel or invocation."""
     left_a_domain: bool = False
-    """Whether any operation without a guard did, here or in what is read: there may be values that
-    are NaN."""
+    """True if any operation without a guard left its domain, here or in a texture that is read.
+
+    There may be values that are NaN.
+    """
 
     @classmethod
     def of(cls, roots: Sequence[Node], read: Iterable[Texels], rules: RasterRules) -> Found:

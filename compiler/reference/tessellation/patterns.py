@@ -168,7 +168,7 @@ class _Patch:
 
     @property
     def pattern(self) -> Pattern:
-        """What has been made so far."""
+        """The pattern that has been made so far."""
         return Pattern(self._places, self.cells)
 
     def add_ring(
