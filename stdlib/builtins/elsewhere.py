@@ -18,7 +18,7 @@ TEXTURE = "albedo"
 
 @frozen
 class Instead:
-    """What to write here for a name of another language."""
+    """The replacement here for a name of another language."""
 
     written: tuple[str, ...] = ()
     """Expressions with the same meaning, one for each result.
@@ -38,7 +38,7 @@ class Instead:
 
     @property
     def is_read(self) -> bool:
-        """Whether the name is a function that reads a texture."""
+        """True if the name is a function that reads a texture."""
         return any(expression.startswith(TEXTURE) for expression in self.written)
 
     def hint_for(self, texture: str) -> str:

@@ -41,11 +41,13 @@ class Fact:
     lo: float = -math.inf
     hi: float = math.inf
     nonzero: bool = False
-    """Whether every lane's magnitude is at least ``SMALLEST_NORMAL``."""
+    """True if every lane's magnitude is at least ``SMALLEST_NORMAL``."""
     unit: bool = False
-    """Whether the value is a vector of length one, by declaration or by construction, up to
-    rounding. It is shorter only if ``normalize`` got a vector that is too short to have a
-    direction."""
+    """True if the value is a vector of length one, up to rounding.
+
+    It is so by declaration or by construction. It is shorter only if ``normalize`` got a vector
+    that is too short to have a direction.
+    """
     length: float = 0.0
     """The value is a vector of at least this length, before rounding."""
     kind: Kind = "float"
@@ -54,12 +56,12 @@ class Fact:
 
     @property
     def excludes_zero(self) -> bool:
-        """Whether no lane can be zero, nor so small that a device may flush it to zero."""
+        """True if no lane can be zero, nor so small that a device may flush it to zero."""
         return self.nonzero or self.lo >= SMALLEST_NORMAL or self.hi <= -SMALLEST_NORMAL
 
     @property
     def positive(self) -> bool:
-        """Whether every lane is above zero, and not so small that a device may flush it."""
+        """True if every lane is above zero, and not so small that a device may flush it."""
         return self.lo >= SMALLEST_NORMAL or (self.nonzero and self.lo >= 0)
 
     @property
@@ -80,12 +82,14 @@ class Fact:
         return lo if lo == hi else f"between {lo} and {hi}"
 
     def within(self, lo: float, hi: float) -> bool:
-        """Whether every lane lies in [lo, hi]."""
+        """True if every lane lies in [lo, hi]."""
         return lo <= self.lo and self.hi <= hi
 
     def as_kind(self, kind: Kind) -> Fact:
-        """This fact for lanes of type ``kind``; if an integer cannot hold the bounds, it may
-        wrap."""
+        """Converts the fact to lanes of type ``kind``; if an integer may wrap, all is unknown.
+
+        An integer may wrap if it cannot hold the bounds.
+        """
         if self.kind == kind == "float":
             return self
         lo, hi = _LIMITS[kind]
@@ -96,7 +100,7 @@ class Fact:
         return Fact(lo, hi, kind=kind)
 
     def union(self, other: Fact) -> Fact:
-        """What is known about a value that is one of the two."""
+        """The fact of a value that is one of two values with these facts."""
         return Fact(
             min(self.lo, other.lo),
             max(self.hi, other.hi),
@@ -107,7 +111,7 @@ class Fact:
         )
 
     def meet(self, other: Fact) -> Fact:
-        """What is known about a value for which both facts hold; if they contradict, this fact."""
+        """The fact of a value for which both facts hold; if they contradict, this fact."""
         lo, hi = max(self.lo, other.lo), min(self.hi, other.hi)
         if lo > hi:
             return self

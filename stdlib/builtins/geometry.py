@@ -21,7 +21,7 @@ _SUM_ERROR = relative(*[CORRECT] * _WIDEST)
 """Of a sum of as many products in any order, as a part of the sum of their magnitudes: each is
 rounded once, and then with every term that is added to it."""
 _FLUSHED = _WIDEST * SMALLEST_NORMAL
-"""What such a sum may lose besides, where products are flushed to zero."""
+"""The further loss of such a sum, where products are flushed to zero."""
 _LENGTH_ERROR = (1.0 + _SUM_ERROR) * (1.0 + ROOT_ERROR) - 1.0
 SHORTEST = 2.0**-60
 """The least length whose square is far above what a device may flush to zero."""

@@ -14,12 +14,12 @@ FILTERED = promised(Inherited("the device's bits for positions within a texel an
 
 
 def _all_zero(facts: tuple[Fact, ...]) -> bool:
-    """Whether coordinate, layer and level are 0, which every texture has."""
+    """True if coordinate, layer and level are 0, which every texture has."""
     return all(fact.lo == fact.hi == 0.0 for fact in facts[1:])
 
 
 def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
-    """Whether a reference is in 0..1; formats treat other references differently."""
+    """True if a reference is in 0..1; formats treat other references differently."""
     return facts[-1].within(0.0, 1.0)
 
 
