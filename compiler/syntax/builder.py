@@ -395,7 +395,7 @@ class Builder:
 
 
 def maker(production: str) -> Maker | None:
-    """What makes the node of a production; None where its parts are handed on as they are."""
+    """The function that makes the node of a production; None where its parts are handed on."""
     kind = _KINDS.get(production)
     if kind is None:
         method: Maker | None = getattr(Builder, production, None)

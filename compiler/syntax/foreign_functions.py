@@ -24,7 +24,7 @@ _NO_RESULT = frozenset(("fn", "void", "def", "func", "function"))
 
 
 def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
-    """What to write instead of the function whose name stands at ``name``.
+    """The hint for the foreign function whose name stands at ``name``.
 
     Only ``outside`` of materials may functions be declared, so only there an edit is offered.
     """
@@ -87,7 +87,7 @@ def _argument(view: TokenView, first: int, end: int) -> str:
 
 
 def _body(view: TokenView, opening: int) -> str:
-    """What a body in braces returns, with names for its parts behind ``where``.
+    """The result of a body in braces, with names for its parts behind ``where``.
 
     Empty where it has statements that no expression can stand for.
     """

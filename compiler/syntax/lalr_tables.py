@@ -27,13 +27,13 @@ class Production(NamedTuple):
     method: str
     """The builder's method that makes the node; empty where the parts are handed on as they are."""
     plan: tuple[tuple[int, bool], ...]
-    """Which parts to hand over (-1: an absent option), and whether to unpack each."""
+    """The parts to hand over (-1: an absent option), and for each: is it unpacked?"""
     collapses: bool
-    """Whether a single part stands for the whole."""
+    """True if a single part stands for the whole."""
     renames: bool
-    """Whether it has one part, which stands for the whole: only the state changes."""
+    """True if it has one part, which stands for the whole: only the state changes."""
     as_read: bool
-    """Whether the plan hands all parts over as they are."""
+    """True if the plan hands all parts over as they are."""
 
 
 class Tables(NamedTuple):

@@ -18,7 +18,7 @@ _ORDER = ("BLANK", "NAME", "PUNCTUATION", "NUMBER", "COLOR", "STRING", "DOC", "F
 """The grammar's patterns in the order of trial: a doc comment would also be a comment."""
 
 _NOT_BEFORE = {"NAME": r"(?!\w)", "NUMBER": rf"(?!\w|\.(?!\.)|{PERCENT})", "COLOR": r"(?!\w)"}
-"""What must not follow a token; otherwise ``1.0f`` would be read as ``1.0`` and a name."""
+"""The pattern that must not follow a token; otherwise ``1.0f`` would be ``1.0`` and a name."""
 
 _SEPARATORS = ";,"
 
@@ -78,11 +78,11 @@ class _DocCollector:
         self._found = Docs()
         self._text = text
         self._tokens = tokens
-        """Those before the place that the lexer has reached."""
+        """The tokens before the place that the lexer has reached."""
         self._searched = 0
-        """How many of them have been looked at by ``_end_before``."""
+        """The number of tokens that ``_end_before`` has looked at."""
         self._end = -1
-        """Where the last one of these ends that is no separator."""
+        """The end of the last of these that is no separator."""
         self._waiting: list[tuple[int, Token]] = []
         """Comments, each with the number of tokens before it: it describes what begins next."""
 
@@ -107,7 +107,7 @@ class _DocCollector:
             self._waiting.append((len(self._tokens), line))
 
     def _end_before(self) -> int:
-        """Where the last token ends that is no separator; -1 if there is none."""
+        """The end of the last token that is no separator; -1 if there is none."""
         for index in range(len(self._tokens) - 1, self._searched - 1, -1):
             if self._tokens[index].kind not in _SEPARATORS:
                 self._end = self._tokens[index].end

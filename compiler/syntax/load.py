@@ -57,8 +57,10 @@ def load_source(
 
 
 def check_text(text: str, name: str, report: Report) -> bool:
-    """Whether a string consists of characters, and not of too many; ``report`` says what is wrong
-    with it."""
+    """True if a string consists of characters, and not of too many.
+
+    Otherwise ``report`` gets the error.
+    """
     if len(text) > SIZE_LIMIT:
         report.add(rules.TOO_LARGE, None, path=name, limit=f"{SIZE_LIMIT} characters")
         return False
@@ -97,7 +99,7 @@ def _without_waiting(path: str, flags: int) -> int:
 
 
 def _streamed(file: int) -> bytes:
-    """What comes out of a pipe or a device, up to a byte more than there may be.
+    """The bytes from a pipe or a device, up to a byte more than there may be.
 
     Raises ``TimeoutError`` if nothing comes for long.
     """

@@ -30,7 +30,7 @@ class TokenView:
         return Token(END, "", 0, 0)
 
     def text(self, index: int) -> str:
-        """What is written there."""
+        """The text of the token."""
         return self.token(index).text
 
     def kinds(self, first: int, count: int) -> list[str]:
@@ -63,7 +63,7 @@ class TokenView:
         return end
 
     def is_cast(self, index: int) -> bool:
-        """Whether a name in parentheses stands directly in front, as in ``(float)x``."""
+        """True if a name in parentheses stands directly in front, as in ``(float)x``."""
         before = self.kinds(index - 3, 3)
         return before == ["(", "NAME", ")"] and self.token(index).kind in ("NUMBER", "NAME", "(")
 
@@ -78,7 +78,7 @@ class TokenView:
         return len(self.tokens)
 
     def _ends_value(self, index: int) -> bool:
-        """Whether no expression goes on with this token, which stands in none of its brackets."""
+        """True if no expression goes on with this token, which stands in none of its brackets."""
         if self.token(index).kind in (";", ","):
             return True
         is_name = self.token(index).text.isidentifier()

@@ -1,4 +1,4 @@
-"""What stands in a file by itself: imports, records, functions, rigs and the rest."""
+"""Declarations of a file: imports, records, functions, rigs and the rest."""
 
 from __future__ import annotations
 
@@ -90,8 +90,10 @@ class Function:
 
 
 LightNumber = Literal["one", "exactly", "at_most", "any"]
-"""How many lights an entry of a rig is: one, or an array of as many as is said, of at most so many,
-or of any number."""
+"""The number of lights that an entry of a rig stands for.
+
+It is one; or an array of exactly as many as written, of at most so many, or of any number.
+"""
 
 
 @frozen(eq=False)
@@ -110,7 +112,7 @@ class RigEntry:
 
 @frozen(eq=False)
 class Rig:
-    """Which lights shine."""
+    """A rig: the lights that shine."""
 
     span: Span
     doc: str
@@ -158,7 +160,7 @@ class ExternBlock:
     doc: str
     name: Name
     group: Name | None
-    """How often the host changes it; ``frame`` if nothing is written."""
+    """The group, which says how often the host changes it; ``frame`` if nothing is written."""
     bind_group: Number
     binding: Number
     members: tuple[ExternMember, ...]

@@ -41,7 +41,7 @@ class Map:
     default: Name | None
     """A word for what a host may bind that has no picture; or a step of the light's own."""
     result: Name | None
-    """What that step leaves: in frames the light brings the texture itself."""
+    """The result of that step: in frames the light brings the texture itself."""
     state: tuple[tuple[Name, Name], ...]
 
     @property
@@ -133,7 +133,7 @@ class Layers:
 
 
 Settings = tuple[tuple[Name, Expression], ...]
-"""What is set, each with its value: a word, which is a reference then, or a constant."""
+"""Settings, each with its value: a word, which is a reference then, or a constant."""
 
 
 @frozen(eq=False)
@@ -184,11 +184,11 @@ class Strips:
     span: Span
     shape: StripShape
     count: Expression
-    """How many vertices each of the strips has."""
+    """The number of vertices of each of the strips."""
     vertex: Name | None
-    """What the number of a vertex in its strip is called."""
+    """The name of the number of a vertex in its strip."""
     turns: Turns | None
-    """How many strips there are, and what the number of one is called."""
+    """The number of strips, and the name of the number of one."""
     condition: Expression | None
     like: Expression | None
     """The corner whose values slots have that are not set."""
@@ -213,7 +213,7 @@ class Tessellate:
     doc: str
     patch: Name
     points: Expression | None
-    """How many control points a patch has."""
+    """The number of control points of a patch."""
     ends: tuple[Expression, ...] | None
     """The numbers of those that are its corners."""
     spacing: Name | None
@@ -221,9 +221,9 @@ class Tessellate:
     """Into how many steps an edge is divided."""
     inside: Expression | None
     lines: Expression | None
-    """How many lines a patch of isolines has."""
+    """The number of lines of a patch of isolines."""
     coordinate: Name | None
-    """What the place of a vertex in its patch is called."""
+    """The name of the place of a vertex in its patch."""
     equations: tuple[Slot, ...]
 
 
@@ -241,7 +241,7 @@ class Result:
 
 
 Scattering = Literal["add", "min", "max", "and", "or"]
-"""How a value is joined with what an element has. The order in which that happens never matters."""
+"""The operator that joins a value with an element; the order of joining never matters."""
 
 
 @frozen(eq=False)
@@ -282,7 +282,7 @@ class Models:
     doc: str
     name: Name
     material: Name | None
-    """What the materials of these models extend."""
+    """The base of the materials of these models."""
 
 
 @frozen(eq=False)
@@ -312,7 +312,7 @@ class NamedMember(Protocol):
 
     @property
     def doc(self) -> str:
-        """Its doc comment."""
+        """The doc comment of the member."""
 
     @property
     def name(self) -> Name:
