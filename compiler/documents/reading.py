@@ -33,13 +33,13 @@ Place = tuple[Any, str | int] | None
 """The place of what contains a value, and the key of the value in it; ``None`` of the whole."""
 
 MOST = 100
-"""How many errors are told."""
+"""The number of errors that are told."""
 
 VERSION = "VERSION"
 """The attribute of a record that names its field with the version of the document."""
 
 _SAID = 60
-"""How many letters of a value are told."""
+"""The number of letters of a value that are told."""
 
 
 class ShapeError(ValueError):
@@ -51,7 +51,7 @@ class _EnoughError(Exception):
 
 
 class Found(list[str]):
-    """What is wrong in a document, so far."""
+    """The errors in a document, so far."""
 
     def add(self, place: Place, message: str) -> None:
         """Note an error. Raises ``_EnoughError`` where enough are known."""
@@ -117,7 +117,7 @@ def shown(value: Any) -> str:
 
 @cache
 def _reader(type_: Any) -> Reader:
-    """What reads values of a type."""
+    """The function that reads values of a type."""
     constraints, inner = constraints_of(type_), bare(type_)
     for each in constraints:
         if isinstance(each, Nested):
@@ -165,7 +165,7 @@ _SCALARS: Mapping[Any, tuple[str, frozenset[type]]] = {
     float: ("a number", frozenset((int, float))),
     str: ("a text", frozenset((str,))),
 }
-"""What messages call each type, and what it is in Python, where true is no number here."""
+"""By type, its name in messages and its classes in Python, where true is no number here."""
 
 
 def _word(words: Sequence[Any]) -> Reader:
@@ -229,7 +229,7 @@ _OF_VALUES = frozenset((bool, int, float, type(None)))
 
 
 def _is_of_json(value: Any) -> bool:
-    """Whether JSON can have a scalar: it has no numbers that are infinite or none."""
+    """True if JSON can have a scalar: it has no infinite numbers and no NaN."""
     return type(value) is not float or isfinite(value)
 
 
@@ -308,7 +308,7 @@ def _told_apart(kinds: Sequence[type], *, is_nullable: bool) -> Reader:
 # --- constraints ---------------------------------------------------------------------------------
 
 Fault = Callable[[Any], str | None]
-"""What is wrong with a value of the right type, if anything is."""
+"""A function that finds the fault in a value of the right type; ``None`` if there is none."""
 
 
 def _checked(reader: Reader, fault: Fault) -> Reader:
@@ -356,7 +356,7 @@ def _pattern(constraint: Pattern) -> Fault:
 _CHECKS: Mapping[type, Callable[[Any], Fault]] = {
     Range: _range, Length: _length, Pattern: _pattern,
 }  # fmt: skip
-"""What makes the check of each kind of constraint."""
+"""The function that makes the check of each kind of constraint."""
 
 
 def _limits(least: float | None, most: float | None) -> str:

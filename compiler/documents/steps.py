@@ -27,7 +27,7 @@ class ParameterStep:
     """Type of the result."""
     args: NoArguments
     parameter: str
-    """Its name."""
+    """Name of the parameter."""
 
 
 @frozen(kw_only=True)
@@ -51,7 +51,7 @@ class ResourceStep:
     """Type of the texture."""
     args: NoArguments
     texture: str
-    """Its name."""
+    """Name of the texture."""
 
 
 @frozen(kw_only=True)
@@ -63,8 +63,10 @@ class BoundStep:
     """Type of the result."""
     args: NoArguments
     binder: Count
-    """Which enclosing variable it is, counted outwards from 0. Outside of all bodies that is the
-    number of the element."""
+    """The enclosing variable, counted outwards from 0.
+
+    Outside of all bodies, this is the number of the element.
+    """
 
 
 @frozen(kw_only=True)
@@ -126,7 +128,7 @@ class MemberStep:
     args: tuple[Count]
     """The struct."""
     member: str
-    """Its name."""
+    """Name of the member."""
 
 
 @frozen(kw_only=True)
@@ -159,9 +161,9 @@ class FoldStep:
     type: str
     """Type of the result."""
     args: tuple[Count, Count, Count]
-    """How many terms there are, the value to begin with, and the body that is a term."""
+    """Number of terms, the value to begin with, and the body that is a term."""
     operator: Literal["add", "mul", "min", "max", "and", "or"]
-    """How terms are combined."""
+    """Operator that combines the terms."""
     bound: Count
     """The largest number of terms."""
 

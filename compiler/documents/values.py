@@ -1,4 +1,4 @@
-"""What a host sets and computes: parameters, storage buffers, lights, and how their bytes lie."""
+"""Values that a host sets and computes: parameters, storage buffers, lights, and their layout."""
 
 from __future__ import annotations
 
@@ -12,14 +12,16 @@ from .steps import StepRow
 
 @frozen(kw_only=True)
 class LayoutRow:
-    """How lanes lie from the start of the value. A lane is 32 bits, little-endian; what does not
-    apply to the type is absent."""
+    """The layout of lanes from the start of the value.
+
+    A lane is 32 bits, little-endian; fields that do not apply to the type are absent.
+    """
 
     stored: str
     """The stored type: bools as uints, 2- and 3-row matrices with columns of four rows
     (``mat3x4``), arrays as arrays of ``vec4``. Of a table's member that of one element."""
     kind: LaneKind | None = None
-    """What a lane is written as; bools are uints 0 and 1. Absent for structs."""
+    """Kind of the lanes; bools are uints 0 and 1. Absent for structs."""
     lanes: Annotated[int, Range(least=0, most=4)] | None = None
     """Lanes of a scalar or vector, or of one column of a matrix, 4 bytes apart."""
     columns: Annotated[int, Range(least=0, most=4)] | None = None
@@ -75,8 +77,7 @@ class MemberRow:
     doc: str
     """Doc comment; empty where there is none."""
     library: str | None
-    """Which declaration of the library it is, ``std.skinning.Skinned.bones``; null where it is none
-    of them."""
+    """Declaration of the library that it is, ``std.skinning.Skinned.bones``; null for others."""
     offset: Count
     """Bytes from the start of the struct."""
     size: Count
@@ -103,11 +104,12 @@ class ParameterRow:
     doc: str
     """Doc comment; empty where there is none."""
     library: str | None
-    """Which declaration of the library it is, ``std.skinning.Skinned.bones``; null where it is none
-    of them."""
+    """Declaration of the library that it is, ``std.skinning.Skinned.bones``; null for others."""
     role: str | None
-    """What a program that shows scenes has for it, such as ``world_to_clip`` of the camera; null
-    where it is the material's own affair."""
+    """Meaning for a program that shows scenes, such as ``world_to_clip`` of the camera.
+
+    Null where it is the material's own affair.
+    """
     group: str
     """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
     user's own."""
@@ -158,7 +160,7 @@ class PromiseRow:
     value: str
     """The vector as a formula in Burnish."""
     least_length: float
-    """It is at least so long."""
+    """Least length of the vector."""
     parameters: tuple[str, ...]
     """The parameters that it depends on."""
 
@@ -172,8 +174,7 @@ class LightRow:
     kind: str
     """The declaration of the light: ``Lantern``."""
     library: str | None
-    """Which declaration of the library that is, ``std.lights.Lantern``; null where it is none of
-    them."""
+    """Declaration of the library that it is, ``std.lights.Lantern``; null for others."""
     doc: str
     """Doc comment of the rig's entry; empty where there is none."""
     capacity: Count | None
@@ -240,10 +241,12 @@ class ResultRow:
     count: tuple[StepRow, ...]
     """Steps that compute how many elements it has."""
     scattered: Literal["add", "min", "max", "and", "or", None]
-    """How invocations join their values with elements; null if each writes its own."""
+    """Operator by which invocations join values with elements; null if each writes its own."""
     initial: int | None
-    """What each element has to be before the kernel runs, so that it then has what was scattered;
-    null if that does not matter."""
+    """Value of each element before the kernel runs, so that it then has the joined ones alone.
+
+    Null if that does not matter.
+    """
 
 
 @frozen(kw_only=True)
@@ -272,10 +275,9 @@ class BlockRow:
     """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
     user's own."""
     derived: bool
-    """Whether the host computes its contents from other parameters."""
+    """True if the host computes its contents from other parameters."""
     extern: bool
-    """Whether the file says of it that the host owns it: names, offsets and binding are the
-    host's."""
+    """True if the file says that the host owns it: names, offsets and binding are the host's."""
     size: Annotated[int, Range(least=0, multiple_of=16)]
     """Bytes, a multiple of 16."""
     stages: tuple[str, ...]
