@@ -171,7 +171,7 @@ def _marked(
 def checked_body(
     ctx: Context, callee: Callee, fixed: Sequence[Node | None]
 ) -> tuple[Node, Formals] | None:
-    """What a function gives for variables in the place of its arguments, but for ``fixed`` ones.
+    """The result of a function for variables in place of its arguments, but for ``fixed`` ones.
 
     ``lowering`` asks for this, for calls that could apply one body. There is none if the body is
     wrong for variables, about which nothing is reported: the calls have been checked.

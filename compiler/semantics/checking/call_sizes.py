@@ -1,4 +1,4 @@
-"""How much is evaluated for one call, if every call in a body is evaluated with its own arguments.
+"""The number of bodies that one call evaluates, if each inner call has its own arguments.
 
 It doubles with each function that calls the one before it twice. ``applications`` asks, and has the
 bodies of functions that are too large in this sense evaluated once for many calls.
@@ -15,7 +15,7 @@ from ..state.context import Context
 
 
 def bodies_of(ctx: Context, symbol: Symbol) -> int:
-    """How many bodies one call of a function comes to, its own and those of all inner calls."""
+    """The number of bodies in one call of a function: its own and those of all inner calls."""
     known = ctx.call_sizes
     pending = [] if symbol in known else [symbol]
     entered: set[Symbol] = set()

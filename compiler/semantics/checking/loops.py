@@ -67,7 +67,7 @@ def _of_nothing(graph: Graph, operator: FoldOperator, type_: Type) -> Node:
 
 
 def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
-    """What is evaluated outside of the loop."""
+    """The operands of a fold, which are evaluated outside of the loop."""
     return bounds_of(e.turns) if e.initial is None else (*bounds_of(e.turns), e.initial)
 
 
@@ -88,7 +88,7 @@ def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> V
 
 
 def no_operands(_e: ast.FoldOver, _scope: Scope) -> tuple[ast.Expression, ...]:
-    """What is evaluated before a fold over no range: nothing."""
+    """The operands of a fold over no range: none."""
     return ()
 
 
@@ -102,7 +102,7 @@ def fold_over(ctx: Context, e: ast.FoldOver, _operands: Sequence[Node], _scope: 
 
 
 def _counted(e: ast.FoldOver) -> Hint:
-    """How a fold over something else is written as one over a range."""
+    """The hint how to write a fold over something else as one over a range."""
     over = e.over
     if isinstance(over, ast.Reference):
         return "a fold counts numbers, `sum i in a..b : e`; a `term … per light` sums over lights"
@@ -209,7 +209,7 @@ def _at(ctx: Context, body: Node, formal: Formal, turn: int) -> Node:
 
 
 def bounds_of_iterate(e: ast.Iterate, _scope: Scope) -> tuple[ast.Expression, ...]:
-    """What is evaluated outside of the loop."""
+    """The operands of an ``iterate``, which are evaluated outside of the loop."""
     return (e.initial, *bounds_of(e.turns))
 
 
@@ -284,7 +284,7 @@ def _iterated(
 
 
 def _following(ctx: Context, e: ast.Iterate, body: Node, initial: Node) -> Node | Failure:
-    """What a turn makes of the state, as a state."""
+    """The value of the state after an iteration, of the state's type."""
     fitted = coerce(ctx.tree, body, initial.type)
     if fitted is None:
         ctx.report.add(

@@ -77,7 +77,7 @@ def shared_call(
 
 
 def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None:
-    """What the body for a signature gives for these arguments; ``None`` if no body serves all."""
+    """The result of the body for a signature; ``None`` if no body serves all arguments."""
     signature = call.signature
     if signature not in ctx.bodies:
         _check_body(ctx, call, span)
@@ -117,8 +117,11 @@ def _literal(part: Node) -> tuple[str, bool] | None:
 
 
 def _adapts_to_its_use(ctx: Context, part: Node) -> bool:
-    """Whether checks may look into a value that is no literal: constant expressions are computed
-    and choices between literals adapt where they are used, and of a splat all lanes are equal."""
+    """True if checks may look into a value that is no literal.
+
+    Constant expressions are computed, choices between literals adapt where they are used, and all
+    lanes of a splat are equal.
+    """
     if _literal(part) is not None:
         return False
     return bare(part).op == "splat" or is_constant(part) or ctx.constants.is_known(part)
@@ -157,13 +160,15 @@ def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
 
 @frozen
 class StandIns:
-    """What a body is checked with."""
+    """The placeholders with which a body is checked."""
 
     values: tuple[Node, ...]
     """For each argument, and then for each replaced slot."""
     parts: tuple[Node, ...]
-    """The numbers, vectors and matrices in these: variables, and constants that are the same in
-    all calls."""
+    """The numbers, vectors and matrices in ``values``.
+
+    They are variables, and constants that are the same in all calls.
+    """
     formals: tuple[Formal, ...]
 
 
@@ -279,7 +284,7 @@ def _of_operands(ctx: Context, node: Node, operands: tuple[Node, ...]) -> Node:
 
 
 def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool:
-    """Whether a body means the same as where it is called.
+    """True if a body means the same as where it is called.
 
     Choices between constants adapt to their use, and crossings and reads that depend on arguments
     are checked in the loop in which the call stands.

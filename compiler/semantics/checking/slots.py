@@ -99,7 +99,7 @@ def slot(
 
 
 def _definition(instance: Instance, name: str, level: int) -> Definition:
-    """What the record says of ``name`` at ``level`` or further up."""
+    """The definition of ``name`` in the record at ``level`` or further up."""
     return next(d for d in instance.record.definitions[name] if d.level >= level)
 
 
@@ -133,7 +133,7 @@ def _settle_made(ctx: Context, instance: Instance, name: str, span: Span) -> Non
 def _in_group(
     ctx: Context, instance: Instance, slots: MadeSlots, number: int, name: str, span: Span
 ) -> Node | Failure:
-    """What a slot is at the vertices of one group."""
+    """The value of a slot at the vertices of one group."""
     group = slots.groups[number]
     written = group.equations.get(name)
     if written is None or written.value is None:
@@ -276,7 +276,7 @@ def like_overridden(
 
 
 def _twin(ctx: Context, instance: Instance) -> Twin | None:
-    """Where to ask for the types of what an instance overrides; nowhere, if it is in no shader."""
+    """The twin that knows the types of an instance's overrides; ``None`` outside of shaders."""
     if ctx.is_twin:
         return ctx, instance
     make = ctx.twins.get(instance)
@@ -306,7 +306,7 @@ def _report_abstract(ctx: Context, instance: Instance, definition: Definition, s
 
 
 def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Failure:
-    """What a member reads whose value comes from outside; nothing if its declaration is wrong."""
+    """The leaf of a member whose value comes from outside; a failure if it is declared wrongly."""
     name = member.name.text
     match ast.kind_of(member).contribution:
         case "parameter":

@@ -24,7 +24,10 @@ MOST_ELEMENTS = 4096
 """Of an array."""
 
 MOST_LEVELS, MOST_PARTS = 64, 4096
-"""How deep structures nest, and into how many numbers, vectors and matrices one is taken apart."""
+"""The limits of structures: how deep they nest, and the number of parts of one.
+
+Parts are numbers, vectors and matrices.
+"""
 
 MOST_NUMBERS = 1 << 18
 """Of a value, with those of all its elements and members: a megabyte. No API has uniform blocks of
@@ -36,7 +39,7 @@ _OPAQUE_MEMBER: Mapping[type, str] = {
     RuntimeArray: "a member is an array of a known length, `T[4]`; any number of elements is a "
     "`buffer` of a material, light or pass",
 }
-"""How to declare what cannot be a member of a structure."""
+"""Hints how to declare types that cannot be members of a structure."""
 
 
 def declared_type(

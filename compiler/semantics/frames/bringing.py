@@ -26,7 +26,7 @@ from .values import Made
 
 
 class Bringing:
-    """What the single lights of a rig bring to the steps of one frame."""
+    """The textures that the single lights of a rig bring to the steps of one frame."""
 
     def __init__(
         self,
@@ -67,7 +67,7 @@ class Bringing:
     def _source(
         self, light: Owner, definition: Definition, info: ResourceInfo, inputs: Inputs
     ) -> Source | Failure:
-        """What a light's texture is, with all steps that make it."""
+        """The source of a light's texture, with all steps that make it."""
         member = definition.member
         assert isinstance(member, ast.Map) and member.brought is not None
         written, name = member.brought, f"{light.name}.{member.name.text}"

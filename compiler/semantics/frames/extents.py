@@ -1,4 +1,4 @@
-"""How large the images of a kernel are, in terms of the frame that runs it.
+"""The size of a kernel's images, in terms of the frame that runs it.
 
 A kernel says so in terms of its own parameters and textures. Where the frame gives these, the size
 is a number of the frame, which is known before anything is drawn.

@@ -39,7 +39,7 @@ from .values import no_result
 
 @frozen
 class Surroundings:
-    """What a frame is checked in."""
+    """The surroundings in which a frame is checked."""
 
     module: Module
     rig: Symbol
@@ -203,7 +203,7 @@ def _is_record(symbol: Symbol, kind: str) -> bool:
 
 
 def _is_material(symbol: Symbol) -> bool:
-    """Whether a symbol is a material that can be drawn."""
+    """True if a symbol is a material that can be drawn."""
     declaration = symbol.declaration
     return (
         isinstance(declaration, ast.Record)

@@ -22,7 +22,7 @@ from .values import Made, no_step
 
 FACES = 6
 MOST_STEPS = 256
-"""That one repetition may come to."""
+"""The largest number of steps of one repetition."""
 
 
 class Repetitions:

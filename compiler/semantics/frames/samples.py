@@ -14,7 +14,7 @@ from ...ir.frame import Attachment, Image
 
 
 class SampleChecks:
-    """What has been drawn over so far, in one frame."""
+    """The results that have been drawn over so far, in one frame."""
 
     def __init__(self, report: Report) -> None:
         self._report = report
@@ -49,13 +49,15 @@ def _counted(samples: int) -> str:
 
 
 def _has_samples_only(image: Image) -> bool:
-    """Whether nobody joins the samples of a result to one value, which others can read."""
+    """True if nobody joins the samples of a result to one value, which others can read."""
     return image.is_depth and image.samples > 1
 
 
 def check_readable(report: Report, left: object, span: Span) -> bool:
-    """Whether others than passes that draw over it find something that a step leaves; reported if
-    not."""
+    """True if others than passes that draw over it can read a result of a step.
+
+    If not, this is reported.
+    """
     if isinstance(left, Image) and _has_samples_only(left):
         report.add(rules.DEPTHS_OF_SAMPLES, span, name=left.name, samples=left.samples)
         return False

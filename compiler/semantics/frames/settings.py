@@ -1,7 +1,7 @@
-"""What a step of a frame sets besides the inputs of its shaders: where it draws, and what is there.
+"""The settings of a frame's step besides its shaders' inputs: areas, and values to clear to.
 
-`with { viewport = …, clear.color = … }`: these are numbers that the host computes. ``steps.py``
-makes ``Settings`` of what stands behind `with` for each pass that a frame applies.
+``with { viewport = …, clear.color = … }``: these are numbers that the host computes. ``steps.py``
+makes ``Settings`` of the text behind ``with`` for each pass that a frame applies.
 """
 
 from __future__ import annotations
@@ -35,25 +35,25 @@ AREAS: Mapping[str, tuple[Type, str]] = {
     SCISSOR: (IVEC4, "ivec4 of left, top, width and height"),
     BLEND_CONSTANT: (VEC4, "vec4"),
 }
-"""What can be set of a whole step, with its type."""
+"""The settings of a whole step, with their types."""
 FLOATS = "32f"
-"""What the names of formats end with that not every device blends."""
+"""The ending of the names of formats that not every device blends."""
 CLEAR = "clear."
-"""What the names of clear values begin with."""
+"""The prefix of the names of clear values."""
 
 
 @record
 class Settings:
-    """What one step is set to."""
+    """The settings of one step."""
 
     ctx: Context
     numbers: Numbers
     written: Mapping[str, tuple[ast.Name, ast.Expression]]
     scope: Scope
     failed: bool = False
-    """Whether something is wrong, which has been reported."""
+    """True if there is an error, which has been reported."""
     _known: dict[str, object] = fresh(factory=dict)
-    """What the whole step is set to, where that is known when compiling."""
+    """The values of settings of the whole step that are known when compiling."""
     _cleared: set[str] = fresh(factory=set)
     """The names of the clear values that belong to something."""
 
@@ -100,7 +100,7 @@ class Settings:
         return self._numbered(node, value.span)
 
     def _usual(self, state: RenderTarget | float) -> int | None:
-        """What the pass says."""
+        """The clear value of the pass itself."""
         tree = self.ctx.tree
         if isinstance(state, RenderTarget):
             if state.clear is None:
@@ -117,8 +117,10 @@ class Settings:
         return number
 
     def check(self, shader: Shader, step: str, span: Span, sides: Sides | None) -> bool:
-        """Whether everything is right that is said of the step; what is not is reported. ``sides``
-        are the width and height of its targets, if they are known."""
+        """True if all settings of the step are right; errors are reported.
+
+        ``sides`` are the width and height of its targets, if they are known.
+        """
         self._check_blending(shader, step, span)
         self._check_areas(step, sides)
         known = [result.name for result in shader.results_of(TARGET)]

@@ -56,7 +56,7 @@ from .shaders import Shaders
 from .values import Made, Numbers, StepValue, no_result, no_step
 
 DEEPEST = 48
-"""How deep expressions about steps nest."""
+"""The limit of nesting of expressions about steps."""
 
 MOST_STEPS = 1024
 """Of one frame. The largest example has 52; planning and hosts look at each of them."""
@@ -114,7 +114,7 @@ class Steps:
     # --- expressions ---
 
     def made(self, e: ast.Expression, around: Around) -> Made:
-        """What an expression about steps stands for; what is wrong with it has been reported."""
+        """The value of an expression about steps; errors have been reported."""
         if around.depth > DEEPEST:
             return no_step(self._ctx, e.span)
         inside = around.inside()
@@ -287,8 +287,7 @@ class Steps:
         return StepValue(name, {**images, **buffers})
 
     def _extent(self, shader: FrameShader, use: Use, name: str) -> Size:
-        """How large the images of a kernel are: a number of the frame, if it gives all that says
-        so."""
+        """The size of a kernel's images: a number of the frame, if it gives all that it needs."""
         given = {each.name: each.source for each in use.given}
         tree, nodes = self._ctx.tree, self.numbers.nodes
 
@@ -360,7 +359,7 @@ class Steps:
         self._ctx.records.work.steps += 1
 
     def _has_room(self) -> bool:
-        """Whether there may be one more step; if not, that has been reported."""
+        """True if there may be one more step; if not, that has been reported."""
         if len(self.steps) >= MOST_STEPS:
             most = f"{MOST_STEPS} steps"
         elif self._ctx.records.work.steps >= MOST_TOGETHER:

@@ -1,4 +1,4 @@
-"""What the steps of a frame leave, while they are put together, and the numbers they are given."""
+"""The results of a frame's steps, while they are put together, and the numbers they are given."""
 
 from __future__ import annotations
 
@@ -15,12 +15,15 @@ from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 
 _CALLED: Mapping[str, str] = {"iterate": "`iterate`", "struct": "a structure"}
-"""What messages call operations that a host lacks; the others read texels or belong to a stage."""
+"""The names in messages of operations that a host lacks.
+
+Other operations read texels or belong to a stage.
+"""
 
 
 @frozen(eq=False)
 class StepValue:
-    """What a step leaves, by name: images, and the buffers of a kernel."""
+    """The results of a step, by name: images, and the buffers of a kernel."""
 
     name: str
     left: Mapping[str, Image | Elements]

@@ -19,8 +19,10 @@ from .inherited import inherited_names
 from .records import Definition, Record, Statement, is_abstract
 
 MOST_BASES = 64
-"""How many records one may extend, bases of bases included. Each record of a chain is flattened by
-itself, so the work would grow with the square of its length."""
+"""The largest number of records that one may extend, bases of bases included.
+
+Each record of a chain is flattened by itself, so the work would grow with the square of its length.
+"""
 
 
 class Records:
@@ -29,16 +31,16 @@ class Records:
     def __init__(self, report: Report) -> None:
         self._report = report
         self.work = Work()
-        """What the elaborations that share these records have computed together."""
+        """The work of all elaborations that share these records."""
         self._known: dict[Symbol, Record] = {}
         self._astray: set[Symbol] = set()
         """Records whose base is wrong, which has been reported."""
         self._clashes: set[tuple[Symbol, Symbol, str]] = set()
         """Mixins that both declare a name, which has been reported."""
         self._twice: set[Span] = set()
-        """Where a mixin is written that is in already, which has been reported."""
+        """The spans of mixins that are included already, which has been reported."""
         self._has_long_chain = False
-        """Whether a record has too many bases, which is reported for the first one only."""
+        """True if a record has too many bases, which is reported for the first one only."""
 
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
@@ -89,7 +91,7 @@ class Records:
         return record
 
     def _in_place(self, declaration: ast.Record | ast.Mixin, member: ast.Member) -> bool:
-        """Whether a kind of member belongs into a kind of record."""
+        """True if a kind of member belongs into a kind of record; reported if not."""
         kind = ast.kind_of(member)
         if declaration.kind in kind.records:
             return True
@@ -118,7 +120,7 @@ class Records:
         member: ast.Member,
         seen: dict[object, tuple[ast.Name, ast.Member]],
     ) -> bool:
-        """Whether a record has declared nothing of this name yet, or no member of this kind."""
+        """True if a record has declared nothing of this name yet, or no member of this kind."""
         first, before = seen.setdefault((named, name.text), (name, member))
         if first is not name:
             self._report.add(
@@ -225,7 +227,7 @@ class Records:
         return None
 
     def _follows_mixin(self, symbol: Symbol) -> bool:
-        """Whether a mixin stands where the base should, which is reported there."""
+        """True if a mixin stands where the base should, which is reported there."""
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
         base = symbol.module.find(declaration.base.text) if declaration.base is not None else ()
@@ -305,7 +307,7 @@ class Records:
 
 
 def _belong_together(later: ast.ReadMember, first: Definition) -> bool:
-    """Whether a mixin's definition means to continue, or to share, what another one declares."""
+    """True if a mixin's definition means to continue, or to share, another one's declaration."""
     if isinstance(later, ast.Slot) and later.value is not None:
         return later.name.text in inherited_names(later.value)
     # What a vertex brings along is the mesh's: both mean the same.
@@ -335,7 +337,7 @@ def sole(module: Module, kind: str, *, abstract: bool) -> Symbol | None:
 
 
 def _apart(first: ast.Member, second: ast.Member) -> str:
-    """What to say of two members of one name that are of different kinds."""
+    """The hint for two members of one name that are of different kinds."""
     words = {ast.kind_of(first).word, ast.kind_of(second).word}
     if words == {"", "output"}:
         return (

@@ -18,7 +18,7 @@ class Interning:
         self.graph = Graph()
         self.notes = Notes()
         self.written: dict[Callee, Callee] = {}
-        """What was called, as the trees say it, by how the graph says it."""
+        """The callees as the trees have them, by their form in the graph."""
         self._noted = noted
         self._made: dict[Node, Node] = {}
 
@@ -36,7 +36,7 @@ class Interning:
         return [made[root] for root in wanted]
 
     def _data(self, node: Node) -> Hashable:
-        """What a node says besides; of a call, the arguments that its body is for, as nodes."""
+        """The data of a node; for a call, with the arguments that its body is for as nodes."""
         if not isinstance(node.data, Callee):
             return node.data
         given = (

@@ -41,7 +41,7 @@ class Module:
     file: ast.File
     path: Path | None
     is_standard: bool = False
-    """Whether it is the standard library's, and so the same module in all compiles."""
+    """True if it is the standard library's, and so the same module in all compiles."""
     declared: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
     imported: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
     chosen: set[tuple[Path | None, str]] = fresh(factory=set)
@@ -49,7 +49,7 @@ class Module:
     missing: set[str] = fresh(factory=set)
     """Names whose import failed, about which enough has been said."""
     incomplete: bool = False
-    """Whether a file that was to be imported whole could not be, and its names are not known."""
+    """True if a file to be imported as a whole could not be, and its names are not known."""
     doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
     """Names that several imported files declare, with what reports them once they are used."""
     prelude: Module | None = None
@@ -70,7 +70,7 @@ class Module:
         return found or ()
 
     def hint(self, name: ast.Name, known: Iterable[str]) -> Hint:
-        """What to do about an unknown name: import it, or write the nearest known one."""
+        """The hint for an unknown name: import it, or write the nearest known one."""
         path = self.offered(name.text)
         if not path:
             return respelling(name.text, name.span, known)

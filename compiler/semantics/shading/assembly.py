@@ -30,7 +30,7 @@ from .tessellating import tessellated
 
 @frozen
 class Parts:
-    """What is multiplied."""
+    """The parts of a shader that are put together."""
 
     material: Symbol
     rig: Symbol
@@ -73,7 +73,7 @@ def set_up_beside(setting: Setting, parts: Parts) -> Setting:
 
 
 def _leaves(ctx: Context, parts: Parts) -> tuple[Leaves, Leaves]:
-    """What the pass and the material read from outside, under names of their own."""
+    """The leaves that the pass and the material read from outside, under names of their own."""
     material, drawn = ctx.records.of(parts.material), ctx.records.of(parts.pass_)
     material_leaves, pass_leaves = leaves_of(ctx, material), leaves_of(ctx, drawn)
     _check_attributes(ctx, pass_leaves, material_leaves, material)
@@ -130,7 +130,7 @@ def _parts(surface: Instance) -> tuple[Instance, ...]:
 
 
 def _part_in(twin: Callable[[], Setting], number: int) -> Twin:
-    """Where the types are asked for of what a part of a surface with other vertices overrides."""
+    """The twin that knows the types of overrides in a part of a surface with other vertices."""
     setting = twin()
     return setting.ctx, _parts(setting.surface)[number]
 
@@ -143,7 +143,7 @@ def _twin(ctx: Context, parts: Parts) -> Setting:
 
 
 def is_declared_abstract(record: Record) -> bool:
-    """Whether a record is there only for others to be derived from it."""
+    """True if a record is there only for others to be derived from it."""
     declaration = record.symbol.declaration
     return isinstance(declaration, ast.Record) and declaration.abstract
 

@@ -1,4 +1,4 @@
-"""How the targets of a pass are blended, and which of their lanes are written.
+"""The blending of a pass's targets, and the masks of their lanes.
 
 ``elaborate.py`` asks for it for every target. A word says all of a target's blending; a setting
 says only what it names: so `blend add { mask = rgb }` adds, and leaves alpha alone.
@@ -35,7 +35,7 @@ _BY_ALPHA = ("alpha", "premultiplied")
 """The words that mix by the fourth lane of the value that is written."""
 
 ALPHA = "alpha_"
-"""What the settings begin with that are about alpha alone."""
+"""The prefix of settings that are about alpha alone."""
 EQUATION: Mapping[str, tuple[str, ...]] = {
     "source": get_args(Factor),
     "destination": get_args(Factor),
@@ -46,8 +46,11 @@ SETTINGS: Mapping[str, tuple[str, ...]] = {
     **{f"{ALPHA}{name}": words for name, words in EQUATION.items()},
     "mask": get_args(Mask),
 }
-"""What can be said of a target's blending, each with its words. What begins with ``alpha_`` says it
-of alpha, and the others of all lanes for which that is not said."""
+"""The settings of a target's blending, each with its words.
+
+Those that begin with ``alpha_`` are about alpha, and the others about all lanes without a setting
+of their own.
+"""
 
 LANES = "rgba"
 

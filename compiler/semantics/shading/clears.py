@@ -1,4 +1,4 @@
-"""What a pass wants to be in its targets, and in its depths, before anything is drawn.
+"""The values to which a pass clears its targets and its depths, before anything is drawn.
 
 ``elaborate.py`` asks for it for every pass. Each value is inherited by itself: the nearest record
 that has it counts. Hosts clear by it where a pass is drawn alone, and so do the steps of frames
@@ -20,12 +20,12 @@ from ..state.scope import Scope
 from .formats import cleared_depth, cleared_value
 
 DEPTH = "depth"
-"""What depths are called among the targets of a pass."""
+"""The name of depths among the targets of a pass."""
 
 
 @frozen(eq=False)
 class Clears:
-    """What there is at first."""
+    """The values of targets and depths at first."""
 
     targets: dict[str, tuple[float, ...]]
     """In four lanes, by the names of the targets."""
@@ -33,7 +33,7 @@ class Clears:
 
 
 def clears_of(ctx: Context, drawn: Record) -> Clears:
-    """What a pass says; what is wrong is reported, and left out."""
+    """The clear values of a pass; errors are reported, and left out."""
     formats = {target.name.text: target.format.text for target, *_ in drawn.every(ast.Target)}
     found: dict[str, tuple[float, ...]] = {}
     depth: float | None = None

@@ -70,7 +70,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 
 
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
-    """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
+    """The results of the members of a pass; or of a mixin for passes, which is checked so."""
     check_samples(ctx, passing.record, render_state_of(ctx, passing.record))
     layers = layer_count(ctx, passing.record)
     return (
@@ -125,19 +125,22 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
 
 
 def _of_pattern(steps: Iterable[MadeSlots]) -> list[Node]:
-    """What tells the vertices of patches apart where no stage divides them."""
+    """The values that tell the vertices of patches apart where no stage divides them."""
     patterns = (step.pattern for step in steps if step.pattern is not None)
     return [node for pattern in patterns for node in (pattern.place, pattern.is_there)]
 
 
 def delivers_vertices(results: Iterable[Result]) -> bool:
-    """Whether there is a clip position, without which a pass draws nothing, or it captures."""
+    """True if there is a clip position, without which a pass draws nothing, or it captures."""
     return any(result.kind in (CLIP_POSITION, CAPTURE) for result in results)
 
 
 def _writes_something(results: Iterable[Result]) -> bool:
-    """Whether a pass has a target, or captures. One that has neither lost its targets to a mistake
-    elsewhere, such as a base that does not exist; this has been reported where it was made."""
+    """True if a pass has a target, or captures.
+
+    One that has neither lost its targets to a mistake elsewhere, such as a base that does not
+    exist; this has been reported there.
+    """
     return any(result.kind in (TARGET, CAPTURE) for result in results)
 
 
@@ -166,7 +169,7 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
 
 
 def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
-    """What the stages deliver that make vertices, besides these."""
+    """The results of the stages that make vertices, besides these."""
     captured, name = captures(passing.record), passing.record.name
     for step in surface.steps:
         yield from step.results

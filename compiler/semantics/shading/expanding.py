@@ -66,11 +66,11 @@ _NOT_WHOLE: Mapping[DrawnPrimitive, Rule] = {
     "line": rules.NO_SEGMENTS,
     "triangle": rules.NO_TRIANGLES,
 }
-"""What is wrong where vertices are no whole number of these."""
+"""The rule about vertices that make no whole number of these primitives."""
 
 
 def expands(instance: Instance) -> bool:
-    """Whether a material or a pass says what primitives turn into."""
+    """True if a material or a pass has an expansion."""
     return any(True for _ in instance.record.every(ast.Expand))
 
 
@@ -100,7 +100,7 @@ def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Insta
 
 
 def _is_there(ctx: Context, surface: Instance, member: ast.Expand) -> bool:
-    """Whether patches are divided into the primitives that are expanded, if any are divided."""
+    """True if patches are divided into the primitives that are expanded, if any are divided."""
     origin, primitive = surface.origin, member.primitive
     if not isinstance(origin, MixedEnds) or primitive.text == PATCH_KINDS[origin.patch].drawn:
         return True
@@ -115,11 +115,11 @@ def _is_there(ctx: Context, surface: Instance, member: ast.Expand) -> bool:
 
 @frozen
 class _Group:
-    """What one group of strips comes to."""
+    """The strips of one group, with their names and conditions."""
 
     strips: EmittedStrips | None
     emitted: Node | Failure
-    """Whether a strip is there."""
+    """A condition: the strip exists."""
     corner: Node | Failure
     """The corner that a vertex is like."""
     names: dict[str, Value]
@@ -212,7 +212,7 @@ class _Expanding:
         return self._passing
 
     def _fits(self, groups: list[EmittedStrips]) -> bool:
-        """Whether a primitive turns into something, and not into more than anything could draw."""
+        """True if a primitive turns into something, and not into more than anything could draw."""
         span, count = self._member.primitive.span, sum(group.listed for group in groups)
         emitted = {group.kind.emits for group in groups}
         if not count:
@@ -258,7 +258,7 @@ class _Expanding:
     def _condition(
         self, written: ast.Expression, names: Mapping[str, Value], vertex: ast.Name | None
     ) -> Node | Failure:
-        """Whether a strip is there, which is the same for all of its vertices."""
+        """The condition of a strip, which is the same for all of its vertices."""
         of_vertex = {} if vertex is None else {vertex.text: self._counted(STRIP_VERTEX)}
         holds = self._of_strips(written, {**of_vertex, **names}, BOOL, "bool")
         if isinstance(holds, Node) and (place := differs_in_strip(self._ctx, holds, written.span)):
@@ -283,7 +283,7 @@ class _Expanding:
         return index, found.bound, ctx.tree.node("call", BOOL, (number, found.count), "lt")
 
     def _vertices(self, written: ast.Strips) -> int | None:
-        """How many vertices each strip of a group has."""
+        """The number of vertices of each strip of a group."""
         ctx, span = self._ctx, written.count.span
         node = typed(ctx, written.count, Scope(self._owner.module), INT, "int")
         count = ctx.constants.integer(node, span)

@@ -1,4 +1,4 @@
-"""What kernels compute for each of their work groups, and where there are none.
+"""The results of kernels for each of their work groups, and checks where there are no groups.
 
 ``kernels.py`` makes the results here that have one element for each work group. It and
 ``elaborate.py`` report by ``check_no_groups`` where values are joined that no work group has.
@@ -28,7 +28,7 @@ PER_GROUP = "group"
 
 
 def is_per_group(ctx: Context, member: ast.Result) -> bool:
-    """Whether a result has one element for each work group; reported what is wrong with that."""
+    """True if a result has one element for each work group; errors in that are reported."""
     if member.per is None:
         return False
     if member.per.text != PER_GROUP:

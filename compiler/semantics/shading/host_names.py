@@ -32,7 +32,7 @@ def names_taken(leaves: Iterable[Leaves], module: Module) -> frozenset[str]:
 
 
 def light_name(rig: Symbol, name: str, taken: Container[str]) -> str:
-    """What a host calls a light: ``sun``, or ``Rig.sun`` where something else is called so.
+    """The host's name of a light: ``sun``, or ``Rig.sun`` where that name is taken.
 
     Who writes a material need not know the lights under which it is drawn.
     """

@@ -1,4 +1,4 @@
-"""What all surfaces have in common whose vertices are made of those of a mesh.
+"""The common part of surfaces whose vertices are made of those of a mesh.
 
 ``expanding.py`` and ``tessellating.py`` make them.
 """
@@ -63,8 +63,7 @@ def pass_of(surface: Instance, passing: Instance | None) -> Instance | None:
 
 
 def differs_in_strip(ctx: Context, value: Node, written: Span) -> Span | None:
-    """Where a value that is written somewhere depends on the number of a strip's vertex, if it
-    does."""
+    """The place where a written value depends on the number of a strip's vertex, if it does."""
     for node in reachable([value]):
         if node.op == "input" and INPUT.data(node) == STRIP_VERTEX:
             return ctx.places.within(node, written)

@@ -1,4 +1,4 @@
-"""What stands in for values that are not known where a declaration is checked by itself."""
+"""Placeholders for unknown values, where a declaration is checked by itself."""
 
 from __future__ import annotations
 

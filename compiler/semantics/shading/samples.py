@@ -1,4 +1,4 @@
-"""Whether a pass can have several samples for each pixel, which are joined at its end.
+"""Checks if a pass can have several samples for each pixel, which are joined at its end.
 
 ``elaborate.py`` asks for every pass, and once more when it is known what a material draws.
 """

@@ -1,4 +1,4 @@
-"""What the invocations of a kernel scatter: values that they join with elements of their choice.
+"""Scattered values of a kernel: its invocations join them with elements of their choice.
 
 ``kernels.py`` calls ``scattered`` for each ``scatter`` of a kernel.
 """
@@ -56,7 +56,7 @@ def _part(ctx: Context, written: ast.Expression, scope: Scope, type_: Type) -> N
 
 
 def _may_exist(ctx: Context, member: ast.Scatter, place: Node, length: Node) -> bool:
-    """Whether there may be the element that is chosen; reported if there never is."""
+    """True if the chosen element may exist; reported if it never does."""
     index, count = ctx.constants.known_integer(place), ctx.constants.known_integer(length)
     if index is None or (index >= 0 and (count is None or index < count)):
         return True

@@ -50,8 +50,11 @@ MOST_EXAMPLES = 256
 MOST_SETTINGS = 16
 """With so many materials and lights a declaration is tried that is wrong with all of them."""
 MOST_TRIED = 1_000_000
-"""How many characters of declarations are tried in a compile, each as often as it is: about five
-seconds. What a record extends is tried with it, down to what the library declares."""
+"""The number of characters of declarations that are tried in a compile, in about five seconds.
+
+Each declaration counts as often as it is tried. The records that it extends are tried with it, down
+to those of the library.
+"""
 
 Check = Callable[[Setting], bool]
 """Reports what it finds, and says whether it came to values."""
@@ -59,22 +62,25 @@ Check = Callable[[Setting], bool]
 
 @frozen
 class Attempt:
-    """What one try of checking a declaration led to."""
+    """The outcome of one try of checking a declaration."""
 
     found: tuple[Diagnostic, ...]
     right: bool
     reached: frozenset[Symbol] = frozenset()
-    """What else was checked by that."""
+    """Other declarations that were checked by it."""
 
     @property
     def errors(self) -> int:
-        """How many errors it found."""
+        """The number of errors that it found."""
         return sum(diagnostic.severity == "error" for diagnostic in self.found)
 
 
 @frozen
 class CandidateContexts:
-    """What a file's declarations can be checked with, the likeliest first; none is empty."""
+    """The contexts in which a file's declarations can be checked, the likeliest first.
+
+    No field is empty.
+    """
 
     materials: tuple[Symbol, ...]
     lights: tuple[Symbol, ...]
@@ -101,7 +107,7 @@ class UnusedDeclarations:
         report: Report,
         records: Records,
     ) -> None:
-        """What has been checked in ``settings`` already is not checked once more."""
+        """Declarations that have been checked in ``settings`` already are not checked once more."""
         self._module = module
         self._around = around
         self._reached = reached
@@ -147,7 +153,7 @@ class UnusedDeclarations:
             yield attempt
 
     def _length(self, symbol: Symbol) -> int:
-        """How many characters are read to try a declaration once."""
+        """The number of characters that are read to try a declaration once."""
         match symbol.declaration:
             case ast.Record(kind=kind):
                 length = sum(_written(each) for each in self._records.of(symbol).chain)
@@ -192,7 +198,7 @@ class UnusedDeclarations:
             self._reached.update(best.reached)
 
     def _attempts(self, symbol: Symbol) -> Iterator[Attempt]:
-        """What is wrong with a declaration, in one setting after the other."""
+        """Tries a declaration in one setting after the other."""
         around = self._around
         match symbol.declaration:
             case ast.Record(kind="material", abstract=abstract):
@@ -254,7 +260,7 @@ class UnusedDeclarations:
 
 
 def _written(symbol: Symbol) -> int:
-    """How many characters its declaration takes."""
+    """The number of characters of its declaration."""
     return symbol.declaration.span.end - symbol.declaration.span.start
 
 
@@ -273,9 +279,9 @@ class _Trial:
         self._from_start = self._report.since(0)
 
     def attempt(self, check: Check, whole: bool = False) -> Attempt:
-        """What a check finds.
+        """The findings of a check.
 
-        As a ``whole``, what was wrong with the setting from the start belongs to it.
+        If it is of the ``whole`` setting, the errors that this had from the start belong to it.
         """
         before = self._report.count
         self._setting.ctx.passing = self._setting.passing
@@ -289,7 +295,7 @@ class _Trial:
         return attempt if came_to_values and not attempt.errors else changed(attempt, right=False)
 
     def beside(self, parts: Parts) -> Attempt:
-        """What is wrong with other parts under the same lights."""
+        """The findings of a check of other parts under the same lights."""
         known = set(self._setting.ctx.reached())
         check = partial(_check_parts, parts)
         attempt = self.attempt(check, whole=parts == self._setting.parts)

@@ -1,4 +1,4 @@
-"""How many invocations of a kernel run together: the size that it names, or the usual one.
+"""The work group of a kernel: the size that it names, or the usual one.
 
 ``kernels.py`` calls ``work_group_of`` when it knows how many dimensions the results have.
 """

@@ -61,9 +61,9 @@ class Crossings:
         self._follow = follow
         self._places = places
         self._vertex: dict[int, Node] = {}
-        """What nodes are at the vertices, by their ids."""
+        """The values of nodes at the vertices, by the nodes' ids."""
         self._missing: dict[int, Node | None] = {}
-        """What they have that the vertex stage has not."""
+        """For a node's id, an operation in it that the vertex stage does not have."""
         self._domains = Domains()
 
     def attribute(self, leaf: Node, origin: Origin | None) -> Node:
@@ -82,7 +82,7 @@ class Crossings:
         return self.attribute(leaf, origin if row in VERTEX.inputs else None)
 
     def domain(self, node: Node) -> Domain | None:
-        """What a value varies over; raises ``MixedDomainsError``."""
+        """The domain over which a value varies; raises ``MixedDomainsError``."""
         return self._domains.of(node)
 
     def to_fragments(self, value: Node) -> Node:
@@ -199,7 +199,7 @@ def _unseen(root: Node, seen: Container[int]) -> list[Node]:
 
 
 def _exists_before_fragments(node: Node) -> bool:
-    """Whether stages before the fragments have what an operation needs, besides its operands."""
+    """True if stages before the fragments have what an operation needs, besides its operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
     return node.op != "input" or INPUT.data(node) not in FRAGMENT.inputs
@@ -211,7 +211,7 @@ def missing_in_kernels(root: Node) -> Node | None:
 
 
 def _exists_in_kernels(node: Node) -> bool:
-    """Whether a kernel has what an operation needs, besides its operands."""
+    """True if a kernel has what an operation needs, besides its operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
     if node.op == "cross":

@@ -33,9 +33,9 @@ class Demand:
     key: Hashable
     """To meet the same key again while the value is computed is a cycle."""
     name: str
-    """What messages about a cycle call it."""
+    """The name of the value in messages about a cycle."""
     span: Span
-    """Where it is asked for."""
+    """The span that asks for it."""
     expression: ast.Expression
     scope: Scope
     finish: Callable[[Value], None]
@@ -68,8 +68,11 @@ class _Leave:
 
 
 _Work: TypeAlias = "tuple[ast.Expression, Scope, int] | _Finish | _Leave | _Again"
-"""What is left to do. An expression comes with the place of its first operand's value, or with
-``_NEW`` as long as its operands have not been evaluated."""
+"""A task that is left to do.
+
+An expression comes with the place of its first operand's value, or with ``_NEW`` as long as its
+operands have not been evaluated.
+"""
 _NEW = -1
 
 

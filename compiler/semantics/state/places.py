@@ -1,4 +1,4 @@
-"""Where values are written. What has a name is one node, and stands wherever the name is used."""
+"""The places where values are written. A named value is one node, with a place for each use."""
 
 from __future__ import annotations
 
@@ -23,8 +23,11 @@ class Places:
         self._further.setdefault(new.id, []).extend(self._further.get(old.id, ()))
 
     def within(self, node: Node, around: Span) -> Span:
-        """Where a node is written inside of ``around``; the first place if it is not, as the value
-        of a slot or of a function's body that is read there; ``around`` if none is known."""
+        """The place inside of ``around`` where a node is written.
+
+        It is the first place if the node is not written there, as the value of a slot or of a
+        function's body that is read there; and ``around`` if none is known.
+        """
         first = self._first.get(node.id)
         if first is None:
             return around

@@ -25,8 +25,11 @@ class Side:
     type: Type
     meaning: Meaning | None
     equal: bool = False
-    """Whether it is a bare number, or that number in every lane: it may be a distance or a factor
-    as well as a vector. What was declared to have a meaning has it, whatever its lanes are."""
+    """True if it is a bare number, or that number in every lane.
+
+    It may then be a distance or a factor as well as a vector. A value that was declared to have a
+    meaning has it, whatever its lanes are.
+    """
 
 
 @frozen
@@ -61,7 +64,7 @@ def family(meaning: Meaning) -> str:
 
 
 def fits(found: Meaning | None, wanted: Meaning | None) -> bool:
-    """Whether a value of one meaning may stand where another is wanted; bare numbers always do."""
+    """True if a value of one meaning may stand where another is wanted; bare numbers always may."""
     if found is None or wanted is None or found == wanted:
         return True
     arrows = found.kind in ARROWS and wanted.kind in ARROWS
@@ -220,7 +223,7 @@ def _bare_moved(by: Meaning | None, other: Side) -> Meaning | None:
 
 
 def moved(by: Meaning, what: Meaning) -> Meaning | Clash:
-    """What a transform or basis makes of a point or vector that stands to its right."""
+    """The meaning of a point or vector that a transform or basis to its left has moved."""
     if what.kind not in GEOMETRY:
         return Clash(rules.MIXED_MEANINGS, 0, 1)
     if what.spaces != by.spaces[:1]:
@@ -249,7 +252,7 @@ def _negation(sides: tuple[Side, ...], _result: Type) -> Found:
 
 
 def _numbers(sides: tuple[Side, ...], _result: Type) -> Found:
-    """What comes out is a mere number."""
+    """The rule of operations whose result is a mere number."""
     return apart(sides)
 
 
@@ -368,7 +371,7 @@ def chosen(sides: tuple[Side, ...]) -> Found:
 
 
 def gathered(sides: Sequence[Side]) -> Found:
-    """What all elements of an array mean; a bare number among them means what the others do."""
+    """The meaning of all elements of an array; a bare number among them has that of the others."""
     last, found = 0, sides[0].meaning
     for i, each in enumerate(sides[1:], 1):
         together = chosen((Side(each.type, found), each))

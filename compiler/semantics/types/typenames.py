@@ -94,14 +94,14 @@ class Declared:
     text: str
     """As the user wrote it, for the reflection and for messages."""
     fact: Fact = UNKNOWN
-    """What holds by contract; of a structure's or array's vectors, too."""
+    """The fact that holds by contract; of a structure's or array's vectors, too."""
     meaning: Meaning | None = None
     members: tuple[tuple[str, Declared], ...] = ()
     """Of a struct."""
 
 
 Variable = Declared | str | int
-"""What a type parameter stands for: a type, a space (empty where none is known), or a number."""
+"""The value of a type parameter: a type, a space (empty if unknown), or a number."""
 _RENAMED: Mapping[str, str] = {"frame": "basis"}
 """Types that had another name in an earlier version of the language."""
 
@@ -109,7 +109,7 @@ Variables = Mapping[str, Variable]
 
 
 _SEMANTICS = re.compile(r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINORMAL)[0-9]*", re.I)
-"""What HLSL writes behind the members of a structure, and behind functions."""
+"""The semantics that HLSL writes behind the members of a structure, and behind functions."""
 
 
 def described(name: ast.TypeName) -> str:
@@ -228,7 +228,7 @@ def structure(type_: Struct, name: str, members: tuple[tuple[str, Declared], ...
 
 
 def _elsewhere(name: ast.Name) -> Hint:
-    """What a type is called here that has its name in another language, or had it before."""
+    """The hint for a type that has another name here than in another language, or than before."""
     from ....stdlib.builtins.elsewhere import TYPES
 
     if name.text in _RENAMED:
