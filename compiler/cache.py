@@ -19,14 +19,14 @@ import stat
 import sys
 
 KEPT = 256
-"""How many values of each name stay when one is written."""
+"""The number of values of each name that stay when one is written."""
 ROOM = 64 << 20
 """Bytes that the values of each name may take together."""
 
 _DIGEST_SIZE = 8
 _BINARY = getattr(os, "O_BINARY", 0)
 _OLD = os.O_RDONLY | _BINARY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
-"""How files are opened: neither following a link nor waiting for the other end of a pipe."""
+"""The flags that open files: neither follow a link nor wait for the other end of a pipe."""
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY
 
 
@@ -68,7 +68,7 @@ def digest(data: bytes) -> str:
 
 
 def load(name: str, key: str) -> bytes | None:
-    """What was stored under a name and a key, if it is there, whole and undamaged.
+    """The value stored under a name and a key, if it is there, whole and undamaged.
 
     Names are of lower-case letters, keys are digests.
     """

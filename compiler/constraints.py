@@ -22,7 +22,7 @@ class Range:
 
 @frozen
 class Length:
-    """How many elements a list has at least."""
+    """The least number of elements of a list."""
 
     least: int
 
@@ -36,7 +36,7 @@ class Pattern:
 
 @frozen
 class TypeScript:
-    """What pages call a type, where it is one of the browser's own."""
+    """The name of a type in pages, where it is one of the browser's own."""
 
     text: str
 
@@ -47,7 +47,7 @@ class Nested:
     objects of them."""
 
     name: str
-    """What schemas and pages call it."""
+    """The name of the type in schemas and pages."""
     doc: str
     objects: bool = False
 

@@ -58,7 +58,7 @@ class Frontend:
         self._base = _without_links(folders[0]) if folders else ""
         """The folder from which outputs count the names of files."""
         self._size = 0
-        """How many characters have been read, of all files."""
+        """The number of characters that have been read, of all files."""
         self._compared = Compared()
         self._report = report
         self._records = Records(report)
@@ -91,7 +91,7 @@ class Frontend:
         return source
 
     def _portable(self, path: Path) -> str:
-        """What outputs call a file: the same, whatever folder the compiler runs in."""
+        """The name of a file in outputs: the same, whatever folder the compiler runs in."""
         place = os.path.join(_without_links(path.parent), path.name)  # noqa: PTH118
         try:
             return readable(os.path.relpath(place, self._base).replace(os.sep, "/"))
@@ -120,7 +120,7 @@ class Frontend:
         return module if are_few else None
 
     def _are_few(self, module: Module, symbols: Sequence[Symbol], kinds: str, most: int) -> bool:
-        """Whether a module declares no more of something than is possible; reported if not."""
+        """True if a module declares no more of something than is possible; reported if not."""
         if len(symbols) <= most:
             return True
         names = sorted((each.declaration.name.span for each in symbols), key=lambda at: at.start)
@@ -175,7 +175,7 @@ class Frontend:
         return [*drawn_shaders, *self._kernels(module, kernels)]
 
     def has_frames(self, module: Module, wanted: str | None) -> bool:
-        """Whether a file is compiled to its frames: it has some, and no material is asked for."""
+        """True if a file is compiled to its frames: it has some, and no material is asked for."""
         return bool(_wanted_frames(module, wanted))
 
     def frames(self, module: Module, wanted: str | None, rig: str | None) -> list[Frame]:
@@ -319,7 +319,7 @@ class Frontend:
         return found[0] if self._is_concrete(found[0]) else None
 
     def _is_concrete(self, named: Symbol) -> bool:
-        """Whether a material or pass that was asked for can be drawn; reported if not."""
+        """True if a material or pass that was asked for can be drawn; reported if not."""
         declaration = named.declaration
         abstract = isinstance(declaration, ast.Record) and declaration.abstract
         if abstract:
@@ -359,7 +359,7 @@ def _wanted_frames(module: Module, wanted: str | None) -> list[Symbol]:
 
 
 def _shines(symbol: Symbol) -> bool:
-    """Whether a rig has lights; a light is one."""
+    """True if a rig has lights; a light counts as a rig of one."""
     return not isinstance(symbol.declaration, ast.Rig) or bool(symbol.declaration.entries)
 
 

@@ -19,9 +19,9 @@ class Inputs:
 
     def __init__(self) -> None:
         self.contents: dict[str, bytes | None] = {}
-        """What files hold that were read; ``None`` where a file was looked for and is none."""
+        """The content of files that were read; ``None`` where a file was looked for and is none."""
         self.links: dict[str, str] = {}
-        """What each path stands for, after following links."""
+        """The target of each path, after following links."""
         self.folders: list[str] = []
         """The folders of the search path; each of them is there."""
 

@@ -44,7 +44,7 @@ def promises(shader: Shader) -> Iterator[Promise]:
 
 
 class _Bodies:
-    """Which bodies of functions and loops contain a promise, and what their variables are."""
+    """The bodies of functions and loops that contain a promise, and their variables' values."""
 
     def __init__(self, shader: Shader) -> None:
         self._notes = shader.notes
@@ -107,7 +107,7 @@ class _Bodies:
 
 
 def _sources(binder: Node) -> tuple[Node, ...]:
-    """What the variables of a call or a loop are computed from. A fold's is a number."""
+    """The values from which the variables of a call or a loop are computed; a fold has none."""
     match binder.op:
         case "apply":
             return binder.operands[1:]

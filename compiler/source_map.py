@@ -52,7 +52,7 @@ class SourceMap(Mapping[int, Span]):
         return len(self._spans)
 
     def items(self) -> ItemsView[int, Span]:
-        """Those of the dictionary itself: ``Mapping`` would look each line up."""
+        """The items of the dictionary itself: ``Mapping`` would look each line up."""
         return self._spans.items()
 
     def values(self) -> ValuesView[Span]:

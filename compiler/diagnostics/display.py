@@ -1,4 +1,4 @@
-"""How a terminal shows a text: characters may be wide, combine, or have to be escaped."""
+"""Prepares texts for a terminal: characters may be wide, combine, or have to be escaped."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def harmless_message(text: str) -> str:
 
 
 def cells(text: str) -> list[str]:
-    """How each character of a line is shown; a tab extends to the next tab stop."""
+    """The characters of a line as they are shown; a tab extends to the next tab stop."""
     shown: list[str] = []
     column = 0
     for character in text:
@@ -50,7 +50,7 @@ def cells(text: str) -> list[str]:
 
 
 def width(text: str) -> int:
-    """How many columns ``text`` takes."""
+    """The number of columns that ``text`` takes."""
     if text.isascii():
         return len(text)
     return sum(map(_columns, text))

@@ -18,7 +18,7 @@ class Style:
         return self._wrapped(_CODES[severity], text)
 
     def strong(self, text: str) -> str:
-        """What the eye should catch first."""
+        """Text that the eye should catch first."""
         return self._wrapped("1", text)
 
     def gutter(self, text: str) -> str:

@@ -33,13 +33,13 @@ class Target:
     attachment: Attachment
     texture: int
     loads: bool
-    """Whether what is there is kept; else it is cleared."""
+    """True if the contents are kept at the start; otherwise they are cleared."""
     stores: bool
-    """Whether anybody needs what is drawn."""
+    """True if anybody needs the result."""
     has_stencil: bool = False
-    """Whether there are stencil values, too."""
+    """True if there are stencil values, too."""
     stores_stencil: bool = False
-    """Whether a later step finds these."""
+    """True if a later step reads the stencil values."""
     resolved: int | None = None
     """The texture to which the means of the samples are written behind the step, in the
     attachment's layer and level."""
@@ -53,8 +53,10 @@ class Target:
 
 @frozen(eq=False)
 class Copy:
-    """What is there before a step draws over it, where others still need what was there, or where
-    what is drawn is kept."""
+    """A copy of an image before a step draws over it.
+
+    It is made where others still need the image as it was, or where the new one is kept.
+    """
 
     image: Image
     into: Image
@@ -66,14 +68,16 @@ class PlannedStep:
 
     step: Step | Copy
     waiting: WaitingRow
-    """What is waited for before it."""
+    """The barriers before it."""
     targets: tuple[Target, ...] = ()
     depth: Target | None = None
     only_first: bool = False
-    """Whether the first frame is enough: it leaves the same in every frame, or only the first frame
-    needs it."""
+    """True if the first frame is enough.
+
+    The step leaves the same in every frame, or only the first frame needs its results.
+    """
     continues: bool = False
-    """Whether it draws on where the step before has drawn, and nothing happens in between."""
+    """True if it draws on where the step before has drawn, and nothing happens in between."""
 
     @property
     def places(self) -> list[tuple[int, int | None, int]]:
@@ -99,7 +103,7 @@ class Kept:
 
 @frozen(eq=False)
 class Plan:
-    """What a host does for a frame."""
+    """The plan of a host for a frame."""
 
     frame: Frame
     textures: tuple[PlannedTexture, ...]
@@ -109,7 +113,7 @@ class Plan:
     steps: tuple[PlannedStep, ...]
     kept: tuple[Kept, ...]
     end: WaitingRow
-    """What is waited for behind the last step, so that the host and the next frame can read."""
+    """The barriers behind the last step, so that the host and the next frame can read."""
 
 
 def plan(frame: Frame, *, shares: bool = True) -> Plan:
@@ -131,7 +135,7 @@ class _Planning:
         self._samples_of: dict[DrawnPart, int] = {}
         """The textures that steps with several samples draw to."""
         self._drawn: set[DrawnPart] = set()
-        """What has been drawn to."""
+        """The parts of images that have been drawn to."""
         self._rare = only_first(frame) | unchanging(frame)
         """The names of the steps of the first frame only, which share no textures: they may be left
         out."""
@@ -172,7 +176,7 @@ class _Planning:
         )
 
     def _is_rare(self, used: int | Elements) -> bool:
-        """Whether a texture, or a buffer, is used in the first frame only."""
+        """True if a texture, or a buffer, is used in the first frame only."""
         if isinstance(used, Elements):
             return used in self._rare_buffers
         return self._textures.lasts(used)
@@ -293,8 +297,11 @@ class _Planning:
                 yield target.resolved, "target"
 
     def _draws_on(self, steps: Sequence[PlannedStep], planned: PlannedStep) -> bool:
-        """Whether a step and those before it can be one render pass: they draw to the same places,
-        each over what the last one leaves, and it waits for nothing else."""
+        """True if a step and those before it can be one render pass.
+
+        They draw to the same places, each over what the last one leaves, and it waits for nothing
+        else.
+        """
         before, places = steps[-1], planned.places
         if not isinstance(before.step, RenderStep) or not isinstance(planned.step, RenderStep):
             return False

@@ -85,7 +85,7 @@ def struct_row(struct: Struct) -> StructRow:
 
 
 def layout_row(packing: Packing) -> LayoutRow:
-    """What a writer has to know of a value."""
+    """The layout of a value, for a writer."""
     is_matrix, is_array = bool(packing.column_stride), packing.count is not None
     return LayoutRow(
         stored=str(packing.stored),

@@ -38,7 +38,7 @@ def filtered_in(frame: Frame, program_of: Callable[[FrameShader], Program]) -> I
 
 
 def _unfilterable(use: Use) -> Iterator[tuple[Given, Image]]:
-    """What a shader is given that cannot be filtered."""
+    """Yields the inputs of a shader that cannot be filtered."""
     for given in use.given:
         source = given.source.of if isinstance(given.source, Previous) else given.source
         if isinstance(source, Image) and source.format in UNFILTERABLE:

@@ -127,7 +127,7 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> MemberRow:
 
 
 def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> tuple[DerivedRow, ...]:
-    """What the host computes, with the steps that compute it."""
+    """The values that the host computes, with the steps that compute them."""
     rows: list[DerivedRow] = []
     for member in places.derived():
         parameter = member.parameter

@@ -127,7 +127,7 @@ class _Document:
     # --- what there is ---
 
     def _sources(self) -> Iterator[tuple[str, PlaceRow]]:
-        """Where everything is declared that the host sets."""
+        """Yields the declarations of everything that the host sets."""
         frame = self._frame
         for info in frame.parameters:
             yield info.parameter.name, _place(info.span)
@@ -280,7 +280,7 @@ class _Document:
         return InputRow(name=given.name, source=self._read(source))
 
     def _before(self, previous: Previous) -> PreviousSource | ResultSource | HostSource:
-        """What the last frame has left; or, if nothing is kept of it, what is read initially."""
+        """The result of the last frame; or, if none of it is kept, the initial one."""
         assert previous.of is not None
         initially = None if previous.initially is None else self._read(previous.initially)
         if initially is not None and previous.of not in self._previous:
@@ -342,7 +342,7 @@ def _host_texture_row(info: ResourceInfo) -> HostTextureRow:
 
 
 def _place(span: Span) -> PlaceRow:
-    """Where something is declared: lines and columns count from 1."""
+    """The place of a declaration: lines and columns count from 1."""
     line, column = span.source.position(span.start)
     return PlaceRow(
         file=span.source.name_in_outputs,

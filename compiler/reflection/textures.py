@@ -58,7 +58,7 @@ class TextureRows:
         )
 
     def _has_sampler(self, resource: Resource) -> bool:
-        """Whether a host has to make one: not for textures that are only loaded."""
+        """True if a host has to make a sampler: not for textures that are only loaded."""
         return bool(resource.state) and resource not in self._loaded
 
     def _sampler_type(
