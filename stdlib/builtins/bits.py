@@ -26,7 +26,10 @@ def _intersection(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _difference(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """If no operand is negative, the highest bit of the operands is the highest of the result."""
+    """The range of an exclusive or.
+
+    If no operand is negative, the highest bit of the operands is the highest of the result.
+    """
     kind = facts[0].kind
     if any(fact.lo < 0 for fact in facts):
         return Fact().as_kind(kind)

@@ -16,12 +16,17 @@ LARGEST_FLOAT = 2.0**128 - 2.0**104
 SMALLEST_NORMAL = 2.0**-126
 """A device may flush smaller magnitudes to zero, so Burnish defines them to count as zero."""
 ULP = 2.0**-23
-"""The largest unit in the last place of a float32, relative to the number: so far a rounded number
-may be from the exact one, if it may be either neighbour."""
+"""The largest unit in the last place of a float32, relative to the number.
+
+A rounded number may be as far as this from the exact one, if it may be either neighbour.
+"""
 
 UNIT_SLACK = 1e-5
-"""By how much float32 rounding may lengthen a vector of length one: a few ulp for each operation,
-and enough for several of them. Because of it, ``acos(dot(n, l))`` keeps the clamp that it needs."""
+"""The length that float32 rounding may add to a vector of length one.
+
+It is a few ulp for each operation, and enough for several of them. Because of it, ``acos(dot(n,
+l))`` keeps the clamp that it needs.
+"""
 
 Kind = Literal["float", "int", "uint", "bool", "matrix"]
 
@@ -51,8 +56,11 @@ class Fact:
     length: float = 0.0
     """The value is a vector of at least this length, before rounding."""
     kind: Kind = "float"
-    """The type of the lanes. The analysis sets it from the value's type (``as_kind``). Rules need
-    it, because integers wrap, and a product of matrices is not a product lane by lane."""
+    """The type of the lanes.
+
+    The analysis sets it from the value's type (``as_kind``). Rules need it, because integers wrap,
+    and a product of matrices is not a product lane by lane.
+    """
 
     @property
     def excludes_zero(self) -> bool:

@@ -15,7 +15,10 @@ from .weakest import absolute, relative
 _FLOATS = ("T -> T",)
 _INSTRUCTION = "DXIL has an instruction without a limit of its error; the definition is assumed"
 _FLAT = 16.0
-"""From here on tanh is 1 in float32; far beyond, the quotient of exponentials would overflow."""
+"""The operand from which on tanh is 1 in float32.
+
+Far beyond it, the quotient of exponentials would overflow.
+"""
 
 
 TANH = inherited("sinh(x) / cosh(x)", 1e-5, direct3d=_INSTRUCTION)

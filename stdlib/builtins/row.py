@@ -21,7 +21,10 @@ MeaningRule = Literal[
 """``numbers`` come out as mere numbers; ``lanes`` and ``limits`` leave colours what they are."""
 
 RangeRule = Callable[[tuple[Fact, ...], bool], Fact]
-"""From the operands' facts, and whether all operands are the same node, to the result's fact."""
+"""A function from the operands' facts to the result's fact.
+
+It is also told whether all operands are the same node.
+"""
 
 SamplerUse = Literal["filtering", "comparison"]
 """The way in which a sampler reads: it mixes texels, or the results of comparisons with them."""
@@ -31,8 +34,10 @@ Domain = Callable[[tuple[Fact, ...]], bool]
 
 
 GroupPart = Literal["all", "through", "before"]
-"""Whose values are joined: those of all invocations of a work group, of those up to an invocation
-and itself, or of those before it."""
+"""The invocations of a work group whose values are joined.
+
+They are all of them, those up to an invocation and itself, or those before it.
+"""
 
 
 @frozen
@@ -101,8 +106,11 @@ class Builtin:
     outside: str = ""
     """The meaning outside the naive domain, for the manual."""
     expansion: str = ""
-    """Function of ``stdlib/meaning.burnish`` that has the defined meaning everywhere; used where
-    ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own ``f``."""
+    """Function of ``stdlib/meaning.burnish`` that has the defined meaning everywhere.
+
+    It is used where ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own
+    ``f``.
+    """
     by_profile: Domain = nowhere
     """Operands outside of ``domain`` for which some language defines the operation as Burnish.
 
@@ -114,8 +122,11 @@ class Builtin:
     ``guard`` decides by its range, and then puts the operand in its place.
     """
     definition: str = ""
-    """Function of ``stdlib/meaning.burnish`` that says the same in other operations, for profiles
-    whose language lacks this one, or has it otherwise (``Profile.lacks``, ``Profile.agrees``)."""
+    """Function of ``stdlib/meaning.burnish`` that says the same in other operations.
+
+    It is for profiles whose language lacks this one, or has it otherwise (``Profile.lacks``,
+    ``Profile.agrees``).
+    """
     range: RangeRule = anything
     accuracy: Accuracy = INHERITED
     meaning: MeaningRule = "lanes"
@@ -123,18 +134,27 @@ class Builtin:
     cost: int = 1
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
     short_circuits: bool = False
-    """Of single bools, leaves its second operand out where the first one decides."""
+    """True if, for single bools, the second operand is left out where the first one decides."""
     uniform_control_flow: bool = False
-    """Needs neighbours' values (derivatives, implicit level of detail), or those of all other
-    invocations of a work group."""
+    """True if it needs neighbours' values, or those of all other invocations of a work group.
+
+    Neighbours' values are needed by derivatives, and by an implicit level of detail.
+    """
     of_group: OfGroup | None = None
-    """For what joins the values of a work group, how: it exists in kernels, and only there."""
+    """The way in which it joins the values of a work group, if it does.
+
+    It then exists in kernels, and only there.
+    """
     method: str | None = None
-    """For reads of textures, how they are written: ``level`` in ``albedo.level(uv, 2)``, and empty
-    for ``albedo(uv)``."""
+    """The name in a read of a texture: ``level`` in ``albedo.level(uv, 2)``.
+
+    It is empty for ``albedo(uv)``, and ``None`` for other builtins.
+    """
     parameters: tuple[str, ...] = ()
-    """For reads, what the operands behind the texture are called; a layer, which only arrays have,
-    would stand second."""
+    """For reads, the names of the operands behind the texture.
+
+    A layer, which only arrays have, would stand second.
+    """
     optional: tuple[int, ...] = ()
     """For reads, the integers that the last operands are where they are left out."""
     sampler: SamplerUse | None = None
