@@ -50,7 +50,7 @@ class Row(NamedTuple):
     value: str
     """The text behind ``=``, ``…`` if that is long; empty if there is no ``=``."""
     span: Span
-    """Of the names and the brackets."""
+    """The span of the names and the brackets."""
 
 
 def rewritten(row: Row, *, in_body: bool) -> Hint:

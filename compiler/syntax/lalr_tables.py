@@ -37,12 +37,15 @@ class Production(NamedTuple):
 
 
 class Tables(NamedTuple):
-    """Everything that parsing needs to know about the grammar."""
+    """All tables of the grammar for parsing."""
 
     actions: list[dict[str, int]]
-    """By state and token: ``n`` shifts to state ``n``, ``~n`` reduces by production ``n``."""
+    """The actions by state and token.
+
+    ``n`` shifts to state ``n``, ``~n`` reduces by production ``n``.
+    """
     gotos: list[dict[str, int]]
-    """By state and origin of a finished production: the next state."""
+    """The next state, by state and origin of a finished production."""
     productions: list[Production]
     start: int
     literals: frozenset[str]

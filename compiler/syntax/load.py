@@ -21,7 +21,7 @@ SIZE_LIMIT = 1024 * 1024
 TOTAL_LIMIT = 4 * SIZE_LIMIT
 """Bytes of a file with all that it imports."""
 PATIENCE = 10
-"""For how many seconds to wait for what comes out of a pipe, which may be nothing for ever."""
+"""The seconds to wait for data from a pipe, which may be nothing for ever."""
 
 
 def load_source(

@@ -15,8 +15,11 @@ from .reductions import reduction
 from .tokens import Token
 
 OPENS_STRIP = "{"
-"""Behind an expression it stands only where strips of an expansion begin. But the tables do not
-tell these expressions from others, and reduce any, after which nobody knows what was expected."""
+"""The token that begins the strips of an expansion, behind an expression.
+
+The tables do not tell these expressions from others, and reduce any, after which nobody knows what
+was expected.
+"""
 
 
 class Machine:
@@ -28,7 +31,7 @@ class Machine:
         self._builder = builder
         self._source = source
         self._stack = [0, 0, tables.start]
-        """As ``reductions.py`` says; the first entry stands before all parts."""
+        """The stack as ``reductions.py`` describes it; the first entry stands before all parts."""
         self._values: list[object] = []
         """The values that were made of these parts."""
 

@@ -17,7 +17,7 @@ from .builder import Builder, Maker, maker
 from .lalr_tables import Production, load_tables
 
 Stack = list[int]
-"""For each part that was read, where it starts, where it ends, and the state after it."""
+"""For each part that was read, its start, its end, and the state after it."""
 
 Reduction = Callable[[Stack, list[object], Source, Builder], None]
 """Replaces the newest parts on the stack, and in the list of their values."""

@@ -79,8 +79,10 @@ class SyntaxErrors:
         return index
 
     def _interrupted(self, index: int, chunk: Chunk) -> int:
-        """Report an equation that begins in an unfinished value, or after a header without `{`;
-        returns where the next member may begin."""
+        """Reports an equation that begins in an unfinished value, or after a header without `{`.
+
+        Returns where the next member may begin.
+        """
         name, before = self._tokens[index - 1], self._tokens[index - 2]
         if before.kind == ":" and chunk.start + 3 == index - 1 and self._is_record(chunk.start):
             header = " ".join(token.text for token in self._tokens[chunk.start : index - 2])

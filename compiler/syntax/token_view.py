@@ -38,7 +38,7 @@ class TokenView:
         return [self.token(index).kind for index in range(first, first + count)]
 
     def span(self, first: int, last: int) -> Span:
-        """From the beginning of one token to the end of another."""
+        """The span from the beginning of one token to the end of another."""
         return Span(self.source, self.token(first).start, self.token(last).end)
 
     def replace(self, said: str, first: int, last: int, text: str, *, sure: bool = False) -> Hint:
@@ -85,7 +85,7 @@ class TokenView:
         return is_name and self.outline.begins_line(index) and self.outline.can_end(index - 1)
 
     def written(self, first: int, behind: int) -> str:
-        """Some tokens with the types of other languages translated; empty if that is impossible."""
+        """Some tokens, with the types of other languages translated; empty if impossible."""
         parts = self.tokens[first:behind]
         if any(part.kind in _NOT_HERE for part in parts):
             return ""

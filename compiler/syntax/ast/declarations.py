@@ -48,7 +48,7 @@ class Mixin:
     span: Span
     doc: str
     kind: RecordKind
-    """Of the records that it is for."""
+    """The kind of the records that it is for."""
     name: Name
     members: tuple[Member, ...]
 
@@ -98,8 +98,11 @@ It is one; or an array of exactly as many as written, of at most so many, or of 
 
 @frozen(eq=False)
 class RigEntry:
-    """``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, ``all : Lamp[]``, with
-    overrides."""
+    """An entry of a rig:
+
+    ``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, ``all : Lamp[]``. Overrides may
+    follow.
+    """
 
     span: Span
     doc: str

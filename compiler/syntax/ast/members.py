@@ -154,8 +154,7 @@ class Depth:
 
 @frozen(eq=False)
 class Stencil:
-    """``stencil { compare = equal, front.pass = invert }``: what a pass does with the small whole
-    numbers beside the depths."""
+    """``stencil { compare = equal, front.pass = invert }``: the stencil test of a pass."""
 
     span: Span
     settings: Settings
@@ -173,8 +172,11 @@ class Capture:
 
 
 StripShape = Literal["strip", "list", "line", "points"]
-"""Triangles that each share two vertices with the one before, or that share none; lines from each
-vertex to the next one; or points."""
+"""The shape of strips.
+
+``strip``: triangles that each share two vertices with the one before. ``list``: triangles that
+share none. ``line``: lines from each vertex to the next one. ``points``: points.
+"""
 
 
 @frozen(eq=False)
@@ -218,7 +220,7 @@ class Tessellate:
     """The numbers of those that are its corners."""
     spacing: Name | None
     level: Expression
-    """Into how many steps an edge is divided."""
+    """The level of edges: into how many steps an edge is divided."""
     inside: Expression | None
     lines: Expression | None
     """The number of lines of a patch of isolines."""
@@ -229,8 +231,10 @@ class Tessellate:
 
 @frozen(eq=False)
 class Result:
-    """``result after : T[n] = e``: what a kernel writes to each of ``n`` elements; or
-    ``result totals : T[] per group = e``, to one for each work group."""
+    """``result after : T[n] = e``: the value that a kernel writes to each of ``n`` elements.
+
+    ``result totals : T[] per group = e`` is one for each work group.
+    """
 
     span: Span
     doc: str
