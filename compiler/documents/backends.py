@@ -68,8 +68,11 @@ class SourceMapRow:
     sources: tuple[str, ...]
     """Burnish files by name, as given to the compiler; those of the library begin with ``std/``."""
     lines: tuple[tuple[Count, Count, Count, Count, Count], ...]
-    """Rows of five numbers, in the order of the text: a line of it, then the number of a source
-    counted from 0, the line and the column in it, and how many characters it is."""
+    """Rows of five numbers, in the order of the text.
+
+    They are a line of the text, then the number of a source counted from 0, the line and the column
+    in it, and the number of characters.
+    """
 
 
 @frozen(kw_only=True)
@@ -98,8 +101,10 @@ class BackendRow:
     blocks: Mapping[str, BlockBindingRow]
     """Blocks by name."""
     images: Mapping[str, BindingRow]
-    """Images that a kernel writes, by name; none where it is a full-screen pass, of which they are
-    the render targets."""
+    """Images that a kernel writes, by name.
+
+    There are none where the kernel is a full-screen pass, whose render targets they are.
+    """
     buffers: Mapping[str, BindingRow]
     """Storage buffers by name."""
     textures: Mapping[str, BindingRow]
@@ -115,8 +120,10 @@ class BackendRow:
     ``semantics``: by their semantics. Null where the profile has no stream output.
     """
     captures: Mapping[str, VertexInputNameRow]
-    """The outputs that hold captured values, by name of the value: those that OpenGL is told before
-    it links, or whose semantics Direct3D's stream output names. Empty where the profile has no
-    stream output, or a kernel captures."""
+    """The outputs that hold captured values, by name of the value.
+
+    OpenGL is told them before it links, or Direct3D's stream output names their semantics. Empty
+    where the profile has no stream output, or a kernel captures.
+    """
     host_uniforms: tuple[str, ...]
     """Loose float uniforms that the host sets besides the blocks."""

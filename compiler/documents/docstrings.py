@@ -18,7 +18,7 @@ class Docs(NamedTuple):
 
     whole: str
     fields: dict[str, str]
-    """By the names of the fields."""
+    """The texts of the fields, by the fields' names."""
 
 
 def docs_of(kind: type) -> Docs:

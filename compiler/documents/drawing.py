@@ -25,8 +25,10 @@ class TextureLayout:
     view_dimension: Literal["2d", "2d-array", "3d", "cube"]
     """GPUTextureViewDimension."""
     sample_type: Literal["float", "unfilterable-float", "depth", "sint", "uint"]
-    """GPUTextureSampleType; ``unfilterable-float`` where nothing filters, so that formats fit that
-    cannot be filtered."""
+    """GPUTextureSampleType.
+
+    It is ``unfilterable-float`` where nothing filters, so that formats fit that cannot be filtered.
+    """
     sampler: Literal["filtering", "non-filtering", "comparison", None]
     """GPUSamplerBindingType; null where no sampler reads it."""
 
@@ -49,8 +51,10 @@ class TextureRow:
     layout: TextureLayout
     """The entry of a WebGPU bind group layout for the texture, in WebGPU's words."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     default: str
     """Texture to bind before a host sets one, such as ``white``."""
     stages: tuple[str, ...]
@@ -111,7 +115,7 @@ class MatrixColumn:
     of: str
     """The matrix."""
     index: Count
-    """From 0."""
+    """Number of the column, from 0."""
 
 
 @frozen(kw_only=True)
@@ -121,8 +125,11 @@ class MeshInputRow:
     name: str
     """The vertex input as declared, or the number that the host counts."""
     corner: Count | None
-    """The corner of the primitive whose value it is, from 0, or of the pattern's triangle or line;
-    null where a whole instance of the mesh has one value, or a point of the pattern."""
+    """Number of the corner whose value it is, from 0.
+
+    It is a corner of the primitive, or of the pattern's triangle or line. Null where a whole
+    instance of the mesh has one value, or a point of the pattern.
+    """
     is_number: bool
     """True if it is the number of a vertex, an instance or a primitive of the mesh."""
     is_of_pattern: bool
@@ -164,7 +171,7 @@ class CapturedRow:
     name: str
     """Name of the value."""
     type: str
-    """As declared."""
+    """Type as declared."""
     representation: str
     """Type without meaning: a number of 32 bits, or a vector of these."""
     offset: Count
@@ -202,8 +209,10 @@ class LayersRow:
     count: Positive
     """Number of layers."""
     parameter: str | None
-    """The parameter that says to which layer a draw belongs: there is one draw for each. Null where
-    a single draw reaches all layers."""
+    """Parameter that says to which layer a draw belongs: there is one draw for each.
+
+    Null where a single draw reaches all layers.
+    """
 
 
 @frozen(kw_only=True)
@@ -211,10 +220,13 @@ class PatchLevels:
     """The levels of that pattern; null where the texts compute them."""
 
     edges: tuple[tuple[StepRow, ...], ...]
-    """For each edge the steps that compute its level: of a triangle those across from its ends, of
-    a quad those at u = 0, v = 0, u = 1 and v = 1."""
+    """For each edge, the steps that compute its level.
+
+    The edges of a triangle are those across from its ends; those of a quad are at u = 0, v = 0, u =
+    1 and v = 1.
+    """
     inside: tuple[tuple[StepRow, ...], ...]
-    """Likewise for the inside; of a quad along u, and along v."""
+    """The steps that compute the levels of the inside; of a quad along u, and along v."""
 
 
 @frozen(kw_only=True)
@@ -340,5 +352,7 @@ class RenderStateRow:
     depth: DepthState
     """The depth test."""
     stencil: StencilState | None
-    """The stencil test; null: there is none, and nothing is written. A host clears stencil values
-    to 0."""
+    """The stencil test; null: there is none, and nothing is written.
+
+    A host clears stencil values to 0.
+    """

@@ -45,7 +45,7 @@ class HostTextureRow:
     name: str
     """Name of the texture."""
     type: str
-    """As it is declared."""
+    """Type as declared."""
     dimension: Dimension
     """Dimension."""
     sample: Sample
@@ -102,8 +102,10 @@ class SizeRow:
     value: int | None
     """The number of the value that says it, an ``ivec2``; null where ``extent_of`` says it."""
     extent_of: str | None
-    """The name of the step whose kernel says it instead, by the ``extent`` of its reflection; null
-    where ``value`` says it."""
+    """Name of the step whose kernel says the size, by the ``extent`` of its reflection.
+
+    Null where ``value`` says it.
+    """
     level: Count
     """Number of times that both sides are halved then, rounded down, but not below 1."""
 
@@ -113,8 +115,10 @@ class FrameTextureRow:
     """A texture."""
 
     format: str
-    """A format of render targets or of depths, as passes name them: ``rgba16f`` are floats,
-    ``rgba8`` numbers from 0 to 1."""
+    """A format of render targets or of depths, as passes name them.
+
+    ``rgba16f`` are floats, ``rgba8`` numbers from 0 to 1.
+    """
     dimension: Literal["2d", "2d_array", "cube"]
     """Dimension."""
     size: SizeRow
@@ -150,13 +154,18 @@ class FrameResultRow:
     kind: Literal["texture", "buffer"]
     """Kind of the result."""
     texture: int | None
-    """The number of the texture that holds it; null of a buffer, which is the result's own, and of
-    samples that are not resolved."""
+    """Number of the texture that holds it.
+
+    Null for a buffer, which is the result's own, and for samples that are not resolved.
+    """
     first: Count
     """The step that makes it first."""
     last: Count
-    """The last step of the frame that needs it. An output, what is kept, and what a step with
-    ``only_first`` left are needed after the frame, too."""
+    """The last step of the frame that needs it.
+
+    An output, a kept result, and a result of a step with ``only_first`` are needed after the frame,
+    too.
+    """
     doc: str
     """Doc comment."""
     source: PlaceRow
@@ -164,8 +173,10 @@ class FrameResultRow:
 
 @frozen(kw_only=True)
 class BarrierRow:
-    """From here on, a texture is used in another way. What was written before has to be there;
-    ``undefined`` means that it has no contents yet."""
+    """A change of a texture's use from here on.
+
+    Earlier writes have to be complete; ``undefined`` means that the texture has no contents yet.
+    """
 
     only_first: bool
     """True if the barrier stands in the first frame only."""
@@ -179,8 +190,10 @@ class BarrierRow:
 
 @frozen(kw_only=True)
 class BufferBarrierRow:
-    """From here on, the buffer of a result is used in another way. What was written before has to
-    be there, and what was read before has been read."""
+    """A change of a result's buffer's use from here on.
+
+    Earlier writes and reads have to be complete.
+    """
 
     result: str
     """The result."""
@@ -227,15 +240,16 @@ class AttachmentRow:
     texture: Count
     """Texture."""
     layer: int | None
-    """The layer that is drawn to; null for all of them, as the reflection's ``draw.layers``
-    says."""
+    """The layer that is drawn to; null for all, as the reflection's ``draw.layers`` says."""
     level: Count
     """The mip level."""
     load: Literal["load", "clear"]
     """Start of the step: keep the contents, or clear them."""
     clear: Count | None
-    """The number of the value that it is cleared to: a ``vec4``, or a ``float`` of depths; null for
-    transparent black, or a depth of 1. What the pass itself says is contained in it."""
+    """Number of the value that it is cleared to: a ``vec4``, or a ``float`` of depths.
+
+    Null for transparent black, or a depth of 1. The value of the pass itself is contained in it.
+    """
     store: bool
     """True if anybody reads the result."""
     resolve: ResolveRow | None
@@ -331,9 +345,12 @@ class DrawnRow:
     vertices: int | None
     """The number of the value that says how many vertices are drawn; null for models."""
     light: str | None
-    """The entry of the rig for each of whose lights all of this is drawn once: of an array, for as
-    many as its ``count`` says. The shader has the parameters of a single light of this name, which
-    both documents may call by the name of the rig, too: ``Studio.lamps``."""
+    """The entry of the rig for each of whose lights all of this is drawn once.
+
+    For an array, it is drawn for as many lights as its ``count`` says. The shader has the
+    parameters of a single light of this name, which both documents may call by the name of the rig,
+    too: ``Studio.lamps``.
+    """
     uses: tuple[UseRow, ...]
     """The shaders."""
 
@@ -360,14 +377,20 @@ class DrawStep:
     targets: tuple[AttachmentRow, ...]
     """The targets, in the order of their locations."""
     depth: AttachmentRow | None
-    """The depths; null where the pass has none. Then there is no depth test, whatever
-    ``render_state`` of its reflection says."""
+    """The depths; null where the pass has none.
+
+    Then there is no depth test, whatever ``render_state`` of its reflection says.
+    """
     viewport: Count | None
-    """The number of the value that says into which part of the targets the clip volume is drawn, in
-    texels: an ``ivec4`` of left, top, width and height; null for all of it."""
+    """Number of the value that says into which part of the targets the clip volume is drawn.
+
+    It is an ``ivec4`` of left, top, width and height, in texels; null for all of the targets.
+    """
     scissor: Count | None
-    """The number of the value that says to which part of the targets is drawn, likewise; what lies
-    outside of the targets is cut off."""
+    """Number of the value that says which part of the targets is drawn to, likewise.
+
+    A part outside of the targets is cut off.
+    """
     blend_constant: Count | None
     """The number of the value, a ``vec4``, that the factor ``constant`` means in all targets."""
     draws: tuple[DrawnRow, ...]
@@ -381,7 +404,7 @@ class DrawStep:
 
     @property
     def attachments(self) -> tuple[AttachmentRow, ...]:
-        """All that it draws to, its depths last."""
+        """All attachments that it draws to, its depths last."""
         return self.targets if self.depth is None else (*self.targets, self.depth)
 
     @property
@@ -443,7 +466,7 @@ class RunStep:
 
     @property
     def written(self) -> tuple[WrittenImage | WrittenBuffer, ...]:
-        """All that it writes."""
+        """All images and buffers that it writes."""
         return *self.images, *self.buffers
 
 
@@ -459,8 +482,7 @@ class CopyEnd:
 
 @frozen(kw_only=True)
 class CopyStep:
-    """A copy of a whole texture, where a step draws over something that others still need as it
-    was."""
+    """A copy of a whole texture, before a step draws over a result that others need as it was."""
 
     name: ClassVar[str] = "a copy"
     draws: ClassVar[tuple[DrawnRow, ...]] = ()
@@ -484,7 +506,7 @@ class CopyStep:
 
 
 PlanStep = DrawStep | RunStep | CopyStep
-"""Something that a host does."""
+"""A step of a host."""
 
 
 @frozen(kw_only=True)
@@ -502,7 +524,7 @@ class WaitingRow:
 
 @frozen(kw_only=True)
 class KeptRow:
-    """Something that the next frame reads."""
+    """A texture or a buffer that the next frame reads."""
 
     result: str
     """The result."""
@@ -564,9 +586,11 @@ class FramePlan:
     shaders: tuple[ShaderRow, ...]
     """The shaders; steps name them by their numbers here."""
     values: tuple[ValueRow, ...]
-    """Numbers that the host computes once for each frame, before the first step, of the parameters,
-    of those of the lights, and of the sizes of its textures; steps and textures name them by their
-    numbers here."""
+    """Numbers that the host computes once for each frame, before the first step.
+
+    It computes them from the parameters, from those of the lights, and from the sizes of its
+    textures. Steps and textures name them by their numbers here.
+    """
     textures: tuple[FrameTextureRow, ...]
     """The textures that the host makes, by number. Each serves one result after the other."""
     results: tuple[FrameResultRow, ...]
@@ -589,8 +613,7 @@ class FramePlan:
     """Outputs of the frame, to be read behind the last step and before the exchange of ``kept``."""
 
     def output_texture(self, name: str) -> int | None:
-        """The texture that an output is in behind the exchange of what is kept; ``None`` for a
-        buffer."""
+        """The texture of an output behind the exchange of kept ones; ``None`` for a buffer."""
         output = next(row for row in self.outputs if row.name == name)
         kept = {row.result: row.previous for row in self.kept}
         return kept.get(output.result, output.texture)

@@ -47,7 +47,7 @@ class ShapeError(ValueError):
 
 
 class _EnoughError(Exception):
-    """There are more errors than people want to read."""
+    """The document has more errors than people want to read."""
 
 
 class Found(list[str]):
@@ -65,8 +65,11 @@ Reader = Callable[[Any, Place, Found], Any]
 
 
 def read(kind: type[T], document: object) -> T:
-    """A document as a record. Raises ``ShapeError`` with the first places that are wrong: each as a
-    JSON pointer, with what is wrong there."""
+    """Makes a record of a document.
+
+    Raises ``ShapeError`` with the first places that are wrong: each as a JSON pointer, with its
+    error.
+    """
     _check_version(kind, document)
     found = Found()
     with suppress(_EnoughError):
@@ -237,8 +240,10 @@ def _is_of_json(value: Any) -> bool:
 
 
 def _late(kind: type) -> Reader:
-    """A reader of a kind of record, which is made when it is first needed: some have themselves as
-    members."""
+    """A reader of a kind of record, which is made when it is first needed.
+
+    Some kinds have themselves as members.
+    """
 
     def read_record(value: Any, place: Place, found: Found) -> Any:
         return _record(kind)(value, place, found)

@@ -86,8 +86,10 @@ class Reflection:
     results: tuple[ResultRow, ...]
     """Storage buffers that a kernel writes, in order of declaration; none for a material."""
     extent: tuple[StepRow, ...] | None
-    """Of a kernel, steps that compute how many elements each of the results has, or the width and
-    height of its images; null for a material."""
+    """Steps that compute the number of elements of each of a kernel's results.
+
+    For images, they compute the width and height. Null for a material.
+    """
     work_group: tuple[Positive, Positive, Positive] | None
     """Size of a kernel's work group in invocations, along x, y and z; null for a material."""
     textures: tuple[TextureRow, ...]
@@ -115,8 +117,11 @@ class Reflection:
     varyings: tuple[VaryingRow, ...]
     """Varyings."""
     targets: tuple[TargetRow, ...]
-    """Render targets; of a kernel over images, its images in order of declaration, which are the
-    render targets of its full-screen pass."""
+    """Render targets.
+
+    For a kernel over images, they are its images in order of declaration, which are the render
+    targets of its full-screen pass.
+    """
     backends: Mapping[str, BackendRow]
     """Emitted profiles by name."""
 
@@ -128,8 +133,11 @@ class Reflection:
 
     @property
     def computed(self) -> Iterator[tuple[StepRow, ...]]:
-        """The steps of all that the host computes: derived values, the extent of a kernel and the
-        lengths of its results, and how finely patches are divided."""
+        """Yields the steps of all that the host computes.
+
+        These are derived values, the extent of a kernel and the lengths of its results, and the
+        levels of patches.
+        """
         yield from (row.steps for row in self.derived)
         yield self.extent or ()
         yield from (row.count for row in self.results)

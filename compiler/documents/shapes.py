@@ -94,8 +94,10 @@ def words_of(kind: type) -> dict[str, tuple[Any, ...]]:
 
 
 def telling(kinds: Sequence[type]) -> str:
-    """The name in JSON of the field that tells some kinds of records apart: it has other values in
-    each of them."""
+    """The name in JSON of the field that tells some kinds of records apart.
+
+    It has other values in each of them.
+    """
     for key in words_of(kinds[0]):
         words = [word for kind in kinds for word in words_of(kind).get(key, ())]
         if len(set(words)) == len(words) and all(key in words_of(kind) for kind in kinds):

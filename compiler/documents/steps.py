@@ -84,8 +84,11 @@ class CallStep:
 
 @frozen(kw_only=True)
 class ComposedStep:
-    """Parts that are put together: numbers and vectors to a vector, columns to a matrix, elements
-    to an array; or of ``apply`` a body behind which stand the values of its variables."""
+    """Parts that are put together.
+
+    Numbers and vectors make a vector, columns a matrix, and elements an array. For ``apply``, the
+    parts are a body and then the values of its variables.
+    """
 
     op: Literal["vector", "matrix", "array", "apply"]
     type: str
@@ -107,7 +110,7 @@ class SplatStep:
 
 @frozen(kw_only=True)
 class SwizzleStep:
-    """Some lanes of a vector."""
+    """A swizzle: some lanes of a vector."""
 
     op: Literal["swizzle"]
     type: str

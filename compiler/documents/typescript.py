@@ -1,5 +1,7 @@
-"""Makes the types of documents for web pages: ``generate.py`` writes them, and the host for web
-pages (``targets/web_host``) is checked against them.
+"""Makes the TypeScript types of documents for web pages.
+
+``generate.py`` writes them, and the host for web pages (``targets/web_host``) is checked against
+them.
 """
 
 from __future__ import annotations

@@ -18,8 +18,11 @@ class LayoutRow:
     """
 
     stored: str
-    """The stored type: bools as uints, 2- and 3-row matrices with columns of four rows
-    (``mat3x4``), arrays as arrays of ``vec4``. Of a table's member that of one element."""
+    """The stored type.
+
+    Bools are uints, 2- and 3-row matrices have columns of four rows (``mat3x4``), and arrays are
+    arrays of ``vec4``. For a table's member, it is the type of one element.
+    """
     kind: LaneKind | None = None
     """Kind of the lanes; bools are uints 0 and 1. Absent for structs."""
     lanes: Annotated[int, Range(least=0, most=4)] | None = None
@@ -111,8 +114,10 @@ class ParameterRow:
     Null where it is the material's own affair.
     """
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     block: str | None
     """Block that holds it; null where the program reads nothing of that block."""
     offset: Count | None
@@ -128,17 +133,23 @@ class ParameterRow:
 
 @frozen(kw_only=True)
 class DerivedRow:
-    """A value that the host computes in double precision from stored parameters and rounds once;
-    where ``layout`` has a ``count``, one for each element of an array."""
+    """A value that the host computes in double precision from stored parameters and rounds once.
+
+    Where ``layout`` has a ``count``, there is one for each element of an array.
+    """
 
     name: str
-    """Name in its block; of a table's member with the table's name before it,
-    ``lamps_derived.falloff_cos``."""
+    """Name in its block.
+
+    For a table's member, the table's name stands before it, ``lamps_derived.falloff_cos``.
+    """
     representation: str
     """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     block: str | None
     """Block that holds it; null where the program reads nothing of that block."""
     offset: Count | None
@@ -149,8 +160,11 @@ class DerivedRow:
     doc: str
     """Doc comment; empty where there is none."""
     steps: tuple[StepRow, ...]
-    """The computation, operands first; the last step is the value. Where ``layout`` has a ``count``
-    it is done for each element, whose number is the ``bound`` outside of bodies."""
+    """The computation, operands first; the last step is the value.
+
+    Where ``layout`` has a ``count`` it is done for each element, whose number is the ``bound``
+    outside of bodies.
+    """
 
 
 @frozen(kw_only=True)
@@ -182,8 +196,10 @@ class LightRow:
     count: str | None
     """Parameter with the number of lights in use; null where it is fixed."""
     parameters: tuple[str, ...]
-    """The array's parameter, or a single light's parameters, of whatever groups: each has a row in
-    ``parameters`` with its block and offset."""
+    """The array's parameter, or a single light's parameters, of whatever groups.
+
+    Each has a row in ``parameters`` with its block and offset.
+    """
 
 
 @frozen(kw_only=True)
@@ -197,11 +213,15 @@ class BufferRow:
     representation: str
     """The type on the machine: ``vec3[]``."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     count: str
-    """The parameter that says how many elements there are. A buffer without elements is bound with
-    one of zeros."""
+    """The parameter that says how many elements there are.
+
+    A buffer without elements is bound with one of zeros.
+    """
     stride: Annotated[int, Range(least=4)]
     """Bytes from one element to the next."""
     layout: LayoutRow
@@ -217,8 +237,11 @@ class BufferRow:
 
 @frozen(kw_only=True)
 class ResultRow:
-    """A storage buffer that a kernel writes: each element once, or, if it is scattered to, as often
-    as invocations choose it. What fills gaps is not written."""
+    """A storage buffer that a kernel writes.
+
+    It writes each element once or, if it scatters to the buffer, as often as invocations choose the
+    element. Padding is not written.
+    """
 
     name: str
     """Name as the host says it, ``lanterns`` or ``torch.bulbs``."""
@@ -227,8 +250,10 @@ class ResultRow:
     representation: str
     """The type on the machine: ``vec3[]``."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     stride: Annotated[int, Range(least=4)]
     """Bytes from one element to the next."""
     layout: LayoutRow
@@ -272,8 +297,10 @@ class BlockRow:
     name: str
     """Name by which other parts of this document refer to it."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     derived: bool
     """True if the host computes its contents from other parameters."""
     extern: bool
@@ -283,10 +310,14 @@ class BlockRow:
     stages: tuple[str, ...]
     """Stages that read it."""
     layout_id: str
-    """A digest of the members, with their types and offsets, and of the structs: blocks with one id
-    have the same bytes for the same values, whatever material they are of."""
+    """A digest of the members, with their types and offsets, and of the structs.
+
+    Blocks with one id have the same bytes for the same values, in whatever material.
+    """
     members: tuple[BlockMember, ...]
-    """Members in order, padding included; they leave no gap. A text does not write padding that all
-    languages leave by themselves."""
+    """Members in order, padding included; they leave no gap.
+
+    A text does not write padding that all languages leave by themselves.
+    """
     structs: tuple[StructRow, ...]
     """Stored structs that members use, those inside others first."""

@@ -8,15 +8,15 @@ export interface AttachmentRow {
   result: string;
   /** Texture. */
   texture: number;
-  /** The layer that is drawn to; null for all of them, as the reflection's `draw.layers` says. */
+  /** The layer that is drawn to; null for all, as the reflection's `draw.layers` says. */
   layer: number | null;
   /** The mip level. */
   level: number;
   /** Start of the step: keep the contents, or clear them. */
   load: "load" | "clear";
   /**
-   * The number of the value that it is cleared to: a `vec4`, or a `float` of depths; null for
-   * transparent black, or a depth of 1. What the pass itself says is contained in it.
+   * Number of the value that it is cleared to: a `vec4`, or a `float` of depths. Null for
+   * transparent black, or a depth of 1. The value of the pass itself is contained in it.
    */
   clear: number | null;
   /** True if anybody reads the result. */
@@ -56,8 +56,8 @@ export interface BackendRow {
   /** Blocks by name. */
   blocks: Record<string, BlockBindingRow>;
   /**
-   * Images that a kernel writes, by name; none where it is a full-screen pass, of which they are
-   * the render targets.
+   * Images that a kernel writes, by name. There are none where the kernel is a full-screen pass,
+   * whose render targets they are.
    */
   images: Record<string, BindingRow>;
   /** Storage buffers by name. */
@@ -75,9 +75,9 @@ export interface BackendRow {
    */
   stream_output: "text" | "names" | "semantics" | null;
   /**
-   * The outputs that hold captured values, by name of the value: those that OpenGL is told before
-   * it links, or whose semantics Direct3D's stream output names. Empty where the profile has no
-   * stream output, or a kernel captures.
+   * The outputs that hold captured values, by name of the value. OpenGL is told them before it
+   * links, or Direct3D's stream output names their semantics. Empty where the profile has no stream
+   * output, or a kernel captures.
    */
   captures: Record<string, VertexInputNameRow>;
   /** Loose float uniforms that the host sets besides the blocks. */
@@ -85,8 +85,8 @@ export interface BackendRow {
 }
 
 /**
- * From here on, a texture is used in another way. What was written before has to be there;
- * `undefined` means that it has no contents yet.
+ * A change of a texture's use from here on. Earlier writes have to be complete; `undefined` means
+ * that the texture has no contents yet.
  */
 export interface BarrierRow {
   /** True if the barrier stands in the first frame only. */
@@ -166,7 +166,8 @@ export interface BlockRow {
   /** Name by which other parts of this document refer to it. */
   name: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** True if the host computes its contents from other parameters. */
@@ -178,8 +179,8 @@ export interface BlockRow {
   /** Stages that read it. */
   stages: string[];
   /**
-   * A digest of the members, with their types and offsets, and of the structs: blocks with one id
-   * have the same bytes for the same values, whatever material they are of.
+   * A digest of the members, with their types and offsets, and of the structs. Blocks with one id
+   * have the same bytes for the same values, in whatever material.
    */
   layout_id: string;
   /**
@@ -205,8 +206,7 @@ export interface BoundStep {
 }
 
 /**
- * From here on, the buffer of a result is used in another way. What was written before has to be
- * there, and what was read before has been read.
+ * A change of a result's buffer's use from here on. Earlier writes and reads have to be complete.
  */
 export interface BufferBarrierRow {
   /** The result. */
@@ -228,7 +228,8 @@ export interface BufferRow {
   /** The type on the machine: `vec3[]`. */
   representation: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /**
@@ -295,7 +296,7 @@ export interface CaptureRow {
 export interface CapturedRow {
   /** Name of the value. */
   name: string;
-  /** As declared. */
+  /** Type as declared. */
   type: string;
   /** Type without meaning: a number of 32 bits, or a vector of these. */
   representation: string;
@@ -306,8 +307,8 @@ export interface CapturedRow {
 }
 
 /**
- * Parts that are put together: numbers and vectors to a vector, columns to a matrix, elements to an
- * array; or of `apply` a body behind which stand the values of its variables.
+ * Parts that are put together. Numbers and vectors make a vector, columns a matrix, and elements an
+ * array. For `apply`, the parts are a body and then the values of its variables.
  */
 export interface ComposedStep {
   op: "vector" | "matrix" | "array" | "apply";
@@ -351,9 +352,7 @@ export interface CopyEnd {
   texture: number;
 }
 
-/**
- * A copy of a whole texture, where a step draws over something that others still need as it was.
- */
+/** A copy of a whole texture, before a step draws over a result that others need as it was. */
 export interface CopyStep {
   kind: "copy";
   /** The textures that are waited for. */
@@ -380,30 +379,31 @@ export interface DepthState {
   /** The depth of all pixels before anything is drawn. */
   clear: number;
   /**
-   * In steps of the format, as it has them at the farthest corner of the face. Lines of a mesh are
+   * A constant bias, in steps of the format at the farthest corner of the face. Lines of a mesh are
    * never moved.
    */
   bias: number;
-  /** In times of what the depth changes from one pixel to the next. */
+  /** A bias as a multiple of the depth's change from one pixel to the next. */
   slope_bias: number;
   /** The limit of both together: an upper one if positive, a lower one if negative; 0 for none. */
   bias_clamp: number;
 }
 
 /**
- * A value that the host computes in double precision from stored parameters and rounds once; where
- * `layout` has a `count`, one for each element of an array.
+ * A value that the host computes in double precision from stored parameters and rounds once. Where
+ * `layout` has a `count`, there is one for each element of an array.
  */
 export interface DerivedRow {
   /**
-   * Name in its block; of a table's member with the table's name before it,
+   * Name in its block. For a table's member, the table's name stands before it,
    * `lamps_derived.falloff_cos`.
    */
   name: string;
   /** The type on the machine: `float`, `vec3`, `Lamp[8]`. */
   representation: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** Block that holds it; null where the program reads nothing of that block. */
@@ -469,13 +469,13 @@ export interface DrawStep {
    */
   depth: AttachmentRow | null;
   /**
-   * The number of the value that says into which part of the targets the clip volume is drawn, in
-   * texels: an `ivec4` of left, top, width and height; null for all of it.
+   * Number of the value that says into which part of the targets the clip volume is drawn. It is an
+   * `ivec4` of left, top, width and height, in texels; null for all of the targets.
    */
   viewport: number | null;
   /**
-   * The number of the value that says to which part of the targets is drawn, likewise; what lies
-   * outside of the targets is cut off.
+   * Number of the value that says which part of the targets is drawn to, likewise. A part outside
+   * of the targets is cut off.
    */
   scissor: number | null;
   /** The number of the value, a `vec4`, that the factor `constant` means in all targets. */
@@ -497,9 +497,9 @@ export interface DrawnRow {
   /** The number of the value that says how many vertices are drawn; null for models. */
   vertices: number | null;
   /**
-   * The entry of the rig for each of whose lights all of this is drawn once: of an array, for as
-   * many as its `count` says. The shader has the parameters of a single light of this name, which
-   * both documents may call by the name of the rig, too: `Studio.lamps`.
+   * The entry of the rig for each of whose lights all of this is drawn once. For an array, it is
+   * drawn for as many lights as its `count` says. The shader has the parameters of a single light
+   * of this name, which both documents may call by the name of the rig, too: `Studio.lamps`.
    */
   light: string | null;
   /** The shaders. */
@@ -570,9 +570,9 @@ export interface FramePlan {
   /** The shaders; steps name them by their numbers here. */
   shaders: ShaderRow[];
   /**
-   * Numbers that the host computes once for each frame, before the first step, of the parameters,
-   * of those of the lights, and of the sizes of its textures; steps and textures name them by their
-   * numbers here.
+   * Numbers that the host computes once for each frame, before the first step. It computes them
+   * from the parameters, from those of the lights, and from the sizes of its textures. Steps and
+   * textures name them by their numbers here.
    */
   values: ValueRow[];
   /** The textures that the host makes, by number. Each serves one result after the other. */
@@ -603,15 +603,15 @@ export interface FrameResultRow {
   /** Kind of the result. */
   kind: "texture" | "buffer";
   /**
-   * The number of the texture that holds it; null of a buffer, which is the result's own, and of
+   * Number of the texture that holds it. Null for a buffer, which is the result's own, and for
    * samples that are not resolved.
    */
   texture: number | null;
   /** The step that makes it first. */
   first: number;
   /**
-   * The last step of the frame that needs it. An output, what is kept, and what a step with
-   * `only_first` left are needed after the frame, too.
+   * The last step of the frame that needs it. An output, a kept result, and a result of a step with
+   * `only_first` are needed after the frame, too.
    */
   last: number;
   /** Doc comment. */
@@ -622,7 +622,7 @@ export interface FrameResultRow {
 /** A texture. */
 export interface FrameTextureRow {
   /**
-   * A format of render targets or of depths, as passes name them: `rgba16f` are floats, `rgba8`
+   * A format of render targets or of depths, as passes name them. `rgba16f` are floats, `rgba8`
    * numbers from 0 to 1.
    */
   format: string;
@@ -683,7 +683,7 @@ export interface HostSource {
 export interface HostTextureRow {
   /** Name of the texture. */
   name: string;
-  /** As it is declared. */
+  /** Type as declared. */
   type: string;
   /** Dimension. */
   dimension: "2d" | "2d_array" | "3d" | "cube";
@@ -725,7 +725,7 @@ export interface InputRow {
   source: ValueSource | ResultSource | HostSource | PreviousSource;
 }
 
-/** Something that the next frame reads. */
+/** A texture or a buffer that the next frame reads. */
 export interface KeptRow {
   /** The result. */
   result: string;
@@ -745,7 +745,7 @@ export interface LayersRow {
   /** Number of layers. */
   count: number;
   /**
-   * The parameter that says to which layer a draw belongs: there is one draw for each. Null where a
+   * Parameter that says to which layer a draw belongs: there is one draw for each. Null where a
    * single draw reaches all layers.
    */
   parameter: string | null;
@@ -757,8 +757,8 @@ export interface LayersRow {
  */
 export interface LayoutRow {
   /**
-   * The stored type: bools as uints, 2- and 3-row matrices with columns of four rows (`mat3x4`),
-   * arrays as arrays of `vec4`. Of a table's member that of one element.
+   * The stored type. Bools are uints, 2- and 3-row matrices have columns of four rows (`mat3x4`),
+   * and arrays are arrays of `vec4`. For a table's member, it is the type of one element.
    */
   stored: string;
   /** Kind of the lanes; bools are uints 0 and 1. Absent for structs. */
@@ -790,7 +790,7 @@ export interface LightRow {
   /** Parameter with the number of lights in use; null where it is fixed. */
   count: string | null;
   /**
-   * The array's parameter, or a single light's parameters, of whatever groups: each has a row in
+   * The array's parameter, or a single light's parameters, of whatever groups. Each has a row in
    * `parameters` with its block and offset.
    */
   parameters: string[];
@@ -800,7 +800,7 @@ export interface LightRow {
 export interface MatrixColumn {
   /** The matrix. */
   of: string;
-  /** From 0. */
+  /** Number of the column, from 0. */
   index: number;
 }
 
@@ -845,8 +845,9 @@ export interface MeshInputRow {
   /** The vertex input as declared, or the number that the host counts. */
   name: string;
   /**
-   * The corner of the primitive whose value it is, from 0, or of the pattern's triangle or line;
-   * null where a whole instance of the mesh has one value, or a point of the pattern.
+   * Number of the corner whose value it is, from 0. It is a corner of the primitive, or of the
+   * pattern's triangle or line. Null where a whole instance of the mesh has one value, or a point
+   * of the pattern.
    */
   corner: number | null;
   /** True if it is the number of a vertex, an instance or a primitive of the mesh. */
@@ -979,7 +980,8 @@ export interface ParameterRow {
    */
   role: string | null;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** Block that holds it; null where the program reads nothing of that block. */
@@ -1008,11 +1010,11 @@ export interface ParameterStep {
 /** The levels of that pattern; null where the texts compute them. */
 export interface PatchLevels {
   /**
-   * For each edge the steps that compute its level: of a triangle those across from its ends, of a
-   * quad those at u = 0, v = 0, u = 1 and v = 1.
+   * For each edge, the steps that compute its level. The edges of a triangle are those across from
+   * its ends; those of a quad are at u = 0, v = 0, u = 1 and v = 1.
    */
   edges: ((ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[])[];
-  /** Likewise for the inside; of a quad along u, and along v. */
+  /** The steps that compute the levels of the inside; of a quad along u, and along v. */
   inside: ((ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[])[];
 }
 
@@ -1106,8 +1108,8 @@ export interface Reflection {
   /** Storage buffers that a kernel writes, in order of declaration; none for a material. */
   results: ResultRow[];
   /**
-   * Of a kernel, steps that compute how many elements each of the results has, or the width and
-   * height of its images; null for a material.
+   * Steps that compute the number of elements of each of a kernel's results. For images, they
+   * compute the width and height. Null for a material.
    */
   extent: (ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[] | null;
   /** Size of a kernel's work group in invocations, along x, y and z; null for a material. */
@@ -1136,8 +1138,8 @@ export interface Reflection {
   /** Varyings. */
   varyings: VaryingRow[];
   /**
-   * Render targets; of a kernel over images, its images in order of declaration, which are the
-   * render targets of its full-screen pass.
+   * Render targets. For a kernel over images, they are its images in order of declaration, which
+   * are the render targets of its full-screen pass.
    */
   targets: TargetRow[];
   /** Emitted profiles by name. */
@@ -1190,8 +1192,8 @@ export interface ResourceStep {
 }
 
 /**
- * A storage buffer that a kernel writes: each element once, or, if it is scattered to, as often as
- * invocations choose it. What fills gaps is not written.
+ * A storage buffer that a kernel writes. It writes each element once or, if it scatters to the
+ * buffer, as often as invocations choose the element. Padding is not written.
  */
 export interface ResultRow {
   /** Name as the host says it, `lanterns` or `torch.bulbs`. */
@@ -1201,7 +1203,8 @@ export interface ResultRow {
   /** The type on the machine: `vec3[]`. */
   representation: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** Bytes from one element to the next. */
@@ -1307,8 +1310,8 @@ export interface SizeRow {
   /** The number of the value that says it, an `ivec2`; null where `extent_of` says it. */
   value: number | null;
   /**
-   * The name of the step whose kernel says it instead, by the `extent` of its reflection; null
-   * where `value` says it.
+   * Name of the step whose kernel says the size, by the `extent` of its reflection. Null where
+   * `value` says it.
    */
   extent_of: string | null;
   /** Number of times that both sides are halved then, rounded down, but not below 1. */
@@ -1334,8 +1337,8 @@ export interface SourceMapRow {
   /** Burnish files by name, as given to the compiler; those of the library begin with `std/`. */
   sources: string[];
   /**
-   * Rows of five numbers, in the order of the text: a line of it, then the number of a source
-   * counted from 0, the line and the column in it, and how many characters it is.
+   * Rows of five numbers, in the order of the text. They are a line of the text, then the number of
+   * a source counted from 0, the line and the column in it, and the number of characters.
    */
   lines: ([number, number, number, number, number])[];
 }
@@ -1406,7 +1409,7 @@ export interface StructRow {
   members: StructMember[];
 }
 
-/** Some lanes of a vector. */
+/** A swizzle: some lanes of a vector. */
 export interface SwizzleStep {
   op: "swizzle";
   /** Type of the result. */
@@ -1472,8 +1475,8 @@ export interface TextureLayout {
   /** GPUTextureViewDimension. */
   viewDimension: "2d" | "2d-array" | "3d" | "cube";
   /**
-   * GPUTextureSampleType; `unfilterable-float` where nothing filters, so that formats fit that
-   * cannot be filtered.
+   * GPUTextureSampleType. It is `unfilterable-float` where nothing filters, so that formats fit
+   * that cannot be filtered.
    */
   sampleType: "float" | "unfilterable-float" | "depth" | "sint" | "uint";
   /** GPUSamplerBindingType; null where no sampler reads it. */
@@ -1496,7 +1499,8 @@ export interface TextureRow {
   /** The entry of a WebGPU bind group layout for the texture, in WebGPU's words. */
   layout: TextureLayout;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** Texture to bind before a host sets one, such as `white`. */
