@@ -19,8 +19,10 @@ A value that is written in one place counts once: it is computed again for each 
 the compiler makes of it.
 """
 MOST_NODES = 500_000
-"""Nodes of the trees of all materials, kernels and frames, which take about twenty seconds. Each
-counts with all that it inherits and calls."""
+"""The largest number of nodes in the trees of all materials, kernels and frames.
+
+They take about twenty seconds. Each counts with all that it inherits and calls.
+"""
 
 
 @record

@@ -18,13 +18,18 @@ from ..state.context import Context
 from .turns import Turns
 
 DEEPEST = 48
-"""Loops inside of each other, at most. Tint takes 127 nested statements, of which each loop is two,
-and there may be branches as well. Besides, every loop closes and opens all that stands in it."""
+"""The largest number of loops inside of each other.
+
+Tint takes 127 nested statements, of which each loop is two, and there may be branches as well.
+Besides, every loop closes and opens all that stands in it.
+"""
 CROSSING_TURNS = 16
 """A fold whose terms cross from the vertices one by one is written out, up to so many."""
 LARGEST_WRITTEN_OUT = 4096
-"""Operations that such a fold becomes, at most. Folds in folds multiply, and there are far fewer
-varyings than that."""
+"""The largest number of operations of such an unrolled fold.
+
+Folds in folds multiply, and there are far fewer varyings than that.
+"""
 
 _VARYING = frozenset({"cross", "attribute", "input", "resource"})
 
@@ -64,7 +69,7 @@ def loops_within(bodies: Iterable[Node], formals: set[Formal]) -> int:
 
 
 def _loops_around(node: Node, around: tuple[int, ...], formals: set[Formal]) -> int | None:
-    """In how many inner loops a node stands; ``None`` if it does not change in the outer one.
+    """The number of inner loops around a node; ``None`` if it does not change in the outer one.
 
     ``around`` has the number for each variable that is bound further out, the innermost first.
     """

@@ -163,7 +163,7 @@ class StandIns:
     """The placeholders with which a body is checked."""
 
     values: tuple[Node, ...]
-    """For each argument, and then for each replaced slot."""
+    """A placeholder for each argument, and then for each replaced slot."""
     parts: tuple[Node, ...]
     """The numbers, vectors and matrices in ``values``.
 

@@ -117,8 +117,10 @@ def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: 
 
 
 def _settle_made(ctx: Context, instance: Instance, name: str, span: Span) -> None:
-    """Compute what a slot is at the vertices that are made of a mesh's: each group of strips of an
-    expansion may say something else."""
+    """Computes the values of a slot at the vertices that are made of a mesh's.
+
+    Each group of strips of an expansion may say something else.
+    """
     assert instance.made is not None
     found = [
         _in_group(ctx, instance, instance.made, number, name, span)

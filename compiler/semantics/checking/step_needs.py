@@ -178,8 +178,7 @@ class Dependencies:
                 waiting += [(getattr(part, f), before, bound) for f in type(part).__match_args__]
 
     def ordered(self, roots: Sequence[Need]) -> list[Key]:
-        """The steps that some of them need, each behind those that it needs itself; cycles are
-        reported."""
+        """The steps that some needs lead to, each behind those it needs itself; reports cycles."""
         done: dict[Key, None] = {}
         path: dict[Key, Span] = {}
         waiting: list[tuple[Need, bool]] = [(root, False) for root in reversed(roots)]

@@ -1,4 +1,4 @@
-"""Reads of textures: ``albedo(uv)``, ``albedo.level(uv, 2)``, ``shadow(uv, depth)`` …
+"""Reads of textures: ``albedo(uv)``, ``albedo.level(uv, 2)``, ``shadow(uv, depth)`` and others.
 
 Each is a row of ``stdlib/builtins/texture.py``, found by how it is written and by the texture.
 """
@@ -34,7 +34,7 @@ class _Way:
 
     row: Builtin
     names: tuple[str, ...]
-    """Of the operands behind the texture, for messages."""
+    """The names of the operands behind the texture, for messages."""
     operands: tuple[Type, ...]
     result: Type
 

@@ -106,8 +106,10 @@ def is_declared(scope: Scope, name: str) -> bool:
 def unknown(
     ctx: Context, kind: str, name: str, span: Span, known: Iterable[str], declared_as: str = ""
 ) -> None:
-    """Report a name that nothing declares, with the nearest one that something does, or else with
-    how such a thing is declared."""
+    """Reports a name that nothing declares, with the nearest declared one.
+
+    If no name is near, it says how such a thing is declared.
+    """
     hint = advice.nearest_or_all(name, span, known) or advice.undeclared(declared_as, name)
     ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 

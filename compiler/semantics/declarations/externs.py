@@ -22,7 +22,10 @@ from ..state.scope import FAILURE, Failure
 from .parameters import parameter_of
 
 LARGEST_PLACE = 65535
-"""Of groups and bindings. How many of them a language has is a limit of its profiles."""
+"""The largest number of a group or a binding.
+
+The number of them that a language has is a limit of its profiles.
+"""
 
 LARGEST_OFFSET = 65532
 """The last scalar of 64 KiB, beyond which no profile has a block."""

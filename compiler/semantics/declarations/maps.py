@@ -44,7 +44,7 @@ COMPARED: Settings = {
 DEPTHS = Kind(("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
 DEPTH_CUBES = Kind(("far", "near"), COMPARED, {"mip": "none", "wrap": "clamp"})
 INTEGERS = Kind(("zero",))
-"""Nothing filters them, so they have no sampler."""
+"""Maps of integers: nothing filters them, so they have no sampler."""
 
 DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
 """All words for what a texture is until a host binds one."""

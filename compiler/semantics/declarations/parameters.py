@@ -77,8 +77,10 @@ class Leaves:
 def all_parameters(
     leaves: Sequence[Leaves], externs: Iterable[ExternInfo]
 ) -> tuple[ParameterInfo, ...]:
-    """All that a shader has: those that are declared, those that count elements, and the members of
-    the host's blocks."""
+    """All parameters of a shader.
+
+    They are the declared ones, those that count elements, and the members of the host's blocks.
+    """
     own = [info for part in leaves for info in part.parameters]
     counts = [info.count for part in leaves for info in part.buffers]
     return (*own, *counts, *(member.info for block in externs for member in block.members))

@@ -26,7 +26,7 @@ class Way:
 
     @property
     def ends(self) -> tuple[str, ...]:
-        """From where to where."""
+        """The spaces from which and to which the way leads."""
         return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
 
 

@@ -21,7 +21,7 @@ from ..types.typenames import Declared, Variables, array_of, structure, unsized_
 from .fitting import fit
 
 MOST_ELEMENTS = 4096
-"""Of an array."""
+"""The largest number of elements of an array."""
 
 MOST_LEVELS, MOST_PARTS = 64, 4096
 """The limits of structures: how deep they nest, and the number of parts of one.
@@ -30,8 +30,10 @@ Parts are numbers, vectors and matrices.
 """
 
 MOST_NUMBERS = 1 << 18
-"""Of a value, with those of all its elements and members: a megabyte. No API has uniform blocks of
-more than a sixteenth of that."""
+"""The largest number of numbers in a value, with those of all its elements and members.
+
+They take a megabyte. No API has uniform blocks of more than a sixteenth of that.
+"""
 
 
 _OPAQUE_MEMBER: Mapping[type, str] = {
@@ -201,8 +203,11 @@ def _members(
 
 
 def named_struct(ctx: Context, name: str, members: tuple[tuple[str, Type], ...]) -> Struct:
-    """A structure for the texts, where one name cannot stand for two: files may each have a
-    ``Layer``, and lights of one kind have fewer members where a rig sets one of them."""
+    """A structure for the texts, where one name cannot stand for two.
+
+    Files may each have a ``Layer``, and lights of one kind have fewer members where a rig sets one
+    of them.
+    """
     numbers_behind = range(2, 3 + len(ctx.types.struct_members))
     names = chain([name], (f"{name}_{number}" for number in numbers_behind))
     free = next(n for n in names if ctx.types.struct_members.get(n, members) == members)

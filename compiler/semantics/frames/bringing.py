@@ -44,8 +44,10 @@ class Bringing:
         """The textures that are being made."""
 
     def given(self, shader: Shader, inputs: Inputs, e: ast.Call) -> tuple[Given, ...] | None:
-        """The textures of lights that a shader reads and that its step is not given otherwise;
-        ``None`` after reporting one that nobody makes."""
+        """The textures of lights that a shader reads and that its step is not given otherwise.
+
+        ``None`` after reporting one that nobody makes.
+        """
         found = []
         for light in self._lights.values():
             for name, info in _textures(light, shader):

@@ -179,8 +179,11 @@ class _Checking:
                 no_result(self._ctx, made, member.value.span)
 
     def _check_rest(self, *, are_whole: bool) -> None:
-        """Check what no output needs: other steps, and numbers. Unless all outputs ``are_whole``,
-        nobody knows what they would need, so nothing is said of steps that seem to be too many."""
+        """Checks the slots that no output needs: other steps, and numbers.
+
+        Unless all outputs ``are_whole``, nobody knows what they would need, so nothing is said of
+        steps that seem to be too many.
+        """
         for name, definitions in self._record.definitions.items():
             member = definitions[0].member
             if not isinstance(member, ast.Slot):

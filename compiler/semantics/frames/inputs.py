@@ -56,8 +56,10 @@ class Inputs:
         scope: Scope,
         later: list[Later],
     ) -> None:
-        """``made`` evaluates an expression about steps, for the input of this name; ``later`` gets
-        what is to be checked when it is known what the last frame left."""
+        """``made`` evaluates an expression about steps, for the input of this name.
+
+        ``later`` gets the checks that need the results of the last frame.
+        """
         self._ctx = ctx
         self._instance = instance
         self._numbers = numbers

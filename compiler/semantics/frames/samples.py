@@ -19,7 +19,7 @@ class SampleChecks:
     def __init__(self, report: Report) -> None:
         self._report = report
         self._over: dict[Image, Image] = {}
-        """Of each result with several samples, the one that is drawn over these."""
+        """For each result with several samples, the one that is drawn over these."""
 
     def check(self, drawn_to: Iterable[Attachment], samples: int, span: Span) -> None:
         """Report the first of its targets to which a step of so many ``samples`` cannot draw."""

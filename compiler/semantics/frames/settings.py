@@ -78,10 +78,11 @@ class Settings:
         return self._numbered(node, value.span)
 
     def cleared(self, target: str, state: RenderTarget | float, over: Span | None) -> int | None:
-        """The number of what a target, or depths, are cleared to: what the step says or else the
-        pass, whose ``state`` this is; ``None`` for transparent black or a depth of 1.
+        """The number of the clear value of a target, or of depths.
 
-        ``over`` is where it is said that the step draws over something.
+        It is that of the step or else of the pass, whose ``state`` this is; ``None`` for
+        transparent black or a depth of 1. ``over`` is the span that says that the step draws over
+        something.
         """
         name = f"{CLEAR}{target}"
         if name not in self.written:
@@ -144,8 +145,10 @@ class Settings:
                         )
 
     def _check_blending(self, shader: Shader, step: str, span: Span) -> None:
-        """Report targets that cannot be blended, or are blended by what nobody has said; and what
-        is said for no target."""
+        """Reports targets that cannot be blended, or whose blend constant nobody has set.
+
+        A blend constant that no target uses is reported, too.
+        """
         states = [result.state for result in shader.results_of(TARGET) if result.state is not None]
         takes = any(not OF_CONSTANT.isdisjoint(state.blend.factors) for state in states)
         if BLEND_CONSTANT in self.written and not takes:

@@ -51,7 +51,7 @@ class Shaders:
 
     @property
     def made(self) -> tuple[FrameShader, ...]:
-        """All that there is something to say about."""
+        """All shaders that have no errors."""
         return tuple(shader for shader in self.known.values() if shader is not None)
 
     def drawn(

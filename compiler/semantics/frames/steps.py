@@ -59,9 +59,12 @@ DEEPEST = 48
 """The limit of nesting of expressions about steps."""
 
 MOST_STEPS = 1024
-"""Of one frame. The largest example has 52; planning and hosts look at each of them."""
+"""The largest number of steps of one frame.
+
+The largest example has 52; planning and hosts look at each of them.
+"""
 MOST_TOGETHER = 4096
-"""Of all frames of a compile."""
+"""The largest number of steps of all frames of a compile."""
 
 DEPTH_FORMAT = "depth32f"
 

@@ -66,8 +66,10 @@ def no_step(ctx: Context, span: Span) -> Failure:
 
 
 def no_result(ctx: Context, found: Made, span: Span, what: str = "result of a step") -> Failure:
-    """Report that something is not what a step leaves, unless more has been said about it; of a
-    whole step, say what it does leave."""
+    """Reports that something is not a result of a step, unless more has been said about it.
+
+    Of a whole step, it says which results there are.
+    """
     hint = ""
     if isinstance(found, StepValue):
         hint = f"a step leaves its results: {', '.join(f'`.{name}`' for name in found.left)}"

@@ -30,7 +30,7 @@ from ..state.scope import RigEntry, Scope
 from ..types.typenames import NAMED
 
 _FEW = 8
-"""As many names can be listed."""
+"""The number of names up to which all are listed."""
 
 ELEMENTS = "elements of a buffer are read by their number: `name[i]`"
 OF_A_STEP = "what a step leaves is read by other steps, as `step.target`; a number reads none"

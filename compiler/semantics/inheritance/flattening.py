@@ -197,7 +197,7 @@ class Records:
         return found[::-1]
 
     def _report_twice(self, one: ast.Name, other: ast.Name) -> None:
-        """Once for each place, however many derived records share it."""
+        """Reports a double mixin once for each place, however many derived records share it."""
         first, again = one, other
         if one.span.source is other.span.source:
             first, again = sorted((one, other), key=lambda name: name.span.start)

@@ -39,7 +39,10 @@ class Record:
     chain: tuple[Symbol, ...]
     """Most derived first."""
     definitions: dict[str, tuple[Definition, ...]] = fresh(factory=dict)
-    """Of each name, most derived first; names in order of first declaration, ancestors first."""
+    """The definitions of each name, most derived first.
+
+    Names are in order of first declaration, ancestors first.
+    """
     requirements: list[Definition] = fresh(factory=list)
     """The slots that mixins require of the chain behind them: with a type and no value."""
     statements: tuple[Statement, ...] = ()

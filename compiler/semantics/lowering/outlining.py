@@ -29,7 +29,7 @@ from ..types.meanings import erased
 from .interning import Interning
 
 Fixed: TypeAlias = tuple[Node | None, ...]
-"""For each argument of a call the constant that it is in the body, if it is one there."""
+"""For each argument of a call, its constant value in the body, if it has one there."""
 
 _Candidate: TypeAlias = tuple[Callee, Fixed, tuple[Node, Formals]]
 """A body that calls may share, as a tree, with its variables."""
@@ -49,7 +49,7 @@ class _Group:
     fixed: Fixed
     formals: Formals
     body: Node
-    """With marks of its own."""
+    """The body, with call-site annotations of its own."""
     applied: Node | None = None
     """The body, closed, once it is known to serve several calls."""
 
@@ -67,11 +67,11 @@ class _Sharing:
         self._groups: dict[tuple[Callee, Fixed], _Group] = {}
         """Callees before those that call them: a mark is younger than the marks in its value."""
         self._group_of: dict[int, _Group] = {}
-        """By the ids of the marks of calls."""
+        """The groups, by the ids of the annotations of calls."""
         self._names: set[str] = set()
 
     def roots(self, roots: list[Node]) -> list[Node]:
-        """As ``lowered`` says."""
+        """Lowers the roots as ``lowered`` says."""
         self._find_bodies(roots)
         self._find_calls([*roots, *(group.body for group in self._groups.values())])
         uses = Counter(self._group_of.values())
@@ -123,8 +123,10 @@ class _Sharing:
         return closed
 
     def _name(self, group: _Group) -> str:
-        """The function's name, with its textures and buffers; further ones are told apart by their
-        types."""
+        """The function's name, with its textures and buffers.
+
+        Further functions of this name are told apart by their types.
+        """
         kept = (given.data for given in group.callee.given if isinstance(given, Node))
         maps = [leaf.name for leaf in kept if isinstance(leaf, Resource | Buffer)]
         name = "_".join([group.callee.symbol.name, *maps])

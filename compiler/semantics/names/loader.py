@@ -46,7 +46,7 @@ class _Linking:
     path: Path | None = None
     """The path that it was read from, if another module imports it."""
     wanted: ast.Import | None = None
-    """By what that module does."""
+    """The import by which that module does so."""
 
 
 class Loader:
@@ -69,11 +69,15 @@ class Loader:
         self._looked = looked
         self._modules: dict[Path, Module] = {}
         self._loading: dict[Path, str] = {}
-        """The files whose imports are being read, each imported by the one before it, with what
-        messages call them."""
+        """The files whose imports are being read, with their names in messages.
+
+        Each is imported by the one before it.
+        """
         self._real: dict[Path, Path] = {}
-        """Folders without links, as far as anybody has asked: the system goes through all of a path
-        each time."""
+        """Folders without links, as far as anybody has asked.
+
+        They are kept, since the system goes through all of a path each time.
+        """
         report.extend(library.report.diagnostics)
 
     @property

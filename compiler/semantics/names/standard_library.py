@@ -50,7 +50,7 @@ class StandardLibrary:
         self._parse = parse
         self._read = read
         self._modules: dict[str, Module] = {}
-        """By path within the folder; all of them are linked."""
+        """The modules by their paths within the folder; all of them are linked."""
         self._begun: dict[str, Module] = {}
         """The same, and those that are being linked just now."""
         self._stamps: dict[Path, tuple[int, int]] = {}

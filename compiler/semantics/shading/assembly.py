@@ -48,7 +48,7 @@ class Setting:
     parts: Parts
     entries: list[Entry]
     leaves: tuple[Leaves, Leaves]
-    """Of the pass and of the material."""
+    """The leaves of the pass and of the material."""
     surface: Instance
     passing: Instance
 
@@ -113,8 +113,11 @@ def _put_together(
 
 
 def with_made_vertices(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
-    """The surface with the vertices that a tessellation makes, and an expansion of what these are
-    then, or of the mesh's own; there is no pass where a mixin is checked alone."""
+    """The surface with the vertices of a tessellation, and then of an expansion.
+
+    The expansion is of the tessellation's vertices, or of the mesh's own. There is no pass where a
+    mixin is checked alone.
+    """
     return expanded(ctx, tessellated(ctx, surface, passing), passing)
 
 

@@ -25,7 +25,10 @@ from ..state.scope import Failure, Instance
 from .instances import pass_scope
 
 MOST_NUMBERS = 64
-"""So many numbers of a vertex every device captures (OpenGL, ES 3.0, Vulkan and Direct3D)."""
+"""The number of a vertex's numbers that every device captures.
+
+OpenGL, ES 3.0, Vulkan and Direct3D promise it.
+"""
 
 
 def captures(record: Record) -> bool:

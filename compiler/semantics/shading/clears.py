@@ -28,7 +28,7 @@ class Clears:
     """The values of targets and depths at first."""
 
     targets: dict[str, tuple[float, ...]]
-    """In four lanes, by the names of the targets."""
+    """The values in four lanes, by the names of the targets."""
     depth: float | None = None
 
 
@@ -52,7 +52,7 @@ def clears_of(ctx: Context, drawn: Record) -> Clears:
 
 
 def _written(ctx: Context, drawn: Record) -> Iterator[tuple[ast.Name, ast.Expression, Scope]]:
-    """All that is said, ancestors first."""
+    """Yields all clear values that are written, those of ancestors first."""
     for member, owner, _ in drawn.every(ast.Clear):
         check_once(ctx.report, (value.name for value in member.values))
         for value in member.values:

@@ -59,7 +59,7 @@ from ..state.scope import (
 from .made import by_vertices, differs_in_strip, pass_of, slots_set
 
 MOST_VERTICES = 4096
-"""So many vertices may come of one primitive."""
+"""The largest number of vertices of one primitive."""
 
 _NOT_WHOLE: Mapping[DrawnPrimitive, Rule] = {
     "point": rules.NO_POINTS,
@@ -184,8 +184,10 @@ class _Expanding:
         return made
 
     def _made(self, names: Iterable[str]) -> Instance:
-        """The surface with slots that some group sets, each in the pass or in the surface; the pass
-        likewise, in its place."""
+        """The surface with slots that some group sets, each in the pass or in the surface.
+
+        The pass is made likewise, in its place.
+        """
         base, passing = self._base, self._passing
         of_surface, of_pass = [], []
         for name in names:
@@ -314,8 +316,10 @@ class _Expanding:
     def _of_strips(
         self, written: ast.Expression, names: dict[str, Value], type_: Type, text: str
     ) -> Node | Failure:
-        """A value that is the same for all vertices of a strip, or that tells them apart only by
-        their numbers: it knows the surface at the corners only."""
+        """A value that is the same for all vertices of a strip.
+
+        Or it tells them apart only by their numbers: it knows the surface at the corners only.
+        """
         ctx = self._ctx
         scope = self._scope(self._below, {**names, self._index.name: self._index_of_all()})
         node = node_of(ctx, written, scope)

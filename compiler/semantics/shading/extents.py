@@ -73,8 +73,10 @@ def known_extent(
 
 
 def _sides(extent: Node) -> Sequence[Node]:
-    """The width and the height of an image, if they are written one by one; the extent itself if
-    not."""
+    """The width and the height of an image, if they are written one by one.
+
+    If they are not, the extent itself.
+    """
     known = bare(extent)
     return known.operands if known.op == "vector" else (extent,)
 

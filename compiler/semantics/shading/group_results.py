@@ -43,8 +43,10 @@ def is_per_group(ctx: Context, member: ast.Result) -> bool:
 def of_each_group(
     ctx: Context, info: BufferInfo, stores: Iterable[Result], group: WorkGroup
 ) -> Iterable[Result]:
-    """The parts of an element as the first invocation of a group writes them, and how many elements
-    there are: as many as groups."""
+    """The parts of an element, which the first invocation of a group writes.
+
+    The number of elements comes with them: as many as groups.
+    """
     size = invocations(group)
     for result in stores:
         assert result.store is not None

@@ -62,8 +62,10 @@ def layer_count(ctx: Context, drawn: Record) -> int:
 
 
 def layer_of(ctx: Context, passing: Instance, count: int) -> Iterator[Result]:
-    """To which of ``count`` layers a strip is drawn, if there are any: the slot ``layer`` of the
-    pass, or that of the material."""
+    """Yields the layer of a strip, if there are ``count`` layers and not 0.
+
+    It is the slot ``layer`` of the pass, or that of the material.
+    """
     surface, drawn = passing.surface, passing.record
     if surface is None or not count:
         return

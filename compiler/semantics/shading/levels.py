@@ -1,8 +1,8 @@
-"""Into how many steps the edges and the inside of patches are divided.
+"""Tessellation levels: into how many steps the edges and the inside of patches are divided.
 
 ``tessellating.py`` asks for the levels as results of the control stage. So that no crack can be
-written, an edge's level depends on its two ends only, and does not on which of them comes first:
-it is the larger of both ways round.
+written, an edge's level depends on its two ends only, and does not on which of them comes first: it
+is the larger of both ways round.
 """
 
 from __future__ import annotations

@@ -21,8 +21,10 @@ from ..state.scope import Instance, Replacement
 
 
 def slots_set(ctx: Context, below: Instance, equations: Sequence[ast.Slot]) -> Iterator[str]:
-    """The slots that equations set of what is ``below`` them, a surface or a pass; reported where
-    there is none of that name."""
+    """Yields the slots that equations set in ``below``, a surface or a pass.
+
+    Equations for slots that do not exist there are reported.
+    """
     surface = below.surface or below
     seen: dict[str, Span] = {}
     for equation in equations:

@@ -28,7 +28,7 @@ _FUNCTIONS: Mapping[Patch, str] = {
     "isoline": "line_vertex",
 }
 _SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
-"""In the order of the library's numbers."""
+"""The spacings in the order of the library's numbers."""
 
 
 def pattern_of(

@@ -88,7 +88,7 @@ class Setting:
     """A setting: the fields of the state that it sets, and its values."""
 
     fields: tuple[str, ...]
-    """Of the state: several where one setting sets both sides."""
+    """The fields of the state: several where one setting sets both sides."""
     values: Meant
 
 
@@ -104,8 +104,10 @@ def _plain(**values: Meant) -> Mapping[str, Setting]:
 
 
 def _sided(**values: Words) -> Mapping[str, Setting]:
-    """Settings of both sides, and of each: ``pass`` and ``front.pass``. Those of one side stand
-    last, as they count more."""
+    """Settings of both sides, and of each: ``pass`` and ``front.pass``.
+
+    Those of one side stand last, as they count more.
+    """
     fields = {name.removesuffix("_op"): name for name in values}
     both = {
         name: Setting(tuple(f"{side}.{field}" for side in SIDES), values[field])
@@ -182,8 +184,10 @@ def of_a_pass(name: str) -> str:
 
 
 def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
-    """The settings in the members of one kind that mean something; the nearest record's count, and
-    in one record those of one side before those of both."""
+    """The settings in the members of one kind that mean something.
+
+    The nearest record's count, and in one record those of one side before those of both.
+    """
     known, found = SETTINGS[kind], dict[str, Any]()
     order = {name: number for number, name in enumerate(known)}
     for member, owner, _ in drawn.every(kind):

@@ -46,9 +46,12 @@ from .room import has_room
 from .slot_checks import check_instance, check_rig
 
 MOST_EXAMPLES = 256
-"""So many ways to fill in type parameters are tried."""
+"""The number of ways to fill in type parameters that are tried."""
 MOST_SETTINGS = 16
-"""With so many materials and lights a declaration is tried that is wrong with all of them."""
+"""The number of materials and lights with which a wrong declaration is tried.
+
+It is wrong if it is wrong with all of them.
+"""
 MOST_TRIED = 1_000_000
 """The number of characters of declarations that are tried in a compile, in about five seconds.
 

@@ -42,8 +42,10 @@ class ConstantValues:
     """Evaluates nodes that depend on nothing; reports those that do."""
 
     def __init__(self, report: Report, is_wrong: Callable[[Node], bool], work: Work) -> None:
-        """``is_wrong`` says whether a value has errors of its own, and reports them. ``work`` is
-        what the whole compile has computed by now."""
+        """``is_wrong`` says whether a value has errors of its own, and reports them.
+
+        ``work`` is the computation of the whole compile so far.
+        """
         self._report = report
         self._work = work
         self._is_wrong = is_wrong

@@ -49,7 +49,7 @@ class ExternBlocks:
     """The blocks of the host that have been read so far."""
 
     known: dict[Symbol, ExternInfo] = fresh(factory=dict)
-    """By the declaration of each, in the order in which they were met."""
+    """The blocks by their declarations, in the order in which they were met."""
     parameters: dict[tuple[Module, str], ParameterInfo | None] = fresh(factory=dict)
     """The members, by file and name."""
     reading: set[Module] = fresh(factory=set)
@@ -79,7 +79,7 @@ class Progress:
     """The values that are being computed at the moment, and those that never can be."""
 
     active: dict[Hashable, tuple[str, Span]] = fresh(factory=dict)
-    """By key, outermost first: to meet one of them again is a cycle."""
+    """The demands by key, outermost first: to meet one of them again is a cycle."""
     cyclic: set[Hashable] = fresh(factory=set)
     """Values that are defined by themselves, which has been reported."""
     recursive: set[Symbol] = fresh(factory=set)
@@ -146,24 +146,26 @@ class Context:
         self.applied: dict[Application, Node | Failure] = {}
         """Values of functions and of the file's constants."""
         self.overloads: dict[Symbol, Overloads] = {}
-        """By the first of them."""
+        """The overloads, by the first function of each name."""
         self.lights = Lights()
         self.is_step: dict[Instance, Callable[[tuple[str, int]], bool]] = {}
-        """For frames, and the lights that bring something to them, whether a slot as it is defined
-        at a level is a step, and so has no value."""
+        """For frames, and lights that bring something to them: is a slot a step, without a value?
+
+        The key is the slot's name and the level at which it is defined.
+        """
         self.call_sizes: dict[Symbol, int] = {}
         """The number of bodies in one call of a function (``call_sizes``)."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were evaluated."""
         self.twins: dict[Instance, Callable[[], Twin]] = {}
-        """For materials, passes and lights, the same in a context apart (``Twin``)."""
+        """For each material, pass or light, the same one in a context apart (``Twin``)."""
         self.is_twin = False
         self.placeholders: set[Node] = set()
         """Arguments and slots without a value, in a declaration that is checked by itself."""
         self.shaded: dict[tuple[Instance, Hashable], Instance] = {}
         """Surfaces with slots replaced by ``with``, by the surface and the new values."""
         self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
-        """For each of these the surface without replacements, and the new values."""
+        """For each of these, the surface without replacements, and the new values."""
         self.bodies: dict[Signature, SharedBody | Failure | None] = {}
         """Checked bodies of functions; ``None`` where they depend on the arguments' values."""
         self.applicable: set[Node] = set()
@@ -206,10 +208,12 @@ class Signature:
     given: tuple[Given, ...]
     """The kind, or the value, of each argument, and then of each replaced slot."""
     constants: tuple[tuple[str, bool] | None, ...]
-    """For each number, vector and matrix among these the literal that it is, if it is one: its text
-    and whether it has a sign."""
+    """For each number, vector and matrix among these, its literal, if it is one.
+
+    The literal is a text and whether it has a sign.
+    """
     units: tuple[bool, ...]
-    """For each of them whether it has length one; nothing, if the body is ``repeated``."""
+    """For each of them, does it have length one? Empty, if the body is ``repeated``."""
     surface: Instance | None
     """The surface that is shaded, without replaced slots."""
     slots: tuple[str, ...]
@@ -223,7 +227,7 @@ class SharedBody:
     """The result of a function for a signature."""
 
     value: Node
-    """Of a body that is applied, closed."""
+    """The value of the body: of one that is applied, closed."""
     formals: tuple[Formal, ...]
     """The variables of the body."""
     parts: tuple[Node, ...] = ()
@@ -247,8 +251,10 @@ class Rule:
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
     """The parts that are checked first, in the expression's own scope and in this order."""
     value: Callable[[Context, Any, Sequence[Node], Scope], Value | Inner]
-    """The expression's value, given those of its operands. Nobody asks for it where one of them is
-    wrong, or is no value: that has been reported."""
+    """The expression's value, given those of its operands.
+
+    Nobody asks for it where one of them is wrong, or is no value: that has been reported.
+    """
 
 
 @frozen

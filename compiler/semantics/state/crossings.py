@@ -67,8 +67,10 @@ class Crossings:
         self._domains = Domains()
 
     def attribute(self, leaf: Node, origin: Origin | None) -> Node:
-        """A vertex input as the fragment stage sees it, where vertices are made of those of the
-        mesh that of theirs; a matrix crosses column by column."""
+        """A vertex input as the fragment stage sees it; a matrix crosses column by column.
+
+        Where vertices are made of those of the mesh, it is the input of the made ones.
+        """
         return self.to_fragments(leaf if origin is None else self._made(leaf, origin))
 
     def supplied(self, row: SystemInput, origin: Origin | None) -> Node:

@@ -32,8 +32,10 @@ class Deferred:
         self._also: dict[Node, tuple[Node, ...]] = {}
         """Nodes that were evaluated for a node and are no part of its value."""
         self._passed: set[Node] = set()
-        """Nodes that nothing may need, and whose errors count elsewhere: there are copies of them,
-        or parts of them have been taken."""
+        """Nodes that nothing may need, and whose errors count elsewhere.
+
+        There are copies of them, or parts of them have been taken.
+        """
         self._touched: dict[Node, bool] = {}
         """True for nodes that need one with an error, on whatever side."""
         self._reached: set[Node] = set()

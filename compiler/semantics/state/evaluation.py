@@ -23,7 +23,10 @@ from .context import Context, OpenRule, Rule
 from .scope import FAILURE, Failure, Inner, Scope, Value
 
 DEEPEST = 16
-"""So many demands may wait for each other on Python's stack; each takes about ten frames."""
+"""The number of demands that may wait for each other on Python's stack.
+
+Each takes about ten frames.
+"""
 
 
 @frozen
@@ -39,8 +42,10 @@ class Demand:
     expression: ast.Expression
     scope: Scope
     finish: Callable[[Value], None]
-    """Keeps the value where it belongs, such as in ``ctx.applied`` or in an instance's ``values``;
-    whoever asked looks there."""
+    """Keeps the value where it belongs; whoever asked looks there.
+
+    This is ``ctx.applied`` or an instance's ``values``, for example.
+    """
 
 
 class Unsettled(Exception):  # noqa: N818

@@ -28,8 +28,10 @@ class Failure:
 FAILURE = Failure()
 
 OUTERMOST = -1
-"""Level −1: a name means what was given from outside (by a pass, `with` or a rig's entry), which
-wins over the record's own definitions."""
+"""Level −1: an override from outside, which wins over the record's own definitions.
+
+It is from a pass, `with` or a rig's entry.
+"""
 
 
 @record
@@ -115,8 +117,10 @@ class MadeSlots:
     """A surface whose vertices are made of those of a mesh: what it and its pass are made of."""
 
     base: Instance
-    """The surface as it is at the vertices that these are made of: the mesh's own, or those of
-    divided patches."""
+    """The surface at the vertices that these are made of.
+
+    They are the mesh's own, or those of divided patches.
+    """
     passing: Instance | None
     """The pass as it is there; ``None`` where a material's mixin is checked alone."""
     corners: int
@@ -129,20 +133,22 @@ class MadeSlots:
     """The origin of the vertex inputs at the vertices that are made."""
     groups: tuple[MadeGroup, ...] = ()
     unset: Instance | None = None
-    """In a tessellation, the surface at these vertices as it is where nothing is set anew."""
+    """In a tessellation, the surface at these vertices if nothing is set anew."""
     passing_unset: Instance | None = None
     """The pass as it is there."""
     expansion: Expansion | None = None
-    """Of an expansion, what is the same for all primitives; ``None`` if it is wrong."""
+    """The expansion, which is the same for all primitives; ``None`` if it is wrong."""
     tessellation: Tessellation | None = None
-    """Likewise of a tessellation and its patches."""
+    """The tessellation, which is the same for all patches; ``None`` if it is wrong."""
     results: tuple[Result, ...] = ()
     """The results of the stages besides vertices: which strips there are, or a patch's levels."""
     pattern: PatchPattern | None = None
-    """Of a tessellation, where the vertices of a patch lie."""
+    """The pattern of a tessellation, with the places of the vertices of a patch."""
     values: dict[tuple[int, str], Node | Failure] = fresh(factory=dict)
-    """By the number of a group and a slot's name: what the slot is at the vertices made there.
-    Checked on demand and once."""
+    """The value of a slot at made vertices, by the number of the group and the slot's name.
+
+    Each is checked on demand and once.
+    """
 
     @property
     def parts(self) -> tuple[Instance, ...]:
@@ -169,8 +175,11 @@ class Corners:
 
     word: str
     instance: Instance
-    """Whose slots they have: the surface, or the pass if the expansion stands there, and behind its
-    slots those of the surface."""
+    """The instance whose slots they have.
+
+    It is the surface, or the pass if the expansion stands there, and behind its slots those of the
+    surface.
+    """
     numbers: tuple[int, ...]
     """The numbers of these vertices in the primitive."""
     crossing: Crossing
@@ -182,7 +191,7 @@ class Corner:
     """``corner[k]``: a surface or a pass as it is at one of them."""
 
     instance: Instance
-    """As it is at the vertices that the corners are."""
+    """The instance at the vertices that the corners are."""
     number: Node
     crossing: Crossing
 
@@ -259,17 +268,20 @@ class RigEntry:
     name: str
     """The host's name: ``sun``, or ``Rig.sun`` where that name is taken."""
     span: Span
-    """Of the name."""
+    """The span of the name."""
     record: Record
     kind: Literal["single", "array", "buffer"]
     parameters: tuple[Parameter, ...]
-    """Single: one for each ``param``. Array: the array of structs. Buffer: none, as the lights are
-    the elements of the only one of ``buffers``."""
+    """The parameters of the entry.
+
+    A single light has one for each ``param``, an array the array of structs, and a buffer none, as
+    the lights are the elements of the only one of ``buffers``.
+    """
     resources: tuple[Resource, ...]
     buffers: tuple[Buffer, ...] = ()
     bound: int = 1
     count: Parameter | None = None
-    """Of ``[<= N]`` and ``[]``: the run-time count."""
+    """The run-time count of ``[<= N]`` and ``[]``."""
     replaced: Mapping[str, Replacement] = fresh(factory=dict)
 
     @property

@@ -28,7 +28,7 @@ class Tree(Graph):
         super().__init__()
         self._work = work
         self.nodes: list[Node] = []
-        """All that were made, in order."""
+        """All nodes that were made, in order."""
         self.again: Mapping[Hashable, Node] = EMPTY
         """The nodes that a rule made before, if it runs once more."""
 

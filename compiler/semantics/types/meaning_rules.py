@@ -266,7 +266,7 @@ def _lanes(sides: tuple[Side, ...], result: Type) -> Found:
 
 
 def _limits(sides: tuple[Side, ...], result: Type) -> Found:
-    """As ``_lanes``, and angles stay angles."""
+    """Like ``_lanes``, and angles stay angles."""
     found = _lanes(sides, result)
     is_angle = _first(sides) == ANGLE and isinstance(result, Scalar)
     return ANGLE if found is None and is_angle else found
@@ -286,7 +286,7 @@ def _blend(sides: tuple[Side, ...], _result: Type) -> Found:
 
 
 def _change(sides: tuple[Side, ...], _result: Type) -> Found:
-    """From one pixel to the next: of a point, the vector between them."""
+    """The rule of differences between pixels: that of a point is the vector between them."""
     (only,) = (s.meaning for s in sides)
     if only is not None and only.kind in GEOMETRY:
         return Meaning("vector", only.spaces)
@@ -356,7 +356,7 @@ RULES: Mapping[str, AlgebraRule] = {
     "turned": _turned,
     "reversed": _reversed,
 }
-"""By the ``meaning`` of a builtin's row."""
+"""The rules, by the ``meaning`` of a builtin's row."""
 
 
 def chosen(sides: tuple[Side, ...]) -> Found:

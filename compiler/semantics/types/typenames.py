@@ -92,12 +92,12 @@ class Declared:
 
     type: Type
     text: str
-    """As the user wrote it, for the reflection and for messages."""
+    """The type as the user wrote it, for the reflection and for messages."""
     fact: Fact = UNKNOWN
     """The fact that holds by contract; of a structure's or array's vectors, too."""
     meaning: Meaning | None = None
     members: tuple[tuple[str, Declared], ...] = ()
-    """Of a struct."""
+    """The members of a struct."""
 
 
 Variable = Declared | str | int
@@ -205,9 +205,9 @@ class TypeResolver:
 
 @lru_cache(maxsize=1024)
 def _named(word: str, arguments: tuple[str, ...], spaces: tuple[str, ...]) -> Declared:
-    """The type that ``word`` names; where a space among its arguments is unknown, ``spaces`` lacks
-    it, and the type has no meaning.
+    """The type that ``word`` names.
 
+    Where a space among its arguments is unknown, ``spaces`` lacks it, and the type has no meaning.
     A compile asks for the same few types again and again.
     """
     named = NAMED[word]
