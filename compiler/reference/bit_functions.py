@@ -76,7 +76,7 @@ def _field(xp: Namespace, offset: Lane, count: Lane) -> tuple[Lane, Lane]:
 
 
 def extract_bits(xp: Namespace, x: Lane, offset: Lane, count: Lane) -> Lane:
-    """For ``uint``; ``extract_signed_bits`` is the meaning for ``int``."""
+    """The meaning for ``uint``; ``extract_signed_bits`` is that for ``int``."""
     first, width = _field(xp, offset, count)
     return ((x & _MASK) >> first) & ((1 << width) - 1)
 

@@ -24,8 +24,7 @@ Spend = Callable[[], None]
 
 @record
 class Frame:
-    """One evaluation of a binder's body; without a parent, of everything that is under no
-    binder."""
+    """One evaluation of a binder's body; without a parent, that of all nodes under no binder."""
 
     parent: Frame | None = None
     bound: tuple[Lanes, ...] = ()

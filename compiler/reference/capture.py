@@ -50,7 +50,7 @@ class Listed:
     """All vertices that may be captured, in order."""
 
     values: tuple[tuple[Bounded, ...], ...]
-    """Of each member, its lanes, each of shape (vertices,)."""
+    """The lanes of each member, each of shape (vertices,)."""
     certain: Bools
     """True for the vertices that every device captures."""
     possible: Bools
@@ -196,7 +196,7 @@ class _Capturing:
 
 
 def _numbered(expansion: Expansion, primitives: int) -> dict[str, Ints]:
-    """For each listed vertex its primitive and the numbers that tell it apart."""
+    """The primitive of each listed vertex, and the numbers that tell the vertex apart."""
     rows = [
         (number, strip, vertex)
         for number, group in enumerate(expansion.groups)
@@ -240,8 +240,10 @@ def _taken(lanes: Lanes, vertices: Ints) -> tuple[Bounded, ...]:
 
 
 def _at_corner(lanes: Lanes, corner: Any, corners: Ints) -> Lanes:
-    """Values of the mesh's vertices at one corner of each primitive; at any of those that it may
-    be, where rounding tips which."""
+    """Values of the mesh's vertices at one corner of each primitive.
+
+    Where rounding tips which corner it is, the bounds contain those at all possible ones.
+    """
     last = corners.shape[1] - 1
     number = _whole((corner,), (len(corners),))[0]
     rows = np.arange(len(corners))

@@ -39,8 +39,10 @@ class _Cost(NamedTuple):
 
 
 def check_operations(roots: Sequence[Node], lanes: int, name: str) -> None:
-    """Raise ``BudgetError`` if it takes too long to compute these nodes for so many pixels,
-    vertices or elements at once, before anybody is told how far it is."""
+    """Checks that it does not take too long to compute these nodes for so many lanes at once.
+
+    Raises ``BudgetError`` before anybody is told how far the work is.
+    """
     check("operations", operations(roots) * (_CALL + lanes) // 2, f"`{name}` takes")
 
 

@@ -22,10 +22,11 @@ from .operations import NotConstantError, apply, constant_lanes
 __all__ = ["Evaluator", "LeafValues", "NotConstantError", "Observer", "TooLongError", "evaluate"]
 
 LeafValues = Callable[[Node], Lanes | None]
-"""Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
-``texture_reads.Reader``, that of a buffer a ``storage_buffers.BufferReader``.
+"""A function that returns the value of a leaf, or ``None`` if it has none.
 
-It is also called for crossings (``cross``); one without a value has that of its operand.
+The value of a texture is a ``texture_reads.Reader``, that of a buffer a
+``storage_buffers.BufferReader``. It is also called for crossings (``cross``); one without a value
+has that of its operand.
 """
 
 Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
@@ -33,8 +34,11 @@ Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 Evaluation continues with the value that it returns."""
 
 Stored = Callable[[Lanes], Lanes]
-"""Called with the states of an iteration before each turn and after the last one. Evaluation
-continues with the value that it returns."""
+"""A function that is called with the states of an iteration.
+
+It is called before each iteration and after the last one. Evaluation continues with the value that
+it returns.
+"""
 
 _ASKED = OUTSIDE | {"cross"}
 """Operations for which ``LeafValues`` may have a value."""
@@ -97,7 +101,7 @@ class Evaluator:
         """True if only the side of a choice that is taken is evaluated."""
         self._outermost = Frame()
         self._uses: Counter[int] = Counter()
-        """For a node's id, how many users of its value are still to come, if ``values`` knows."""
+        """By a node's id, the number of users of its value still to come, for ``values``."""
 
     def values(self, roots: Sequence[Node]) -> list[Lanes]:
         """The lanes of several roots.
@@ -201,7 +205,7 @@ class Evaluator:
                 del self._outermost.values[operand.id]
 
     def _condition_or_side(self, node: Node, frame: Frame) -> tuple[Node]:
-        """Of a choice, the side that is taken; the condition, as long as that is not known."""
+        """The side of a choice that is taken; the condition, as long as that is not known."""
         condition, then, otherwise = node.operands
         if condition.id not in self._home(condition, frame).values:
             return (condition,)

@@ -25,8 +25,10 @@ class HeldValues:
     def __init__(
         self, values: Mapping[str, Any], seen: Callable[[Lanes], Lanes] | None = None
     ) -> None:
-        """``seen`` makes of a parameter's value what a device has of it; buffers hold numbers of
-        the device already."""
+        """``seen`` makes a device's value of a parameter's value.
+
+        Buffers hold numbers of the device already.
+        """
         self._values = values
         self._seen = seen
         self._found: dict[tuple[Parameter | Buffer, Type], Lanes] = {}

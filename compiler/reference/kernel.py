@@ -43,8 +43,10 @@ Array = NDArray[Any]
 _AT_ONCE = 1 << 15
 """The number of invocations computed at once, or a work group if that has more."""
 _OF_A_LANE = 100
-"""Bytes that one lane of one element takes until a host has it: what it is and between which
-numbers, as an array of its own and as a part of the buffer."""
+"""The bytes that one lane of one element takes until a host has it.
+
+They hold its value and its bounds, as an array of its own and as a part of the buffer.
+"""
 
 
 @dataclass(frozen=True, slots=True)

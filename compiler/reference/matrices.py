@@ -10,7 +10,7 @@ from .namespace import Lane, Lanes, Namespace
 from .vectors import inner, scaled
 
 Numbers = tuple[int, ...]
-"""Of columns or rows."""
+"""Numbers of columns or rows."""
 
 
 def is_matrix(value: Lanes) -> bool:

@@ -28,8 +28,10 @@ if TYPE_CHECKING:
 
 
 class NotConstantError(Exception):
-    """The graph has a leaf without a value, or joins values that are not at hand, so it is not a
-    constant."""
+    """The graph has a leaf without a value, so it is no constant.
+
+    It may also join values that are not at hand.
+    """
 
     def __init__(self, node: Node) -> None:
         super().__init__(f"{node} has no value")

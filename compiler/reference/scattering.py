@@ -76,7 +76,7 @@ class _Joins:
         return cls(*(each[here] for each in (low, high, first, last, certain)))
 
     def chosen(self, which: Array) -> _Joins:
-        """Some of them."""
+        """The joins that ``which`` selects."""
         every = (self.low, self.high, self.first, self.last, self.certain)
         return _Joins(*(each[which] for each in every))
 

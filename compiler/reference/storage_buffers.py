@@ -57,13 +57,18 @@ class Contents:
 
     data: bytes
     ends: NDArray[np.float64] | None = None
-    """Of what a kernel has written: for each four bytes the number that they stand for, and between
-    which numbers that of a device is, (3, words). It is not rounded to 32 bits, and float64 has
-    every integer of 32 bits. NaN stands for what is not defined. Without it, devices have just what
-    ``data`` says."""
+    """The numbers that a kernel has written, with their bounds on a device, (3, words).
+
+    There is one for each four bytes. It is not rounded to 32 bits, and float64 has every integer of
+    32 bits. NaN stands for undefined numbers. Without it, devices have just the numbers of
+    ``data``.
+    """
     written: UUID = field(default_factory=uuid4, compare=False)
-    """A name of its own. Two kernels that have written the same here may not on a device, but
-    whoever reads the same contents finds the same numbers there."""
+    """A name of its own.
+
+    Two kernels that have written the same here may not on a device, but whoever reads the same
+    contents finds the same numbers there.
+    """
 
 
 class BufferReader:
@@ -79,7 +84,7 @@ class BufferReader:
         self._ends = None if written is None else written.reshape(3, -1, stride // LANE)
         self._table: Table = self._lanes(type_.element, 0, is_stored=is_stored)
         self._undecided = None if self._ends is None else np.isnan(self._ends[0]).any(axis=-1)
-        """Of which elements nothing is defined; ``None`` if all are defined."""
+        """True for elements that are undefined in part; ``None`` if all are defined."""
 
     def element(self, position: Any) -> Lanes:
         """The elements at these positions, which lie within bounds or do not matter.
@@ -145,8 +150,7 @@ class _Column:
     """One lane of all elements."""
 
     def __init__(self, value: NDArray[Any], *off: NDArray[Any]) -> None:
-        """``off`` are the lower and the upper ends of what a device may have, if it may have
-        anything else."""
+        """``off`` are the bounds of a device's values, if they may differ."""
         self._value = value
         self._ends = off
 

@@ -52,11 +52,11 @@ class Expression:
     value: tuple[float, ...]
     """The lanes of its value."""
     error: float
-    """By how much its worst lane may be off, with everything that it depends on."""
+    """The possible error of its worst lane, with everything that it depends on."""
     own: float
-    """By how much it would be off if its operands were exact."""
+    """The possible error if its operands were exact."""
     contribution: float
-    """By how much the picture is off because of ``own``, over all evaluations of it."""
+    """The error of the picture because of ``own``, over all evaluations of it."""
     magnification: float
     """The relative change of the picture for each relative change of this value."""
 
@@ -83,7 +83,7 @@ class Tipping:
     error: float
     """The distance to the jump, and the possible error of the operand."""
     effect: float
-    """By how much the picture changes if nothing else jumps; infinite if the pixel is discarded."""
+    """The change of the picture if nothing else jumps; infinite if the pixel is discarded."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -98,7 +98,7 @@ class Explanation:
     value: tuple[float, ...]
     """The exact lanes of the target."""
     error: float
-    """By how much the lane may be off: the sum of all contributions, to first order."""
+    """The possible error of the lane: the sum of all contributions, to first order."""
     contributions: tuple[Expression, ...]
     """The expressions that make the error, the largest contribution first."""
     losses: tuple[Loss, ...]
@@ -106,7 +106,7 @@ class Explanation:
     tippings: tuple[Tipping, ...]
     """Jumps that rounding may tip, the one that matters most first."""
     way: tuple[Expression, ...]
-    """From the picture down to the operation that contributes most."""
+    """The way from the picture down to the operation that contributes most."""
     overflows: tuple[Expression, ...] = ()
     """Operations whose results are too large for float32, although their operands are not."""
 
@@ -143,7 +143,7 @@ class _Explaining:
         """The lane of the picture that is explained."""
         self._total = float(total[self._worst])
         self._of_node: dict[int, Site] = {}
-        """Of each node the evaluation whose error matters most."""
+        """For each node, the evaluation whose error matters most."""
         for site in found.sites:
             best = self._of_node.get(site.node.id)
             if best is None or self._passing(site) > self._passing(best):
@@ -211,7 +211,7 @@ class _Explaining:
         return text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 1]}…"
 
     def _magnification(self, site: Site) -> float:
-        """Of the lane whose relative errors matter most."""
+        """The magnification of the lane whose relative errors matter most."""
         return max((self._by(site, lane) for lane in range(len(site.value))), default=0.0)
 
     def _by(self, site: Site, lane: int) -> float:

@@ -27,7 +27,7 @@ from .pixel import Occurrence, PixelShader, Reader
 AT_ONCE = 256
 """The number of ways evaluated at once: few, so that their values stay in the CPU's cache."""
 MOST_WAYS = 4096
-"""If there are more lanes than this, all evaluations of one node share their ways."""
+"""The limit of lanes; with more, all evaluations of one node share their ways."""
 PROBE = 2.0**-24
 """The least error that is tried, relative to a value: one rounding to float32."""
 SMALLEST = 2.0**-10
@@ -68,8 +68,7 @@ class Site:
 
     @property
     def contribution(self) -> Floats:
-        """(lanes of the picture,): the picture's error because of what the operation itself
-        rounds."""
+        """The picture's error because of the operation's own rounding: (lanes of the picture,)."""
         return self._scaled(self.local)
 
     @property
@@ -99,7 +98,7 @@ Seen = Callable[[Site, list[Lanes], Lanes], None]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Influences:
-    """Everything that was measured at one pixel."""
+    """The measurements at one pixel."""
 
     picture: Floats
     """(lanes,): the exact lanes of all render targets, one target after the other."""
@@ -207,8 +206,10 @@ class _Measuring:
                 self._sites[where].effect[lane] = change / len(lanes)
 
     def _changes(self, ways: list[list[Tried]], disturb: Disturb, seen: Seen) -> Floats:
-        """(ways, lanes of the picture): by how much each way changes the picture; infinite where
-        the pixel is discarded."""
+        """The change of the picture by each way: (ways, lanes of the picture).
+
+        It is infinite where the pixel is discarded.
+        """
         places: dict[Occurrence, list[tuple[int, int]]] = {}
         for way, lanes in enumerate(ways, start=1):
             for where, lane in lanes:

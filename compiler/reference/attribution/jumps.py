@@ -23,7 +23,7 @@ class JumpRule:
     """A rule for the jumps of one builtin, lane by lane."""
 
     coordinate: Callable[..., Lane]
-    """From the operands' lanes, a number that moves steadily and is special where it jumps."""
+    """A function of the operands' lanes that moves steadily and is special where it jumps."""
     at_whole: bool
     """True if it jumps at whole numbers, and not at zero."""
     beyond: Callable[[Lane, float, list[Lane]], Lane]
@@ -102,7 +102,7 @@ def coordinates(rule: JumpRule, operands: list[Lanes]) -> list[Lane]:
 
 
 def by_lane(operands: list[Lanes]) -> list[list[Lane]]:
-    """For each lane of the result, the operands' lanes; a single lane goes with every other."""
+    """The operands' lanes for each lane of the result; a single lane goes with every other."""
     width = max(map(len, operands))
     wide = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
     return [list(lanes) for lanes in zip(*wide, strict=True)]

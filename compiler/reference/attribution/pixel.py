@@ -53,8 +53,11 @@ class Occurrence:
 
 
 Change = Callable[[Occurrence, Node, list[Lanes], Lanes], Lanes]
-"""Called for every value that is computed or interpolated, with the values of its operands (of an
-interpolated value, those at the corners). Evaluation continues with the lanes that it returns."""
+"""A function that is called for every value that is computed or interpolated.
+
+It gets the values of the operands (of an interpolated value, those at the corners). Evaluation
+continues with the lanes that it returns.
+"""
 
 
 @dataclass(frozen=True, eq=False, slots=True)

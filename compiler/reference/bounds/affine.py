@@ -49,7 +49,7 @@ class Form:
 
     @property
     def radius(self) -> Array:
-        """By how much the lane may differ from its value; NaN where the form says nothing."""
+        """The possible distance of the lane from its value; NaN where the form says nothing."""
         if not self.errors:
             return self.rest
         return np.add.reduce(np.abs(self.terms)) + self.rest

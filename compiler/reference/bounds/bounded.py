@@ -101,7 +101,7 @@ class Bounded(Operators):
 
     @property
     def radius(self) -> Array:
-        """By how much a device's value may differ from the exact one, to the farther side."""
+        """The possible distance of a device's value from the exact one, to the farther side."""
         if self._radius is None:
             farther = np.maximum(self.high - self.value, self.value - self.low)
             self._radius = farther * ROUNDED_UP
@@ -109,7 +109,7 @@ class Bounded(Operators):
 
     @property
     def rounding(self) -> Array:
-        """By how much a device may round a sum or a product, in any order that it may take."""
+        """The possible rounding error of a sum or a product on a device, in any order."""
         made = self._sum
         times, magnitude = (
             (self._factors, self.magnitude) if made is None else (made.roundings, made.magnitude)
@@ -167,8 +167,11 @@ class Bounded(Operators):
         return _multiplied(self, as_bounded(other))
 
     def __truediv__(self, divisor: float) -> Bounded:
-        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, the table of
-        accuracies); ``Bounds.divide`` divides by other lanes."""
+        """A quotient by a constant, or a product with its reciprocal.
+
+        Its error is 2.5 ulp (WGSL, the table of accuracies). ``Bounds.divide`` divides by other
+        lanes.
+        """
         quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 

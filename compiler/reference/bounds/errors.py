@@ -235,6 +235,8 @@ _INHERITED: Mapping[str, Callable[[_OfPlatform, Floats, Floats], Floats]] = {
     "acosh": _inverse_cosine,
     "atanh": _inverse_tangent,
 }
-"""The functions with an inherited accuracy that are evaluated as one; all others, such as ``pow``
-and ``tan``, are evaluated as the expressions that they are defined by."""
+"""The functions with an inherited accuracy that are evaluated as one.
+
+All others, such as ``pow`` and ``tan``, are evaluated as the expressions that define them.
+"""
 _INHERITED_FROM = ("div", "sqrt", "inversesqrt", "exp", "exp2", "log", "log2", "atan2")

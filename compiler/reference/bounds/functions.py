@@ -24,8 +24,10 @@ from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
-"""The absolute error that a function may have: from its builtin's name, and the largest magnitudes
-of its operand and of its result."""
+"""A function that returns the largest absolute error of a builtin.
+
+It gets the builtin's name, and the largest magnitudes of its operand and of its result.
+"""
 
 _TURN = 2.0 * math.pi
 _BELOW_ONE = 2.0**-24
@@ -34,8 +36,7 @@ _LN2 = math.log(2.0)
 
 
 class Bounds(OwnFunctions):
-    """An array library whose lanes are ``Bounded``, for platforms whose functions have these
-    errors.
+    """An array library whose lanes are ``Bounded``, for platforms with these errors of functions.
 
     Operands may be plain where they are exact. A plain float is a constant of the program.
     """

@@ -16,8 +16,10 @@ from .rounding import Array, relative_error
 
 _FINEST = 2.0**-12
 _LARGEST = 2.0**6
-"""Sums of multiples of the one are exact in any order, for a long time, if no term is larger than
-the other."""
+"""The largest term up to which sums of multiples of ``_FINEST`` are exact in any order.
+
+They stay so for very many terms.
+"""
 _COUNTED = 2.0**24
 """Float32 has all whole numbers up to this one."""
 
@@ -33,7 +35,7 @@ class Sum:
     is_exact: bool
     """True if every partial sum of its terms is a float32."""
     error: Array = 0.0
-    """By how much its bounds are wider because of the order of its terms."""
+    """The width that the order of its terms adds to its bounds."""
     _magnitude: Array | None = None
     _whole: Array | None = None
 
@@ -56,8 +58,10 @@ class Sum:
         return self._whole
 
     def settle(self) -> None:
-        """Compute what is asked of the sum, and forget its terms: a loop that adds to it in every
-        turn would otherwise keep those of all turns."""
+        """Computes the properties of the sum, and forgets its terms.
+
+        A loop that adds to it in every iteration would otherwise keep those of all iterations.
+        """
         self._magnitude, self._whole = self.magnitude, self.whole
         self.operands = ()
 
@@ -82,7 +86,7 @@ Term = Sum | Single
 
 
 def in_any_order(sum_: Sum) -> Array:
-    """By how much further the bounds of a sum have to be widened for any order of its terms.
+    """The additional width of the bounds of a sum for any order of its terms.
 
     Each of n operations rounds a partial sum, which no order makes larger than the sum of all
     magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero. Whole

@@ -46,8 +46,10 @@ def rounding_error(magnitude: Array, times: int = 1) -> Array:
 
 
 def relative_error(times: int) -> float:
-    """The largest error of so many roundings one after the other, relative to the result: it is
-    ``(1 + ULP) ** times - 1``, and not more than this if these are fewer than millions."""
+    """The largest error of ``times`` roundings one after the other, relative to the result.
+
+    It is ``(1 + ULP) ** times - 1``, and not more than this if these are fewer than millions.
+    """
     return times * ULP * (1.0 + times * ULP)
 
 

@@ -135,5 +135,5 @@ bit_xor = _by_bits(operator.xor)
 shifted_left = _monotone(operator.lshift)
 shifted_right = _monotone(operator.rshift)
 quotient = _monotone(operator.floordiv)
-"""For divisors that are certainly positive, or certainly negative."""
+"""Quotients by divisors that are certainly positive, or certainly negative."""
 remainder = _modulo(operator.mod, lambda divisor: np.maximum(divisor, 0))

@@ -42,7 +42,7 @@ def _clamped(bias: Floats, most: float) -> Floats:
 
 
 def _slopes(faces: Faces) -> Bounded:
-    """By how much depths change from one pixel to the next: m.
+    """The change of depths from one pixel to the next: m.
 
     Direct3D takes the larger one of both directions. Vulkan and OpenGL take the length of the
     gradient, or this instead of it.

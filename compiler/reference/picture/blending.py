@@ -15,8 +15,10 @@ from ..bounds import Bounded, exact
 from .scene import Floats
 
 BLENDING = 5 * 2.0**-24
-"""The error of one blend of two numbers, relative to the larger one: a difference, a product and a
-sum are rounded to float32, and their terms may be twice as large."""
+"""The error of one blend of two numbers, relative to the larger one.
+
+A difference, a product and a sum are rounded to float32, and their terms may be twice as large.
+"""
 
 
 def blended(corners: Sequence[Bounded], shares: Sequence[Bounded], exactly: bool) -> Bounded:

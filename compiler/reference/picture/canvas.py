@@ -48,7 +48,7 @@ class Shades:
     """The results of shading some fragments."""
 
     colours: Sequence[Ends]
-    """For each target, (3, fragments, 4)."""
+    """The colours of each target, (3, fragments, 4)."""
     discarded: Bools
     undecided: Bools
     of_sample: Ints
@@ -85,11 +85,13 @@ class Canvas:
         blend_constant: Sequence[float] = BLACK,
         places: Places | None = None,
     ) -> None:
-        """``samples`` says how many there are in the picture, and ``written`` are the render
-        targets with the types of the values that are written to them. If the device ``rounds``,
-        its values lie between those of their formats. Without depths, what is drawn later is in
-        front; ``depth`` is what they are at first. ``places`` have numbers for faces whose depths
-        may be there."""
+        """``samples`` is the number of samples in the picture.
+
+        ``written`` are the render targets with the types of the values that are written to them. If
+        the device ``rounds``, its values lie between those of their formats. Without depths, later
+        draws are in front; ``depth`` is their initial value. ``places`` have numbers for faces
+        whose depths may be there.
+        """
         self.rounds = rounds
         self.has_depth = has_depth
         self._lanes = [width(type_) for _, type_ in written]
@@ -102,13 +104,12 @@ class Canvas:
             target[:] = self._rounded(state, target)
         self.depth = np.full(samples, float(np.float32(depth)))
         self.depth_off = np.zeros(samples)
-        """By how much a device's depth may differ."""
+        """The possible error of a device's depth."""
         self.places = places or Places()
         self.place = np.full(samples, NOWHERE)
         """The number of the place of the face whose depth is there."""
         self._may_hide = np.ones(samples)
-        """The nearest depth that a device may have where it is unsure whether a fragment was
-        drawn."""
+        """The nearest depth that a device may have where it is unsure if a fragment was drawn."""
         self.stencil = Stencil(samples)
         self.counted: Counted = frozenset()
         """The rare rules on which it hangs what has been drawn so far."""
@@ -151,7 +152,7 @@ class Canvas:
                 self._draw_layer(sample, depth, off, place, shades, members, test, part)
 
     def doubt(self, sample: Ints, test: DepthState, stencil: StencilState) -> None:
-        """At these samples it is unsure which fragments there are, before a draw and behind it."""
+        """Notes samples whose fragments are undecided before a draw, and behind it."""
         if self._shows(test):
             self.undecided[sample] = True
         if stencil.writes:
@@ -301,16 +302,21 @@ def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:
 
 
 def check_layers(sample: Ints) -> None:
-    """Raise ``BudgetError`` if so many fragments are drawn over each other at one of these samples
-    that nobody would wait for it: each is blended with what is behind it."""
+    """Checks that not too many fragments are drawn over each other at one of these samples.
+
+    Each is blended with the colour behind it. Raises ``BudgetError`` for so many that nobody would
+    wait for it.
+    """
     _, counts = np.unique(sample, return_counts=True)
     most = int(counts.max(initial=0))
     check("operations", most * _OF_A_LAYER, f"what {most:,} faces draw over each other takes")
 
 
 def in_layers(sample: Ints) -> Iterator[Ints]:
-    """The numbers of fragments in the order of drawing, in portions with at most one of each
-    sample. Raises ``BudgetError`` for too many."""
+    """The numbers of fragments in drawing order, in portions with at most one of each sample.
+
+    Raises ``BudgetError`` for too many.
+    """
     check_layers(sample)
     order = np.argsort(sample, kind="stable")
     starts = np.flatnonzero(np.diff(sample[order], prepend=-1))

@@ -29,8 +29,7 @@ ALL: Part = slice(None)
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """A whole number for each pixel, from ``first`` to ``last``; ``home`` is that of the exact
-    value.
+    """A whole number for each pixel, from ``first`` to ``last``; ``home`` is the exact value's.
 
     Arrays are (pixels,), or single numbers. If ``first is last``, no pixel has a choice.
     """
@@ -146,7 +145,7 @@ def _portions(pixels: Ints, total: Ints) -> list[Ints]:
 
 
 def _others(choices: Sequence[Choice], pixels: Ints, total: Ints) -> tuple[Ints, list[Ints]]:
-    """For some pixels every choice but the one of the exact value, and which pixel each is for."""
+    """Every choice of some pixels but that of the exact value, and the pixel that each is for."""
     owner = np.repeat(pixels, total)
     begins = np.cumsum(total) - total
     turn = np.arange(len(owner)) - np.repeat(begins, total)

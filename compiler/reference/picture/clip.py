@@ -25,13 +25,17 @@ class Clipped:
     primitive: Ints
     """(faces,): the triangle or line that each is a part of, in ascending order."""
     weights: Floats
-    """(faces, 3, 3), of lines (faces, 2, 2): each corner as a weighted sum of those of the
-    whole."""
+    """Each corner as a weighted sum of those of the whole:
+
+    (faces, 3, 3), for lines (faces, 2, 2).
+    """
     made: Bools
     """(faces, 3 or 2): whether clipping has made the corner."""
     inner: Bools
-    """(faces, 3), of lines (faces, 2): whether the side from this corner to the next one lies
-    within the triangle: another part begins there."""
+    """True for sides within the triangle, where another part begins.
+
+    A side goes from this corner to the next one: (faces, 3), for lines (faces, 2).
+    """
 
 
 def clip(corners: Floats, *, sides: bool = False) -> Clipped:

@@ -37,8 +37,10 @@ class Sides:
 def composed(
     blend: Blend, source: Floats, destination: Floats, constant: Sequence[float]
 ) -> Floats:
-    """The contents of a target after colours (3, …, 4) are drawn over others: the values, and
-    between which numbers those of a device are."""
+    """The contents of a target after colours (3, …, 4) are drawn over others.
+
+    They are the values, and the bounds of those of a device.
+    """
     fixed = tuple(exact(np.float64(lane)) for lane in constant)
     sides = Sides(_lanes(source), _lanes(destination), fixed)
     equations = [blend.color] * ALPHA + [blend.alpha]

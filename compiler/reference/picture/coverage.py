@@ -30,8 +30,11 @@ _CANDIDATES = 1 << 18
 
 @dataclass(frozen=True, slots=True)
 class Fragments:
-    """Pairs of a face and a sample that it covers: of a pixel with one sample, a fragment; where
-    there are several, those of one face and pixel together are a fragment."""
+    """Pairs of a face and a sample that it covers.
+
+    In a picture with one sample for each pixel, a pair is a fragment; where there are several
+    samples, the pairs of one face and pixel together are a fragment.
+    """
 
     face: Ints
     """The faces in ascending order, which is the order of drawing."""
@@ -39,7 +42,7 @@ class Fragments:
     """The numbers of the samples."""
 
     def only(self, which: Bools | Ints | slice) -> Fragments:
-        """Some of them."""
+        """The fragments that ``which`` selects."""
         return Fragments(self.face[which], self.sample[which])
 
     def of(self, faces: Ints) -> Fragments:
@@ -61,7 +64,7 @@ class Coverage:
     """The fragments that a device may have or not, whether they are among ``fragments`` or not."""
 
     def in_order(self) -> tuple[Fragments, Bools]:
-        """All that any device has, each once, in the order of drawing; which are certain."""
+        """All fragments that any device has, each once, in drawing order; and which are certain."""
         sure = self.certain
         every = joined([self.fragments.only(sure), self.doubtful])
         order = np.argsort(every.face, kind="stable")
@@ -77,7 +80,7 @@ class _Edges:
     y: Floats
     dx: Floats
     dy: Floats
-    """With the sign that makes the edge function positive inside."""
+    """The height, with the sign that makes the edge function positive inside."""
     owns: Bools
     """True if the face owns pixels that are exactly on the edge.
 
@@ -101,7 +104,7 @@ class _Spans:
 
 
 def coverage_within(faces: Faces, some: Ints, rules: RasterRules, targets: int) -> Coverage:
-    """As ``coverage_of``, of only some faces, with these numbers in ascending order."""
+    """Like ``coverage_of``, for some faces only, with these numbers in ascending order."""
     if len(some) == len(faces.area):
         return coverage_of(faces, rules, targets)
     found = coverage_of(faces.only(some), rules, targets)
@@ -155,7 +158,7 @@ def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
 def _covered(
     faces: Faces, edges: _Edges, spans: _Spans, rules: RasterRules, number: int, at: Location
 ) -> Coverage:
-    """At which pixels of some spans the sample with this number is covered."""
+    """The pixels of some spans at which the sample with this number is covered."""
     face = np.repeat(spans.face, spans.length)
     before = np.cumsum(spans.length) - spans.length
     column = np.arange(len(face)) + np.repeat(spans.start - before, spans.length)
@@ -191,8 +194,7 @@ def _edges(faces: Faces, rules: RasterRules) -> _Edges:
 
 
 def _spans(faces: Faces, edges: _Edges, rules: RasterRules, at: Location) -> _Spans:
-    """For every face the rows of samples that it may touch, and in each the pixels between its
-    edges."""
+    """For every face, the rows of samples that it may touch, and the pixels between its edges."""
     slack = faces.unsure.max(axis=1, initial=0.0)
     first, upper, last, lower = rules.drawn
     left = _clamped(np.ceil(faces.x.min(axis=1) - slack - at.x), first, last)
@@ -240,7 +242,7 @@ def _portions(spans: _Spans) -> Iterator[_Spans]:
 def _tried(
     edges: _Edges, spans: _Spans, face: Ints, x: Floats, at: Location
 ) -> tuple[Bools, Bools]:
-    """For each candidate, whether it is covered, and whether rounding may change this."""
+    """For each candidate: is it covered, and may rounding change this?"""
     covered = np.ones(len(x), dtype=np.bool_)
     beside = np.ones(len(x), dtype=np.bool_)
     close = np.zeros(len(x), dtype=np.bool_)

@@ -21,12 +21,12 @@ from .scene import Bools, Floats, Ints
 _ACROSS = np.array([[0, 0, -1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0], [-1, 0, 0]])
 _DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0, -1, 0]])
 _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
-"""For each face, the directions of its columns and of its rows, and the one in which it lies."""
+"""The directions of the columns and the rows of each face, and the one in which it lies."""
 
 _AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
 """The same directions as numbers of lanes, with signs."""
 _FACES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
-"""For each face, the lane that is the largest there, and its sign."""
+"""The lane that is the largest on each face, and its sign."""
 
 _ASSUMED = 2.0**-18
 """The possible error of a device that compares and divides a direction's lanes.
@@ -43,7 +43,7 @@ class Met:
     face: Ints
     across: Bounded
     down: Bounded
-    """Within the face, from 0 to 1."""
+    """The places within the face, from 0 to 1."""
     out: Bounded
     """The lane of the direction with the largest magnitude, without its sign."""
 

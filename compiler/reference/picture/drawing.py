@@ -192,8 +192,7 @@ class _Drawing:
     def _draw_tile(
         self, rules: RasterRules, faces: Ints, progress: Tell | None, hulls: Hulls | None
     ) -> None:
-        """Draw the fragments of some faces in a part of the picture, which is the scissor of these
-        rules."""
+        """Draws the fragments of some faces in a part of the picture, these rules' scissor."""
         canvas = self._canvas
         coverage = coverage_within(self._faces, faces, rules, len(self._lanes))
         fragments, sure = coverage.fragments, coverage.certain
@@ -238,16 +237,21 @@ class _Drawing:
         return StencilTest(self._stencil, self._faces.front[fragments.face])
 
     def _let_through(self, fragments: Fragments) -> Bools:
-        """The fragments that the stencil does not hide, as far as that is known beforehand: a draw
-        that writes values may still change them."""
+        """The fragments that the stencil does not hide, as far as that is known beforehand.
+
+        A draw that writes values may still change them.
+        """
         if self._stencil.writes:
             return np.ones(len(fragments.sample), np.bool_)
         test = self._test_of(fragments)
         return self._canvas.stencil.tested(test, fragments.sample).may_hold
 
     def _not_behind(self, doubtful: Fragments) -> Fragments:
-        """The doubtful fragments that may be seen before what there was when the draw began, as
-        long as that is still there then. What is hidden may change stencil values, too."""
+        """The doubtful fragments that may be seen in front of the content before the draw.
+
+        This holds as long as that content is still there. Hidden fragments may change stencil
+        values, too.
+        """
         is_changed = self._depth.write and self._depth.compare != "equal"
         if is_changed or self._stencil.writes:
             return doubtful

@@ -17,10 +17,13 @@ from ..transfer import decode_srgb, encode_srgb
 from .scene import Floats
 
 _CURVED = 0.1
-"""By how much of a step a device's curve of sRGB may be off, besides rounding: Direct3D allows 0.6
-of a step in all (11.3 functional specification, 3.2.3.8). Elsewhere it is assumed."""
+"""The part of a step by which a device's sRGB curve may be off, besides rounding.
+
+Direct3D allows 0.6 of a step in all (11.3 functional specification, 3.2.3.8). Elsewhere it is
+assumed.
+"""
 _ON_STEP = 1e-9
-"""By how much of a step float64 may be off at a number that the format has."""
+"""The part of a step by which float64 may be off at a number that the format has."""
 _READ = 2.0**-22
 """The error of a stored number that is read as a float32, relative to itself."""
 
@@ -30,9 +33,9 @@ class Format:
     """A format of a target: how it stores numbers."""
 
     bits: int
-    """Of a lane."""
+    """The bits of a lane."""
     alpha_bits: int
-    """Of the fourth lane."""
+    """The bits of the fourth lane."""
     is_float: bool
     is_srgb: bool
 
@@ -97,7 +100,10 @@ def step(name: str, colours: Floats) -> Floats:
 
 
 def _fixed(form: Format, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Of NaN, which says that nothing is known, at least the ends of the range are."""
+    """Rounds to a format in fixed point.
+
+    NaN says that nothing is known; then at least the ends of the range are.
+    """
     low = np.clip(np.nan_to_num(low, nan=0.0), 0.0, 1.0)
     high = np.clip(np.nan_to_num(high, nan=1.0), 0.0, 1.0)
     slack = np.full(4, -_ON_STEP)

@@ -18,12 +18,12 @@ from .scene import Bools, Floats, Ints
 
 
 class Hulls:
-    """For each sample of a canvas the least and the largest of what it may be."""
+    """For each sample of a canvas, the least and the largest of its possible values."""
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
         self.targets = [target[1:].copy() for target in canvas.targets]
-        """For each target (2, samples, 4)."""
+        """The hulls of each target, (2, samples, 4)."""
         self.depth = np.stack([canvas.depth - canvas.depth_off, canvas.depth + canvas.depth_off])
         """(2, samples)."""
 
@@ -34,11 +34,11 @@ class Hulls:
         depths: Callable[[Fragments], tuple[Floats, Floats]],
         shaded: Callable[[Fragments], Shades],
     ) -> None:
-        """Behind a draw: decided samples are what they are; others may be what they were before, or
-        what any of these fragments makes of that.
+        """Extends the hulls behind a draw.
 
-        The fragments are in the order of drawing. All devices draw those that are ``certain``,
-        unless they discard them.
+        Decided samples get their values; others may keep those before, or what any of these
+        fragments makes of them. The fragments are in the order of drawing. All devices draw those
+        that are ``certain``, unless they discard them.
         """
         canvas = self._canvas
         undecided = canvas.undecided | canvas.shaky

@@ -26,7 +26,7 @@ _TINY = 2.0**-60
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """By how much a coordinate changes from one pixel to the next."""
+    """The changes of a coordinate from one pixel to the next."""
 
     across: Sequence[Bounded]
     down: Sequence[Bounded]

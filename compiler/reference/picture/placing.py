@@ -31,8 +31,10 @@ def placing_of(
     geometry: Geometry,
     rules: RasterRules,
 ) -> bytes | None:
-    """The digest; ``None`` where a device may place what is drawn otherwise than another draw that
-    has the same."""
+    """The digest of a draw.
+
+    It is ``None`` where a device may place the faces otherwise than another draw of the same.
+    """
     if not shader.render_state.is_invariant:
         return None
     held = _Held(values, textures, geometry)
@@ -51,8 +53,10 @@ def placing_of(
 
 
 def _in_order(roots: Sequence[Node]) -> Iterator[Node]:
-    """All that is computed for ``roots``, in the order in which it is needed. So it does not hang
-    on what else a graph has."""
+    """All nodes below ``roots``, in the order in which they are needed.
+
+    So it does not depend on the rest of the graph.
+    """
     seen: set[Node] = set()
     pending = list(roots)[::-1]
     while pending:

@@ -20,8 +20,10 @@ from .samples import CENTRE, Location, location_of_depth, pixels_of
 from .scene import Bools, Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
-"""The error of a mean where a device may take small numbers of the computation for zero. Means of
-nothing but zeros are exact."""
+"""The error of a mean where a device may take small numbers of the computation for zero.
+
+Means of nothing but zeros are exact.
+"""
 _AT_ONCE = 1 << 16
 """The number of depths computed at once, so that a large picture needs no more memory."""
 _HALF = 0.5
@@ -67,8 +69,10 @@ def rows_above(rules: RasterRules, side: int) -> int:
 
 
 def quads_of(fragments: Fragments, rules: RasterRules, side: int) -> tuple[Quads, Ints]:
-    """The quads that contain the fragments, and for each fragment the number of its lane in
-    them, which all samples of a pixel have in common."""
+    """The quads that contain the fragments, and for each fragment the number of its lane in them.
+
+    All samples of a pixel share a lane.
+    """
     width, above = rules.width, rows_above(rules, side)
     pixel = pixels_of(fragments.sample, rules)
     x, y = pixel % width, pixel // width + above
@@ -108,8 +112,10 @@ class Barycentric:
 
     @cached_property
     def depth_read(self) -> Bounded:
-        """The depth, as shaders read it. Where pixels have several samples, a device may give it
-        that of any of them."""
+        """The depth, as shaders read it.
+
+        Where pixels have several samples, a device may give it that of any of them.
+        """
         return self.depth if self._rules.samples == 1 else self._depth_around(_HALF)
 
     def _depth_around(self, reach: float) -> Bounded:
@@ -253,7 +259,7 @@ class Barycentric:
         return steepness
 
     def _moved_by(self) -> Floats:
-        """By how many pixels the triangle may be elsewhere at each place of a quad.
+        """The pixels by which the triangle may be elsewhere at each place of a quad.
 
         A place is a weighted mean of the corners, and moves with each of them by its weight. Where
         a corner is behind the eye, a clipped part lies outside of the triangle between them, and
@@ -272,8 +278,10 @@ class Barycentric:
 
     @cached_property
     def _slopes(self) -> tuple[Floats, Floats]:
-        """By how much the weights change if the triangle is a pixel elsewhere: the sum of the
-        magnitudes of each weight's changes to the right and downwards."""
+        """The changes of the weights if the triangle is a pixel elsewhere.
+
+        They are the sums of the magnitudes of each weight's changes to the right and downwards.
+        """
         near = self._near[:, :, None, None]
         slopes: list[Floats] = []
         for i, share in enumerate(self._perspective):
@@ -351,8 +359,7 @@ _Weights = tuple[Floats, Floats]
 def _linear(
     faces: Faces, face: Ints, x: Floats, y: Floats
 ) -> tuple[_Weights, tuple[_Weights, _Weights]]:
-    """The weights at some places, linear on the screen; and their changes to the right and
-    downwards."""
+    """The weights at some places, linear on the screen; and their changes right and downwards."""
     ax, bx, cx = faces.plane_x[face].T
     ay, by, cy = faces.plane_y[face].T
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)

@@ -46,8 +46,10 @@ def expected_on(
 
 
 def samples_on(canvas: Canvas, target: int, hulls: Hulls | None = None) -> Ends:
-    """The samples of one of the targets, (3, samples, 4). Those that are undecided may be all that
-    their hulls contain."""
+    """The samples of one of the targets, (3, samples, 4).
+
+    Undecided samples may have all values that their hulls contain.
+    """
     found: Ends = canvas.targets[target].copy()
     low, high = found[1:]
     low[np.isnan(low)], high[np.isnan(high)] = -np.inf, np.inf

@@ -55,15 +55,17 @@ class Vertices:
     off: Floats
     """(vertices, 4): by how much a device's positions may differ."""
     crossings: Mapping[int, Lanes]
-    """By the id of the ``cross`` node: lanes of length (vertices,), or single numbers."""
+    """The crossing values, by the id of the ``cross`` node.
+
+    Lanes have the length (vertices,), or are single numbers.
+    """
     undecided: Bools
     """(vertices,): where a promise is broken."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shaded:
-    """The results of the fragment stage for some quads, whose lanes broadcast to (quads, side,
-    side)."""
+    """The results of the fragment stage for some quads; lanes broadcast to (quads, side, side)."""
 
     targets: tuple[Lanes, ...]
     discarded: Lane
@@ -102,7 +104,7 @@ class StageEvaluator:
         self._at_pixels = (*((self._discard,) if self._discard else ()), *self._targets)
         self._vertices_at_once = at_once(self._at_vertices, VERTICES_AT_ONCE)
         self.pixels_at_once = at_once(self._at_pixels, PIXELS_AT_ONCE)
-        """For how many pixels ``fragments`` may be called."""
+        """The number of pixels for which ``fragments`` may be called at once."""
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         texels = {resource: _texels(textures, resource) for resource in read}
@@ -248,7 +250,7 @@ def _at_each(lane: Any, count: int) -> Any:
 
 
 def _radius(lane: Bounded) -> Floats:
-    """By how much a device's value may differ from the exact one."""
+    """The possible distance of a device's value from the exact one."""
     off = np.maximum(lane.high - lane.value, lane.value - lane.low)
     return np.nan_to_num(np.asarray(off, np.float64), nan=np.inf, posinf=np.inf)
 

@@ -19,7 +19,7 @@ from .scene import Bools, Ints
 _VALUES = STENCIL_MOST + 1
 
 _FORGET: frozenset[StencilOperation] = frozenset(("zero", "replace"))
-"""Behind these it does not matter what was there, if all bits are written."""
+"""The operations after which the value before does not matter, if all bits are written."""
 
 
 def operated(operation: StencilOperation, there: Ints, reference: int) -> Ints:

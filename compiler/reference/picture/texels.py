@@ -23,14 +23,18 @@ from .intervals import increasing, widened
 from .scene import Floats, Ints, RasterRules, Texels
 
 _DECODING = 2.0**-22
-"""The error of a texel that is not a float32, such as 1/255, relative to itself: a device computes
-it from the bits that are stored."""
+"""The error of a texel that is not a float32, such as 1/255, relative to itself.
+
+A device computes it from the bits that are stored.
+"""
 
 _SRGB_STEP = 1.05 * 0.5 / 255
-"""By how much a device may be off when it decodes sRGB, in encoded units: half a step of 8 bits
-(Direct3D 11.3 functional specification, 3.2.3.7), and what the curve bends within it. Its slope is
-that of IEC 61966-2-1. Vulkan, OpenGL and WebGPU name the curve, but limit no error: there it is
-assumed, and Direct3D's exception is not, that 0 and 1 are exact."""
+"""The possible error of a device that decodes sRGB, in encoded units.
+
+It is half a step of 8 bits (Direct3D 11.3 functional specification, 3.2.3.7), and the bend of the
+curve within it. Its slope is that of IEC 61966-2-1. Vulkan, OpenGL and WebGPU name the curve, but
+limit no error: there it is assumed, and Direct3D's exception is not, that 0 and 1 are exact.
+"""
 
 EVERY_LANE = slice(None)
 
@@ -143,7 +147,7 @@ class Image:
 
     @cached_property
     def _hulls(self) -> tuple[Floats, Floats]:
-        """For each lane and each level, the least and the greatest texel."""
+        """The least and the greatest texel, for each lane and each level."""
         low, high = self._ends or (self._table, self._table)
         least = np.minimum.reduceat(low, self._starts, axis=1)
         return least, np.maximum.reduceat(high, self._starts, axis=1)
@@ -228,7 +232,7 @@ def _ends_of(table: NDArray[Any], texels: Texels) -> tuple[Floats, Floats] | Non
 
 
 def _errors_of(table: NDArray[Any], is_srgb: bool) -> Floats | None:
-    """By how much devices may be off when they decode texels; ``None`` if all are float32."""
+    """The possible errors of devices that decode texels; ``None`` if all are float32."""
     if table.dtype.kind != "f":
         return None
     rounded = table != table.astype(np.float32)

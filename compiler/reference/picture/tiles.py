@@ -30,7 +30,7 @@ class Tile:
 
     @classmethod
     def of(cls, rules: RasterRules) -> Tile:
-        """All that may be drawn to."""
+        """The tile of all pixels that may be drawn to."""
         return cls(*rules.drawn)
 
     @property

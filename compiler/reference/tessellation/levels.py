@@ -96,7 +96,7 @@ def _clamped(level: float, least: float, most: float) -> float:
 
 
 def _fixed(level: float) -> int:
-    """In units of places, to the nearest even one."""
+    """A level in units of places, to the nearest even one."""
     return round(level * ONE)
 
 
