@@ -17,8 +17,10 @@ Factor = Literal[
     "one_minus_dst", "dst_alpha", "one_minus_dst_alpha", "src_alpha_saturated", "constant",
     "one_minus_constant",
 ]  # fmt: skip
-"""By what a side is multiplied before both are joined: the source is what is drawn, the destination
-what is there."""
+"""The factor of a side before both are joined.
+
+The source is the colour that is drawn, the destination the one in the target.
+"""
 Operation = Literal["add", "subtract", "reverse_subtract", "min", "max"]
 """The operation that joins both products: ``subtract`` takes the destination from the source."""
 Mask = Literal[
@@ -57,7 +59,7 @@ class BlendEquation:
 
     @property
     def factors(self) -> tuple[Factor, Factor]:
-        """Both factors, that of what is drawn first."""
+        """Both factors, that of the source first."""
         return self.source, self.destination
 
 

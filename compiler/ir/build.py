@@ -149,7 +149,10 @@ def assembled(graph: Graph, type_: Type, leaves: Iterator[Node]) -> Node:
 
 
 def flattened(graph: Graph, node: Node) -> Iterator[Node]:
-    """The parts of a value's parts, down to what is no aggregate; the value itself if it is none"""
+    """The parts of a value's parts, down to those that are no aggregates.
+
+    If the value is no aggregate, it is the only one.
+    """
     parts = parts_of(node.type)
     if parts is None:
         yield node

@@ -23,9 +23,9 @@ class CapturedMember:
     type: Type
     """A number, or a vector of numbers."""
     declared_type: str
-    """As written: ``point<world>``."""
+    """The type as written: ``point<world>``."""
     offset: int
-    """In bytes, from where the vertex begins."""
+    """The offset in bytes, from where the vertex begins."""
     doc: str = ""
 
 

@@ -56,7 +56,7 @@ class EmittedStrips:
 
     shape: StripShape
     vertices: int
-    """Of each strip."""
+    """The number of vertices of each strip."""
     strips: int
     """The largest number of strips."""
     strip_name: str = "strip"
@@ -71,7 +71,7 @@ class EmittedStrips:
 
     @property
     def primitives(self) -> int:
-        """Of each strip."""
+        """The number of primitives of each strip."""
         return max((self.vertices - self.kind.corners) // self.kind.step + 1, 0)
 
     @property
@@ -92,7 +92,7 @@ class Expansion:
     primitive: str
     """One of ``CORNERS``."""
     groups: tuple[EmittedStrips, ...]
-    """In the order in which they are drawn."""
+    """The groups, in the order in which they are drawn."""
     span: Span
     """The span that names the primitive."""
 
@@ -118,5 +118,5 @@ class Expansion:
 
     @property
     def starts(self) -> tuple[int, ...]:
-        """For each group the number of its first vertex in that list."""
+        """For each group, the number of its first vertex in that list."""
         return tuple(accumulate((group.listed for group in self.groups[:-1]), initial=0))

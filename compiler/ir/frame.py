@@ -26,7 +26,7 @@ class FrameShader:
     """One shader of a frame: a pass with a material and lights, or a kernel."""
 
     name: str
-    """By which the plan names it, and its files: ``Deferred.GBuffer.Plastic``."""
+    """The name in the plan and of its files: ``Deferred.GBuffer.Plastic``."""
     shader: Shader
 
 
@@ -144,8 +144,7 @@ class Attachment:
     over: Image | None
     """The content to draw over, made by another step; ``None`` if it is cleared."""
     clear: int | None = None
-    """The number of the value that it is cleared to; ``None`` for transparent black, or a depth of
-    1."""
+    """The number of the clear value; ``None`` for transparent black, or a depth of 1."""
 
 
 @frozen(eq=False)
@@ -161,8 +160,11 @@ class RenderStep:
     span: Span
     viewport: int | None = None
     scissor: int | None = None
-    """The numbers of the values that say into which part of the targets the clip volume is drawn,
-    and which part is drawn to: left, top, width and height. ``None`` for all of it."""
+    """The numbers of the values that limit where a step draws.
+
+    They say into which part of the targets the clip volume is drawn, and which part is drawn to:
+    left, top, width and height. ``None`` for all of it.
+    """
     blend_constant: int | None = None
     """The value of the factor ``constant`` in all targets."""
 
@@ -189,7 +191,7 @@ class KernelStep:
     use: Use
     images: Mapping[str, Image]
     buffers: Mapping[str, Elements]
-    """By the names of the kernel's results."""
+    """The buffers, by the names of the kernel's results."""
     doc: str
     span: Span
 

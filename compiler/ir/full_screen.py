@@ -30,7 +30,7 @@ CORNERS = 3
 
 _INPUTS = inputs_of(RASTERISED)
 _NEAR, _FAR = -1.0, 3.0
-"""In clip space, where the triangle begins and ends in each direction: it covers -1..1 twice."""
+"""The ends of the triangle in clip space, in each direction: it covers -1..1 twice."""
 
 
 def writes_images(shader: Shader) -> bool:

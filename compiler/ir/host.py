@@ -25,7 +25,7 @@ KEYS: Mapping[str, str] = {
 """By operation, the name of the field of a step that holds the operation's data."""
 
 KNOWN_TO_HOST = PLAIN | KEYS.keys() | {"fold"}
-"""All that a host computes, in a graph whose binders are closed."""
+"""The operations that a host computes, in a graph whose binders are closed."""
 
 KNOWN_IN_TREES = KNOWN_TO_HOST | {"as", "called"}
 """The same in checked trees, with the marks that mean what their operand does."""

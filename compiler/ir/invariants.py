@@ -17,7 +17,7 @@ PATIENCE = 8
 """Turns that are followed before bounds which still move are given up."""
 
 Turn = Callable[[Sequence[Fact]], Sequence[Fact]]
-"""From what is known of the states to what is known of them after a turn."""
+"""A function from the facts of the states to their facts after an iteration."""
 
 
 def invariants(starts: Sequence[Fact], turn: Turn, turns: int) -> list[Fact]:

@@ -13,8 +13,11 @@ WorkGroup = tuple[int, int, int]
 """The number of invocations side by side along x, y and z."""
 
 USUAL: Mapping[int, WorkGroup] = {1: (64, 1, 1), 2: (8, 8, 1)}
-"""By the number of dimensions that a kernel's results have: a multiple of what all devices execute
-at once, and no more than any of them takes."""
+"""The usual work group by the number of dimensions of a kernel's results.
+
+It is a multiple of the invocations that all devices execute at once, and no more than any of them
+takes.
+"""
 
 WRITTEN_GROUP = "draw"
 """The group of the buffers and images that a kernel writes."""

@@ -50,7 +50,7 @@ class Resource:
     group: str
     default: str = "white"
     state: tuple[tuple[str, str], ...] = ()
-    """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
+    """The sampler's state as sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` …"""
 
 
 @frozen(key=True)

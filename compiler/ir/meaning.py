@@ -33,7 +33,7 @@ class Meaning:
     kind: MeaningKind
     spaces: tuple[str, ...] = ()
     members: tuple[tuple[str, Meaning | None], ...] = ()
-    """Of a struct."""
+    """The names and meanings of a struct's members."""
 
     def __str__(self) -> str:
         return f"{self.kind}<{', '.join(self.spaces)}>" if self.spaces else self.kind

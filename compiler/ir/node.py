@@ -123,7 +123,7 @@ class Iterating(Binder):
 
     @property
     def bodies(self) -> range:
-        """Of (count, *starts, going, *nexts), ``going`` and the ``nexts``."""
+        """The positions of ``going`` and the ``nexts`` in (count, *starts, going, *nexts)."""
         return range(1 + self.states, 2 + 2 * self.states)
 
     def types(self, operands: Sequence[Type]) -> list[Type]:
@@ -204,11 +204,13 @@ class Node:
                     variables = variables | theirs if variables else theirs
         self.free: int = free
         self.variables: frozenset[Formal] = variables
-        """In ``free``, bit i is set when the binder i levels out (de Bruijn) occurs free;
-        ``variables`` are the formals of binders further out."""
+        """The formals of binders further out that occur in it.
+
+        In ``free``, bit i is set when the binder i levels out (de Bruijn) occurs free.
+        """
 
     def __repr__(self) -> str:
-        """As in ``%113 = native div(%18, %2) : float``."""
+        """The node in one line, as in ``%113 = native div(%18, %2) : float``."""
         inner = ", ".join(f"%{operand.id}" for operand in self.operands)
         return f"%{self.id} = {self._words()}{f'({inner})' if inner else ''} : {self.type}"
 

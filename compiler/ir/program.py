@@ -41,10 +41,12 @@ class StoredMember:
     """One member of a block in its stored form: the same bytes on every backend."""
 
     name: str
-    """Suggested identifier, ``torch_axis``; paddings are ``pad_0`` …"""
+    """The suggested identifier, ``torch_axis``; paddings are ``pad_0`` …"""
     type: Type
-    """Stored type: bools as uint, matrices with columns of four rows, packed arrays as arrays of
-    vec4."""
+    """The stored type.
+
+    Bools are uints, matrices have columns of four rows, and packed arrays are arrays of vec4.
+    """
     offset: int
     """Bytes from the start of the block (or of the struct)."""
     size: int
@@ -81,9 +83,9 @@ class Field:
     mode: InterpolationMode = "perspective"
     doc: str = ""
     step: Domain = VERTICES
-    """Of a vertex input, what it varies over."""
+    """The domain over which a vertex input varies."""
     invariant: bool = False
-    """Of what crosses, whether positions that have to be invariant are computed of it."""
+    """True for a varying from which positions are computed that have to be invariant."""
 
 
 @frozen
@@ -238,13 +240,13 @@ class Stage:
     functions: tuple[Function, ...]
     region: Region
     results: tuple[Output, ...]
-    """All that it delivers: the shader's own results first, and then what crosses."""
+    """All outputs: the shader's own results first, and then the varyings."""
     buffers: tuple[Buffer, ...] = ()
     """The storage buffers that it reads or writes."""
     builtin_inputs: tuple[str, ...] = ()
     """The row's ``inputs`` that the stage reads, by name."""
     reads: tuple[TextureRead, ...] = ()
-    """In which ways the stage reads its textures: each way of each once."""
+    """The ways in which the stage reads its textures: each way of each once."""
     natives: tuple[NativeUse, ...] = ()
     """The builtins whose own operations it uses; what a profile lacks is looked up here."""
     handed_on: tuple[Field, ...] = ()
@@ -252,7 +254,7 @@ class Stage:
     emitted: tuple[EmittedPart, ...] = ()
     """The groups of vertices that it emits, if any. Its region is then what these share."""
     emitting: tuple[Node, ...] = ()
-    """For each group of the expansion, whether a strip of it is emitted; one graph for all."""
+    """For each group of the expansion, a condition: a strip of it is emitted. All share a graph."""
 
     @property
     def name(self) -> StageName:
@@ -306,7 +308,7 @@ class Program:
     name: str
     doc: str
     stages: tuple[Stage, ...]
-    """In pipeline order: the first one reads the vertex inputs."""
+    """The stages in pipeline order: the first one reads the vertex inputs."""
     blocks: tuple[Block, ...]
     """All blocks of all stages, in group order."""
     resources: tuple[Resource, ...]

@@ -131,8 +131,10 @@ def _index(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _member(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """A member of a light of many, or of a buffer's element, which carries a fact for each; or a
-    loop's state."""
+    """The fact of a member of a light of many, or of a buffer's element, or of a loop's state.
+
+    Lights and elements carry a fact for each member.
+    """
     source = node.operands[0]
     if source.op == "iterate":
         return _union(known)
@@ -148,7 +150,7 @@ def _member_name(node: Node) -> str:
 
 
 def _ascribed(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """Only what has unit length is ever called a direction."""
+    """The fact of an ascribed value: only unit vectors are ever called directions."""
     meaning = ASCRIBE.data(node)
     contract = meaning is not None and meaning.kind == "direction"
     return known[0].meet(UNIT) if contract else known[0]

@@ -36,7 +36,10 @@ class Refinement:
 def refinements(
     of: Callable[[Node], Fact], condition: Node, holds: bool, without: frozenset[str]
 ) -> Iterator[Refinement]:
-    """All that follows from ``condition`` being ``holds``; ``of`` gives the facts of values."""
+    """Yields all facts that follow from ``condition`` being ``holds``.
+
+    ``of`` gives the facts of values.
+    """
     pending = [(condition, holds)]
     for _ in range(MOST):
         if not pending:

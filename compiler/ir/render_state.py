@@ -33,8 +33,10 @@ StencilOperation = Literal[
 HANGS_ON_EQUAL: frozenset[Compare] = frozenset(
     ("equal", "less_equal", "not_equal", "greater_equal")
 )
-"""The comparisons by which a pass finds again what another one has drawn: for them it matters
-whether two depths are the same number."""
+"""The comparisons by which a pass draws again where another one has drawn.
+
+For them it matters whether two depths are the same number.
+"""
 
 STENCIL_MOST = 255
 """The largest stencil value: all APIs have eight bits."""
@@ -58,10 +60,12 @@ class DepthState:
     clear: Annotated[float, Range(0, 1)] = 1.0
     """The depth of all pixels before anything is drawn."""
     bias: int = 0
-    """In steps of the format, as it has them at the farthest corner of the face. Lines of a mesh
-    are never moved."""
+    """A constant bias, in steps of the format at the farthest corner of the face.
+
+    Lines of a mesh are never moved.
+    """
     slope_bias: float = 0.0
-    """In times of what the depth changes from one pixel to the next."""
+    """A bias as a multiple of the depth's change from one pixel to the next."""
     bias_clamp: float = 0.0
     """The limit of both together: an upper one if positive, a lower one if negative; 0 for none."""
 
@@ -96,7 +100,7 @@ class StencilSide:
 
     @property
     def operations(self) -> frozenset[StencilOperation]:
-        """All that may become of a value."""
+        """All operations that may change a value."""
         return frozenset((self.fail_op, self.depth_fail_op, self.pass_op))
 
 

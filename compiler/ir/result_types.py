@@ -80,7 +80,7 @@ def builtin(node: Node) -> Type | None:
 
 
 def native(node: Node) -> Type | None:
-    """As a builtin; besides, hardware multiplies a stored matrix with a column."""
+    """The result type of a builtin; besides, hardware multiplies a stored matrix with a column."""
     match [operand.type for operand in node.operands]:
         case [TallMatrix(columns), Vector("float", size)] if node.data == "mul":
             return VEC4 if size == columns else None
@@ -89,7 +89,7 @@ def native(node: Node) -> Type | None:
 
 
 def vector(node: Node) -> Type | None:
-    """As many lanes as all operands have together, of their common kind."""
+    """A vector with the lanes of all operands together, of their common kind."""
     types = [o.type for o in node.operands if isinstance(o.type, Scalar | Vector)]
     kinds = {type_.kind for type_ in types}
     if len(kinds) != 1 or len(types) != len(node.operands):
@@ -121,7 +121,7 @@ def aggregate(node: Node) -> Type | None:
 
 
 def swizzle(node: Node) -> Type | None:
-    """As many lanes as are named, each within the operand."""
+    """A vector with the named lanes, each within the operand."""
     (source,) = node.operands
     lanes = node.data
     if not isinstance(source.type, Vector) or not isinstance(lanes, tuple) or len(lanes) > 4:

@@ -30,7 +30,7 @@ class LightInfo:
     """An entry of a rig: a light, or an array of lights."""
 
     name: str
-    """As a host says it: ``torch``, or ``Studio.torch`` where something else has this name."""
+    """The host's name: ``torch``, or ``Studio.torch`` where that name is taken."""
     kind: str
     """The declaration of the light: ``Lantern``."""
     library: str
@@ -44,13 +44,13 @@ class ParameterInfo:
 
     parameter: Parameter
     declared_type: str
-    """As written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
+    """The type as written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
     range: tuple[float, float] | None
     default: ConstantValue | None
     doc: str
     span: Span
     members: tuple[ParameterInfo, ...] = ()
-    """Of a structure, or of an array's elements: one row for each member."""
+    """One row for each member of a structure, or of an array's elements."""
     light: LightInfo | None = None
     """The rig's entry that it belongs to."""
     library: str = ""
@@ -62,9 +62,9 @@ class ExternMemberInfo:
     """A member of a block that the host owns."""
 
     name: str
-    """In the text, too."""
+    """The name, also in the text."""
     offset: int
-    """In bytes."""
+    """The offset in bytes."""
     info: ParameterInfo
 
 
@@ -77,7 +77,7 @@ class ExternInfo:
     doc: str
     span: Span
     members: tuple[ExternMemberInfo, ...]
-    """By offset."""
+    """The members, by offset."""
 
 
 @frozen
@@ -143,7 +143,7 @@ class AttributeInfo:
     """The declared matrix that this is a column of."""
     column: int = 0
     mesh: MeshInput | None = None
-    """Of a lowered expansion, where it comes from."""
+    """For a lowered expansion, the input of the mesh that it comes from."""
 
 
 @frozen
@@ -187,8 +187,10 @@ class Store:
     as_bits: bool = False
     """True if the bits of the value are written as a uint, whatever its type."""
     of_group: int = 0
-    """For what is written once for each work group, how many invocations that has: the first one
-    writes it. 0 where each invocation writes an element of its own."""
+    """The number of invocations of a work group, if only the first one of each group writes.
+
+    It is 0 where each invocation writes an element of its own.
+    """
     operator: ScatterOperator | None = None
     """The operator that joins a scattered value with the element; ``None`` for others."""
 
@@ -206,9 +208,9 @@ class Result:
     """The host's name for it. Results with a name get locations, in order."""
     doc: str = ""
     state: RenderTarget | None = None
-    """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
+    """The state of a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
-    """For a result of the kind ``STORE`` or ``SCATTER``, and those beside it."""
+    """The place of a result of the kind ``STORE`` or ``SCATTER``, and of those beside it."""
     span: Span | None = None
     """The span that declares a result of the kind ``TARGET``."""
 
@@ -302,8 +304,11 @@ class Shader:
     resources: tuple[ResourceInfo, ...]
     attributes: tuple[AttributeInfo, ...]
     results: tuple[Result, ...]
-    """All that it delivers. Nothing else says so: what needs the roots of the graph, or where they
-    are written to, reads these rows."""
+    """All results of the shader.
+
+    Nothing else says so: code that needs the roots of the graph, or where they are written to,
+    reads these rows.
+    """
     externs: tuple[ExternInfo, ...] = ()
     """The host's own blocks."""
     buffers: tuple[BufferInfo, ...] = ()
@@ -352,8 +357,10 @@ class Shader:
 
     @property
     def placing(self) -> frozenset[str]:
-        """The kinds of results whose values all shaders have to compute alike that compute them
-        in the same way."""
+        """The kinds of results that have to be invariant.
+
+        All shaders that compute their values in the same way get the same values.
+        """
         return PLACING if self.render_state.is_invariant else frozenset()
 
     @property

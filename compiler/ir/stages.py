@@ -39,8 +39,10 @@ TARGET = "target"
 DISCARD = "discard"
 """The kind of the result that says where nothing is written."""
 EDGE_LEVEL = "edge_level"
-"""The kind of the results that say into how many steps each edge of a patch is divided; in the
-order of ``tessellation.PatchKind.edges``."""
+"""The kind of the results that say into how many steps each edge of a patch is divided.
+
+They are in the order of ``tessellation.PatchKind.edges``.
+"""
 INNER_LEVEL = "inner_level"
 """The kind of those that say the same of the inside: of a quad along u, and then along v."""
 EMITTING = "emitting"
@@ -56,8 +58,10 @@ STORE = "store"
 IMAGE = "image"
 """The kind of a result that is written to a texel of an image."""
 SCATTER = "scatter"
-"""The kind of a result that is joined with an element that the invocation chooses. Each has results
-of the next three kinds beside it, whose ``store`` is the same."""
+"""The kind of a result that is joined with an element that the invocation chooses.
+
+Each has results of the next three kinds beside it, whose ``store`` is the same.
+"""
 PLACE = "place"
 """The kind of a result that says which element that is."""
 CONDITION = "condition"
@@ -68,8 +72,10 @@ LENGTH = "length"
 It exists where a buffer has not as many elements as invocations; only a host asks for it.
 """
 EXTENT = "extent"
-"""The kind of the result that says for how many elements, or for how many texels in a row and in a
-column, a kernel is run."""
+"""The kind of the result that says for how many elements a kernel is run.
+
+For images, it is the number of texels in a row and in a column.
+"""
 VARYING = "varying"
 """The kind of what a stage delivers to the next one; packing makes these results."""
 
@@ -86,8 +92,11 @@ class Crossing:
     destination: Domain
     """The domain of the node."""
     mode: InterpolationMode
-    """A weighted mean of several values, or one of them: that of a corner whose number is the
-    second operand, or (``flat``) always that of the first one."""
+    """The interpolation.
+
+    The value is a weighted mean of several values, or one of them: that of a corner whose number is
+    the second operand, or (``flat``) always that of the first one.
+    """
 
     def __str__(self) -> str:
         return f"{self.origin} to {self.destination}, {self.mode}"
@@ -96,9 +105,9 @@ class Crossing:
 SMOOTH = Crossing(VERTICES, FRAGMENTS, "perspective")
 """Interpolated over a triangle."""
 FLAT = Crossing(VERTICES, FRAGMENTS, "flat")
-"""As the first of a triangle's vertices has it."""
+"""The value at the first of a triangle's vertices."""
 CORNER = Crossing(VERTICES, EMITTED, "corner")
-"""As one corner of the primitive has it that is being expanded."""
+"""The value at one corner of the primitive that is being expanded."""
 TESSELLATED_CORNER = Crossing(TESSELLATED, EMITTED, "corner")
 """The same where the primitive is one of those into which a patch is divided."""
 INTO_EMITTED: Mapping[Domain, Crossing] = {
@@ -106,7 +115,7 @@ INTO_EMITTED: Mapping[Domain, Crossing] = {
 }
 """The crossings to emitted vertices, from the domains of the corners of a primitive."""
 PATCH_CORNER = Crossing(VERTICES, PATCHES, "corner")
-"""As one control point of the patch has it whose levels are computed."""
+"""The value at one control point of the patch whose levels are computed."""
 CONTROL_POINT = Crossing(VERTICES, TESSELLATED, "corner")
 """The same where a vertex of that patch is computed."""
 SMOOTH_TESSELLATED = Crossing(TESSELLATED, FRAGMENTS, "perspective")
@@ -197,8 +206,10 @@ PATCH_COORDINATE = SystemInput("patch_coordinate", VEC2, TESSELLATED)
 There u goes along a line, and v tells the lines apart.
 """
 PATTERN_VERTEX = SystemInput("pattern_vertex", INT, TESSELLATED)
-"""The number of a vertex among those of its patch, as a list. No pipeline supplies it: it becomes
-that of a vertex in a draw of instances."""
+"""The number of a vertex among those of its patch, as a list.
+
+No pipeline supplies it: it becomes that of a vertex in a draw of instances.
+"""
 
 EVALUATION = StageRow(
     "evaluation", TESSELLATED, "tese", "ds_main",
@@ -283,8 +294,11 @@ def inputs_of(chain: Iterable[StageRow]) -> dict[str, SystemInput]:
 
 
 def joined_in(chain: Chain) -> set[tuple[Domain, Domain]]:
-    """The domains between which values may cross: those of stages that follow each other, and of
-    those with a stage between them that hands its vertices on."""
+    """The pairs of domains between which values may cross.
+
+    They are those of stages that follow each other, and those with a stage between them that hands
+    its vertices on.
+    """
     found = set(pairwise(row.domain for row in chain))
     for before, row, behind in zip(chain, chain[1:], chain[2:], strict=False):
         if row.hands_on:

@@ -43,8 +43,10 @@ class Branch:
 
 @frozen
 class Connective:
-    """``node`` (an ``and`` or ``or`` of bools) computed by a branch: what its right operand needs
-    is evaluated only where the left one does not decide."""
+    """``node`` (an ``and`` or ``or`` of bools) computed by a branch.
+
+    The right operand is evaluated only where the left one does not decide.
+    """
 
     name: str
     node: Node
@@ -99,7 +101,10 @@ class Iterate:
     bound: int
     index: Formal
     states: tuple[State, ...]
-    """In the order in which a turn sets them; ``positions`` are those in ``node``."""
+    """The states in the order in which an iteration sets them.
+
+    ``positions`` are those in ``node``.
+    """
     positions: tuple[int, ...]
     head: Region
     """The statements that compute whether to go on."""

@@ -17,8 +17,11 @@ from .stages import PATCH_COORDINATE, PATCH_WEIGHTS, SystemInput
 Patch = Literal["triangle", "quad", "isoline"]
 
 Spacing = Literal["equal", "fractional_even", "fractional_odd"]
-"""Steps that are all alike, of which there is a whole number; or an even or odd number of steps, of
-which two grow out of nothing as the level rises."""
+"""The spacing of the steps of an edge.
+
+``equal``: a whole number of steps that are all alike. ``fractional_even``, ``fractional_odd``: an
+even or odd number of steps, of which two grow out of nothing as the level rises.
+"""
 
 MOST_POINTS = 32
 """No patch has more control points."""
@@ -37,9 +40,11 @@ class PatchKind:
     first one, and ends at the other.
     """
     edges: tuple[tuple[int, int] | None, ...]
-    """For each ``EDGE_LEVEL``, between which ends the edge lies; ``None`` where it says how many
-    lines there are. The order is Direct3D's: the edges of a triangle across from its ends, and
-    those of a quad at u = 0, v = 0, u = 1 and v = 1."""
+    """For each ``EDGE_LEVEL``, between which ends the edge lies; ``None`` for the number of lines.
+
+    The order is Direct3D's: the edges of a triangle across from its ends, and those of a quad at u
+    = 0, v = 0, u = 1 and v = 1.
+    """
     inner: tuple[tuple[int, ...], ...]
     """For each ``INNER_LEVEL``, the numbers of the edges that are divided in its direction."""
     coordinate: SystemInput

@@ -156,8 +156,11 @@ TEXTURES = (
     *(Texture(dimension, "depth") for dimension in _SUFFIXES if dimension != "3d"),
     *(Texture(d, sample) for sample in ("int", "uint") for d in _SUFFIXES if d != "cube"),
 )
-"""All there are. No API compares volumes, and the texels of a cube cannot be named by numbers, so
-integer cubes could not be read. Arrays of cubes are left out: ES 3.0 and GL 3.3 have none."""
+"""All texture types.
+
+No API compares volumes, and the texels of a cube cannot be named by numbers, so integer cubes could
+not be read. Arrays of cubes are left out: ES 3.0 and GL 3.3 have none.
+"""
 
 
 def width(type_: Type) -> int:

@@ -80,8 +80,11 @@ def verify_results(results: Sequence[Result], chain: Chain) -> None:
 
 
 def verify_levels(shader: Shader) -> None:
-    """Raise ``InvalidGraphError`` where a shader with a control stage lacks a level of its patches,
-    or reads a control point that they do not have."""
+    """Checks the levels of a shader with a control stage.
+
+    Raises ``InvalidGraphError`` where it lacks a level of its patches, or reads a control point
+    that they do not have.
+    """
     if CONTROL not in shader.chain:
         return
     patches, roots = shader.tessellation, shader.roots
@@ -136,7 +139,7 @@ def _variables(node: Node, known: Mapping[int, Variables]) -> Variables:
 
 
 def _bound(node: Node, used: Variables) -> Variables:
-    """Of the variables in a body of ``node``, those that it does not bind."""
+    """The variables in a body of ``node`` that it does not bind."""
     if not used:
         return used
     types = _variable_types(node)
