@@ -33,11 +33,11 @@ class CallPrices:
         self._constant = DrawConstants()
         self._trivial: dict[Node, bool] = {}
         self._costs: dict[Node, int] = {}
-        """Of bodies, with all that they need."""
+        """The costs of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
         """By body, its nodes that depend on nothing inside it, and are computed before the call."""
         self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
-        """By the body and the arguments that are put in."""
+        """The cost of what is left, by the body and the arguments that are put in."""
 
     def is_worth_calling(self, call: Node) -> bool:
         """True if a call is better than its body written out."""

@@ -21,8 +21,10 @@ from .walks import operands_of
 BRANCH_COST = 32
 """A choice whose sides cost less than this is cheaper than a branch."""
 UNIFORM_BRANCH_COST = 16
-"""The same where the whole draw takes one side, so that no pixel waits for others: a texture read
-is worth skipping."""
+"""The cost of a branch where the whole draw takes one side, so that no pixel waits for others.
+
+A texture read is worth skipping then.
+"""
 
 _SHORT_CIRCUITING = frozenset(name for name, row in BUILTINS.items() if row.short_circuits)
 

@@ -71,7 +71,7 @@ class CornerInputs:
         self._read: dict[tuple[int, int], AttributeInfo] = {}
         """The inputs per primitive that are read instead, by place of an input and corner."""
         self._known: dict[Node, dict[Node, Node]] = {}
-        """For each corner, what values of the vertices have become there."""
+        """For each corner, the values there by the values of vertices that they replace."""
         self._is_instanced = any(map(_tells_instances_apart, shader.roots.nodes))
 
     @property
@@ -92,8 +92,10 @@ class CornerInputs:
         return rewrite(self._graph, (value,), rule, self._notes.follow, ops, new=known)[0]
 
     def number(self, counted: SystemInput) -> Node:
-        """The number of the primitive: that of the instance, unless the mesh itself is drawn in
-        several."""
+        """The number of the primitive, which is that of the instance.
+
+        If the mesh itself is drawn in several instances, the number is a vertex input.
+        """
         if not self._is_instanced:
             return self._graph.node("input", UINT, (), INSTANCE_INDEX)
         info = _info(self._infos[-1].span, counted)

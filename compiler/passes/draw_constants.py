@@ -20,9 +20,9 @@ class DrawConstants:
     """
 
     def __init__(self, *, elements: bool = False) -> None:
-        """With ``elements``, those of parameters' arrays count too, at whatever position.
+        """With ``elements``, elements of parameters' arrays count too, at whatever position.
 
-        A host can compute for each of them what depends on one.
+        A host can compute the values that depend on one for each of them.
         """
         self._elements = elements
         self._known: dict[int, bool] = {}

@@ -12,8 +12,11 @@ from ..ir.node import Node
 from ..ir.types import Array
 
 MOST = 64
-"""Elements of arrays that are looked at: blocks hold 16 KiB on some devices, and a host computes
-what is derived for all elements whenever one changes."""
+"""The number of elements up to which arrays are looked at.
+
+Blocks hold 16 KiB on some devices, and a host computes the derived values for all elements whenever
+one changes.
+"""
 
 
 def is_element(node: Node) -> bool:

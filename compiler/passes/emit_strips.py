@@ -61,7 +61,7 @@ class GroupValues:
     emitted: Node
     """True if this strip is emitted; it is read only where ``condition`` holds."""
     delivered: tuple[Node, ...]
-    """At each vertex."""
+    """The values that are delivered at each vertex."""
 
 
 def groups_of(
@@ -151,8 +151,11 @@ def _nothing(graph: Graph, expansion: Expansion, roots: Sequence[Node]) -> Group
 def _known(
     simplifier: Simplifier, numbers: dict[str, Node], roots: Sequence[Node]
 ) -> Sequence[Node]:
-    """The roots with these numbers. Choices between groups are made, and numbers of corners that
-    have become certain. Nothing else is changed: the other passes have done their work."""
+    """The roots with these numbers put in.
+
+    Choices between groups are made, and numbers of corners that have become certain. Nothing else
+    is changed: the other passes have done their work.
+    """
 
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op == "input":

@@ -36,7 +36,7 @@ class Expanding(Simplifier):
     def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
         super().__init__(graph, ranges, notes)
         self.expanded: dict[int, Node] = {}
-        """By the id of the ``call`` that was expanded."""
+        """The expansions, by the id of the ``call`` that was expanded."""
         self._constant = DrawConstants(elements=True)
         self._functions: dict[tuple[Template, tuple[Type | Node, ...]], tuple[Node, Formals]] = {}
 

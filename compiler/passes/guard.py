@@ -52,7 +52,7 @@ class Decisions:
     """The decisions about guards in several parts of a program."""
 
     kept: dict[int, Guard] = fresh(factory=dict)
-    """By the id of the ``call`` that was expanded."""
+    """The guards that stay, by the id of the ``call`` that was expanded."""
     remarks: dict[Hashable, Remark] = fresh(factory=dict)
     undecided: bool = False
     """True if any call was left to the profiles."""
@@ -87,7 +87,7 @@ class Guarding(Expanding):
         """True if any call was left to the profiles."""
         self._branches: set[int] = set()
         self.kept: dict[int, Guard] = {}
-        """By the id of the ``call`` that was expanded."""
+        """The guards that stay, by the id of the ``call`` that was expanded."""
         self._asked: Node | None = None
         """The node that is being replaced, with its operands as they were."""
 
@@ -99,15 +99,16 @@ class Guarding(Expanding):
         conditions: tuple[PathRefinement, ...] = (),
         rule: str = "",
     ) -> None:
-        """As in any simplifier; but what is left away by now was part of an expansion.
+        """Makes a remark as in any simplifier, but not about parts of expansions.
 
-        Nobody has to hear of a builtin that is expanded whatever is known of its operands.
+        A part that is left away by now was part of an expansion. Nobody has to hear of a builtin
+        that is expanded whatever is known of its operands.
         """
         if outcome != "dropped" and BUILTINS[builtin].needs:
             super().remark(builtin, operands, outcome, conditions, rule)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """As ``Simplifier.rule``, with what is known on the path to ``node``.
+        """Like ``Simplifier.rule``, with the facts that are known on the path to ``node``.
 
         A guard that stays is put down to the source of ``node``.
         """

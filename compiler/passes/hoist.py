@@ -40,8 +40,11 @@ ROW = 16
 """Bytes of what a block holds in a row: a vector, a column of a matrix."""
 
 ROOM = 12 * 1024
-"""Bytes of the tables of a group: blocks hold 16 KiB on some devices, and single values need some
-of them, too. What has no room stays in the shader."""
+"""The size limit of the tables of a group, in bytes.
+
+Blocks hold 16 KiB on some devices, and single values need some of them, too. A value without room
+stays in the shader.
+"""
 
 CHEAP = frozenset({"neg", "not"})
 """Operand modifiers: free in hardware, so a stored value would only cost memory."""
@@ -53,8 +56,11 @@ class Derived:
 
     parameter: Parameter
     expression: Node
-    """Over ``parameter`` leaves and constants only. Of a table, it is the structure for the element
-    whose number is the one free variable, ``bound`` 0."""
+    """The value, over ``parameter`` leaves and constants only.
+
+    For a table, it is the structure for the element whose number is the one free variable,
+    ``bound`` 0.
+    """
 
 
 @frozen(eq=False)
@@ -148,11 +154,11 @@ class _Hoisting:
         self._moved: dict[int, Node] = {}
         """The rebuilt indices: values from which they are computed may be hoisted."""
         self._single: dict[int, Derived] = {}
-        """By the id of the value."""
+        """The derived values, by the id of the value."""
         self._members: dict[int, tuple[Table, str, Node]] = {}
-        """Likewise, where it stands in a table, and the position of the element."""
+        """The values in tables: the table, the member, and the position of the element."""
         self._tables: dict[tuple[int, str], Table] = {}
-        """By the array's id and the group that owns the values."""
+        """The tables, by the array's id and the group that owns the values."""
         self._filled: Counter[str] = Counter()
         """The largest possible size of the tables of each group, in bytes."""
 
@@ -189,7 +195,7 @@ class _Hoisting:
         return None
 
     def derived(self) -> list[Derived]:
-        """All that the host may have to compute."""
+        """All values that the host may have to compute."""
         tables = self._tables.values()
         return [
             *self._single.values(),

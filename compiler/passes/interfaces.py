@@ -24,7 +24,7 @@ class Interfaces:
         self._notes = notes
         self._captured = {result.name for result in results if result.kind == CAPTURE}
         self.all: tuple[Interface, ...] = ()
-        """In pipeline order."""
+        """The interfaces in pipeline order."""
         self._onward: Sequence[Node] = ()
         """The values of the stage behind, if some of what it reads is handed on to it."""
         self._placed_onward: frozenset[Node] = frozenset()
@@ -41,11 +41,11 @@ class Interfaces:
         nodes: Sequence[Node],
         placing: frozenset[Node],
     ) -> None:
-        """Pack what crosses from the stage ``before`` to this one, which computes ``nodes``, some
-        of them, ``placing``, for positions that have to be invariant.
+        """Packs the varyings from the stage ``before`` into this one, which computes ``nodes``.
 
-        Where this stage hands its vertices on, what the next stage reads of them goes through it.
-        That has locations behind those of what this stage itself delivers to the next.
+        Those in ``placing`` are for positions that have to be invariant. Where this stage hands its
+        vertices on, values of the vertices that the next stage reads go through it. They have
+        locations behind those of the values that this stage itself delivers to the next.
         """
         taken = {field.name for face in self.all for field in face.fields} | self._captured
         first = len(self.leaving(row)) if row.hands_on else 0

@@ -220,8 +220,10 @@ class EmittedNumbers:
         return self._call("add", primitive, corner)
 
     def _turned(self, triangle: Node, corner: Node) -> Node:
-        """A corner of a triangle of a strip: in every second one, those after the first are
-        exchanged."""
+        """A corner of a strip's triangle; every second triangle turns the other way round.
+
+        There, the corners after the first are exchanged.
+        """
         odd = self._call("mod", triangle, self._number(2))
         is_later = (self._call("ne", number, self._number(0)) for number in (odd, corner))
         turned = self._call("sub", self._number(3), corner)

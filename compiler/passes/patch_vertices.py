@@ -35,12 +35,12 @@ from .corner_inputs import CornerInputs
 
 
 def levels_of(shader: Shader) -> tuple[Result, ...]:
-    """Into how many steps a patch is divided."""
+    """The tessellation levels: into how many steps a patch is divided."""
     return tuple(result for result in shader.results if result.stage == CONTROL)
 
 
 def most_cells(patches: Tessellation, levels: Sequence[Result]) -> int:
-    """Into how many triangles or lines a patch is divided at most."""
+    """The largest number of triangles or lines into which a patch is divided."""
     from ..reference.tessellation import divided
 
     ranges = Ranges(())
@@ -52,8 +52,10 @@ def most_cells(patches: Tessellation, levels: Sequence[Result]) -> int:
 
 
 def count_captured(shader: Shader) -> Shader:
-    """The shader with the number of vertices that stages make of each patch at most, if it captures
-    them: a host has to make room for so many."""
+    """Notes the largest number of vertices that stages make of each patch, if it captures them.
+
+    A host has to make room for so many.
+    """
     patches, expansion = shader.tessellation, shader.expansion
     if patches is None or shader.capture is None:
         return shader
@@ -70,7 +72,7 @@ class PatchVertices:
         self._row = patches.kind.coordinate
         self._inputs = CornerInputs(shader, patches.points, patches.span)
         self._known: dict[Node, dict[Node, Node]] = {}
-        """For each vertex, by where it lies or by its number, what values have become there."""
+        """For each vertex, by its place or its number, the values there by those they replace."""
 
     @property
     def attributes(self) -> tuple[AttributeInfo, ...]:

@@ -42,8 +42,10 @@ class Options:
     hoist: bool = True
     """Compute what depends on parameters only on the host side."""
     without: frozenset[str] = frozenset()
-    """Names of rules of range analysis (``rulebook.py``) and of simplification (``rules``) to do
-    without, to see what they are good for."""
+    """Names of rules to do without, to see what they are good for.
+
+    They are rules of range analysis (``rulebook.py``) and of simplification (``rules``).
+    """
 
 
 @frozen
@@ -53,17 +55,19 @@ class Evidence:
     remarks: tuple[Remark, ...]
     ranges: Ranges
     notes: Notes
-    """As they were when the last decision was made: later passes name values of their own."""
+    """The notes when the last decision was made: later passes name values of their own."""
 
 
 @frozen
 class Undecided:
-    """The input of ``split_stages``, for programs with calls that each profile decides about;
-    ``legalise`` builds the program again from it."""
+    """The input of ``split_stages``, for programs with calls that each profile decides about.
+
+    ``legalise`` builds the program again from it.
+    """
 
     shader: Shader
     results: tuple[Result, ...]
-    """As they are before ``split_stages``."""
+    """The results before ``split_stages``."""
     derived: tuple[Derived, ...]
     ranges: Ranges
 
@@ -73,7 +77,7 @@ class Form:
     """The program of a shader in the form in which some profiles have it."""
 
     shader: Shader
-    """With the results that this form delivers, and the stages that do."""
+    """The shader with the results that this form delivers, and the stages that do so."""
     program: Program
     undecided: Undecided | None = None
     """The calls in the program that each profile decides about."""
@@ -92,7 +96,7 @@ class Staged:
     undecided: Undecided | None = None
     """The calls in the program that each profile decides about."""
     full_screen: Form | None = None
-    """Of a kernel over images, the pass that draws these."""
+    """For a kernel over images, the pass that draws these."""
 
     @property
     def own(self) -> Form:
@@ -140,17 +144,21 @@ def stage(shader: Shader, options: Options) -> Staged:
 
 
 def _without_lengths(shader: Shader) -> Shader:
-    """A kernel without what only the host has to know: how long buffers are of which invocations do
-    not write an element each, and how large images are, since what is written beyond the end of an
-    image is dropped in all APIs."""
+    """A kernel without the values that only the host has to know.
+
+    They are the lengths of buffers of which invocations do not write an element each, and the sizes
+    of images, since writes beyond the end of an image are dropped in all APIs.
+    """
     dropped = {LENGTH, EXTENT} if writes_images(shader) else {LENGTH}
     results = tuple(result for result in shader.results if result.kind not in dropped)
     return changed(shader, results=results)
 
 
 def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -> Form:
-    """A shader whose results have been through all other passes; ``ranges`` where it has calls that
-    each profile decides about."""
+    """The form of a shader whose results have been through all other passes.
+
+    ``ranges`` are given where it has calls that each profile decides about.
+    """
     program = split_stages(shader, shader.results, derived)
     undecided = None if ranges is None else Undecided(shader, shader.results, derived, ranges)
     return Form(shader, program, undecided)

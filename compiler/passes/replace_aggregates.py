@@ -34,7 +34,7 @@ class _Dissolving:
         self._notes = notes
         self._read: dict[_Read, Node] = {}
         self._nesting: dict[int, int] = {}
-        """Of choices between matrices."""
+        """The depth of nested choices between matrices."""
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Resolve what is read of an aggregate; its own parts have been resolved already."""

@@ -121,12 +121,14 @@ class Scheduler:
         self._apart: set[int] = set()
         """Nodes that are computed before the loop or choice that uses them: they need names."""
         self._coordinates: set[int] = set()
-        """Operands of texture reads and derivatives. One in which a ``?:``, ``&&`` or ``||`` would
-        be printed has a name in every language, where it is easier to read. glslang needs this
-        name: it makes blocks for each of these operations, and they come between the read and what
-        joins texture and sampler for it, which SPIR-V wants in one block. This is no row of a
-        profile, because statements are the same for all profiles: it is one of the two exceptions
-        that the architecture page names."""
+        """Operands of texture reads and derivatives.
+
+        One in which a ``?:``, ``&&`` or ``||`` would be printed has a name in every language, where
+        it is easier to read. glslang needs this name: it makes blocks for each of these operations,
+        and they come between the read and the operation that joins texture and sampler for it,
+        which SPIR-V wants in one block. This is no row of a profile, because statements are the
+        same for all profiles: it is one of the two exceptions that the architecture page names.
+        """
         self._choosing: set[int] = set()
         """Expressions with such an operation printed in them."""
         self._together = together
@@ -252,9 +254,11 @@ class Scheduler:
         return home
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
-        """Out of loops that a value does not depend on; what all pixels have to reach also out of
-        branches that some of them do not take. A step from the variable of an outer loop is no
-        shorter with a name."""
+        """Lifts a value's region out of loops that the value does not depend on.
+
+        Values that all pixels have to reach are also lifted out of branches that some pixels do not
+        take. A step from the variable of an outer loop is no shorter with a name.
+        """
         together = node.id in self._together
         if node.id not in self._notes.names and all(o.op in _COUNTED for o in node.operands):
             return home

@@ -24,10 +24,16 @@ from .vocabulary import a, abs_, b, c, floor, max_, mix, pow_, sqrt, transpose, 
 from .whole_numbers import MAY_BE_WHOLE, is_whole_number
 
 LARGEST_EXPONENT = 100
-"""Of powers of two: neither these nor their reciprocals come near the subnormal numbers."""
+"""The largest exponent of powers of two that rules combine.
+
+Neither these nor their reciprocals come near the subnormal numbers.
+"""
 LARGEST_DIVISOR = 512.0
-"""Of whole numbers that a half is added to. Where float64 has no halves beside them any more, it
-has no quotients by these either that are closer to a whole number than to the next float64."""
+"""The largest divisor among whole numbers to whose quotients a half is added.
+
+Where float64 has no halves beside them any more, it has no quotients by these either that are
+closer to a whole number than to the next float64.
+"""
 
 
 # --- quotients -----------------------------------------------------------------------------------
@@ -35,7 +41,7 @@ has no quotients by these either that are closer to a whole number than to the n
 
 @computed
 def _reciprocal(builder: Builder, _type: Type, divisor: Node) -> Node | None:
-    """Of a power of two, which has an exact one."""
+    """The reciprocal of a power of two, which has an exact one."""
     number = uniform_lane(divisor)
     if number is None:
         return None

@@ -22,7 +22,10 @@ from .vocabulary import c, d, x
 LARGEST_TERM = 1024.0
 """Larger constants are left alone: adding one and subtracting it again may be there to round."""
 LARGEST_FACTOR = 1e15
-"""With factors up to this, and not below its inverse, no product of two of them leaves float32."""
+"""The largest factor; the smallest is its inverse.
+
+No product of two such factors leaves float32.
+"""
 
 
 def _magnitudes(*constants: Node) -> Iterator[float]:

@@ -25,7 +25,7 @@ from .terms import CONSTANT, Several, Variable, computed, condition, function
 from .vocabulary import c, cs, lanes, splat, swizzle, vector
 
 DEEPEST = 4
-"""So many operations are looked through for the value of a single lane."""
+"""The number of nested operations that are looked through for the value of a single lane."""
 
 _LANEWISE = (
     "add", "sub", "mul", "div", "mod", "neg", "abs", "min", "max", "clamp", "saturate", "mix",

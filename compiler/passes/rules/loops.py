@@ -17,11 +17,16 @@ from .terms import Several, Variable, computed, condition
 from .vocabulary import c, d, fold, iterate, loop
 
 UNROLLED = 2
-"""Loops of at most so many turns are written out, if they come to no more operations than
-``LARGEST_UNROLLED``."""
+"""The number of iterations up to which loops are unrolled.
+
+They may not come to more operations than ``LARGEST_UNROLLED``.
+"""
 LARGEST_UNROLLED = 1024
-"""Loops in loops double with each level that is written out, so this has to end somewhere: the
-levels further out stay loops."""
+"""The largest number of operations of an unrolled loop.
+
+Loops in loops double with each level that is unrolled, so this has to end somewhere: the levels
+further out stay loops.
+"""
 MOST_UNROLLED = 4
 """Loops of up to so many turns are written out if they come to no more than ``UNROLLED_COST``."""
 UNROLLED_COST = 12
@@ -116,7 +121,7 @@ def _written_out(
 # --- loops over states ---------------------------------------------------------------------------
 
 Parts = tuple[Node, ...]
-"""Of a loop over states: what they start with, whether it goes on, and what becomes of them."""
+"""The parts of a loop over states: initial states, loop condition, and next states."""
 
 
 def _starts(loop: Iterating, parts: Parts) -> Parts:

@@ -24,7 +24,7 @@ from ...ir.types import Type
 from .builder import Builder
 
 Heads = frozenset[Hashable]
-"""Some of the ``Node.head``s. Where any will do, ``None`` stands in their place."""
+"""Some of the ``Node.head``s. ``None`` in their place stands for any head."""
 
 CONSTANT: Heads = frozenset({HEADS["constant"], *SPECIAL.values()})
 """The heads of constants."""
@@ -166,7 +166,7 @@ class Condition:
     """A condition of an equation."""
 
     words: str
-    """With ``{}`` for each argument."""
+    """The condition in words, with ``{}`` for each argument."""
     function: Callable[..., bool]
     """A function of the builder, the type of the result, and the values of the arguments."""
     arguments: tuple[Term | Function, ...]
