@@ -19,7 +19,7 @@ from dataclasses import dataclass
 
 
 class BudgetError(ValueError):
-    """Something would take more than its limit; the text says what, and how to raise the limit."""
+    """An amount is larger than its limit; the text says which, and how to raise the limit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,8 +102,10 @@ def check(name: str, amount: int, what: str) -> None:
 
 @contextmanager
 def holding(amount: int, what: str) -> Iterator[None]:
-    """Count memory for as long as the ``with`` block runs, on top of what this thread has; raises
-    as ``check`` does."""
+    """Counts memory while the ``with`` block runs, on top of what this thread has.
+
+    Raises as ``check`` does.
+    """
     before = _held.get()
     check("memory", before + amount, what)
     token = _held.set(before + amount)

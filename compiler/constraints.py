@@ -43,8 +43,10 @@ class TypeScript:
 
 @frozen
 class Nested:
-    """A value of any shape: a scalar of JSON, or lists of such values, and with ``objects`` also
-    objects of them."""
+    """A value of any shape: a scalar of JSON, or lists of such values.
+
+    With ``objects``, it may also be objects of them.
+    """
 
     name: str
     """The name of the type in schemas and pages."""

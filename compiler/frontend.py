@@ -1,4 +1,4 @@
-"""From a file to the shaders it stands for: one for each concrete material."""
+"""Compiles a file to its shaders: one for each concrete material."""
 
 from __future__ import annotations
 
@@ -36,11 +36,15 @@ _NOT_OWN = {
     for kind in ("rig", "pass")
 }
 MOST_PROGRAMS = 256
-"""Materials, kernels and frames of a file, which take up to 0.03 s each to compile for all
-targets."""
+"""The largest number of materials, kernels and frames of a file.
+
+Each takes up to 0.03 s to compile for all targets.
+"""
 MOST_RECORDS = 1024
-"""All of a file that extend something or are extended, each of which is put together with all that
-it extends."""
+"""The largest number of a file's records that extend others or are extended.
+
+Each of them is put together with all that it extends.
+"""
 
 
 class Frontend:
@@ -108,8 +112,7 @@ class Frontend:
         return self._limited(self._loader.main(Source(name, text, compared=self._compared), None))
 
     def _limited(self, module: Module) -> Module | None:
-        """A module that is to be compiled, or ``None`` after reporting that it makes too much of
-        it."""
+        """A module to compile, or ``None`` after reporting that it makes too much of it."""
         kinds = ("material", "kernel", "frame")
         programs = [each for kind in kinds for each in records_of(module, kind, abstract=False)]
         found = (each for symbols in module.declared.values() for each in symbols)
@@ -212,8 +215,7 @@ class Frontend:
         return found
 
     def declared(self, module: Module, kind: str) -> tuple[str, ...]:
-        """The names of what a file declares of a kind, such as ``frame``; abstract ones are left
-        out."""
+        """The names of a file's declarations of a kind, such as ``frame``; not of abstract ones."""
         found = _rigs(module) if kind == "rig" else records_of(module, kind, abstract=False)
         return tuple(symbol.name for symbol in found)
 

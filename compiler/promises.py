@@ -50,8 +50,10 @@ class _Bodies:
         self._notes = shader.notes
         self._graph = shader.graph
         self._body: dict[Node, Node | None] = {}
-        """The innermost body around a node, the first one if it stands in several. A node without
-        bound variables stands in none."""
+        """The innermost body around a node, the first one if it stands in several.
+
+        A node without bound variables stands in none.
+        """
         self._binders: dict[Node, list[Node]] = {}
         """For each body, the calls or loops that have it."""
         pending: list[tuple[Node, Node | None]] = [(root, None) for root in shader.roots]

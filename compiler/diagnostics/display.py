@@ -23,16 +23,16 @@ def harmless(text: str) -> str:
 
 
 def harmless_lines(text: str) -> str:
-    """As ``harmless``, for a text of several lines: their ends and tabs stay what they are."""
+    """Like ``harmless``, for a text of several lines: their ends and tabs stay what they are."""
     pieces = _LINES_AND_TABS.split(text)
     pieces[::2] = map(harmless, pieces[::2])
     return "".join(pieces)
 
 
 def harmless_message(text: str) -> str:
-    """As ``harmless``, for a message whose further lines are indented.
+    """Like ``harmless``, for a message whose further lines are indented.
 
-    An end of a line that nothing is indented behind comes from a name. It is shown, as what follows
+    The end of a line without an indented line behind it comes from a name. It is shown, as the rest
     would look like another message.
     """
     return "\n  ".join(map(harmless, text.split("\n  ")))

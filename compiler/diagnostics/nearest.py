@@ -58,8 +58,10 @@ def is_searched_out(source: Source) -> bool:
 
 
 def nearest_in(source: Source, name: str, known: Iterable[str]) -> str | None:
-    """The nearest name for one of which a text may have very many; ``None`` when too much was
-    compared: see ``_MOST_COMPARED``."""
+    """The nearest name for a name of which a text may have very many.
+
+    ``None`` when too much was compared: see ``_MOST_COMPARED``.
+    """
     if is_searched_out(source):
         return None
     candidates = set(known)

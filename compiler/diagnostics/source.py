@@ -77,7 +77,7 @@ class Span:
         return self.source is other.source and self.start < other.start
 
     def to(self, other: Span) -> Span:
-        """From the start of this span to the end of ``other``."""
+        """The span from the start of this one to the end of ``other``."""
         return Span(self.source, self.start, other.end)
 
     def __str__(self) -> str:

@@ -14,7 +14,7 @@ class Style:
         self._color = color
 
     def severity(self, severity: Severity, text: str) -> str:
-        """In the colour of a severity."""
+        """``text`` in the colour of a severity."""
         return self._wrapped(_CODES[severity], text)
 
     def strong(self, text: str) -> str:

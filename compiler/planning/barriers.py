@@ -32,7 +32,7 @@ class Waits:
     textures: dict[int, TextureState] = fresh(factory=dict)
     buffers: dict[Elements, BufferState] = fresh(factory=dict)
     uses: dict[int, dict[TextureUse, None]] = fresh(factory=dict)
-    """All that a texture is used as."""
+    """All uses of each texture."""
 
     def add(self, texture: int, left: TextureUse | None = None) -> None:
         """Begin with a texture: one without contents, or one that the last frame has ``left``."""

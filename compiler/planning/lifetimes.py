@@ -1,4 +1,4 @@
-"""From which step to which a frame needs what its steps leave."""
+"""Lifetimes of results: from which step to which a frame needs them."""
 
 from __future__ import annotations
 
@@ -103,8 +103,10 @@ class Lifetimes:
 
 
 def only_first(frame: Frame) -> frozenset[str]:
-    """The names of steps that are needed in the first frame only, as ``previous`` reads what they
-    leave before there is a last one."""
+    """The names of steps that are needed in the first frame only.
+
+    ``previous`` reads their results before there is a last frame.
+    """
     makers: dict[Left, list[Step]] = {}
     for step in frame.steps:
         for left in written_by(step):

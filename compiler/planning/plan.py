@@ -41,8 +41,10 @@ class Target:
     stores_stencil: bool = False
     """True if a later step reads the stencil values."""
     resolved: int | None = None
-    """The texture to which the means of the samples are written behind the step, in the
-    attachment's layer and level."""
+    """The texture to which the means of the samples are written behind the step.
+
+    They go to the attachment's layer and level.
+    """
 
     @property
     def place(self) -> tuple[int, int | None, int]:
@@ -86,14 +88,17 @@ class PlannedStep:
 
     @property
     def drawn_to(self) -> tuple[Target, ...]:
-        """All that it draws to, its depths last."""
+        """All targets that it draws to, its depths last."""
         return self.targets if self.depth is None else (*self.targets, self.depth)
 
 
 @frozen(eq=False)
 class Kept:
-    """Something that the next frame reads: of two textures, or buffers, one is drawn while the
-    other one still has what the last frame left; after the frame they are exchanged."""
+    """A texture or buffer that the next frame reads.
+
+    Of two textures, or buffers, one is drawn while the other one still has the result of the last
+    frame; after the frame they are exchanged.
+    """
 
     left: Left
     texture: int | None
@@ -117,8 +122,11 @@ class Plan:
 
 
 def plan(frame: Frame, *, shares: bool = True) -> Plan:
-    """The plan of a frame. Unless it ``shares``, every result has a texture of its own: this needs
-    more memory, and says what the frame means even if sharing is wrong."""
+    """The plan of a frame.
+
+    Unless it ``shares``, every result has a texture of its own: this needs more memory, and says
+    what the frame means even if sharing is wrong.
+    """
     return _Planning(frame, shares=shares).plan()
 
 
@@ -137,8 +145,10 @@ class _Planning:
         self._drawn: set[DrawnPart] = set()
         """The parts of images that have been drawn to."""
         self._rare = only_first(frame) | unchanging(frame)
-        """The names of the steps of the first frame only, which share no textures: they may be left
-        out."""
+        """The names of the steps of the first frame only.
+
+        They share no textures, as they may be left out.
+        """
         self._rare_buffers = {
             left
             for step in frame.steps
@@ -320,8 +330,7 @@ class _Planning:
         )
 
     def _read_in_pass(self, steps: Sequence[PlannedStep]) -> Iterator[int]:
-        """The textures that are read in the render pass which the last one of the steps is part
-        of."""
+        """The textures that are read in the render pass of the last one of the steps."""
         for planned in reversed(steps):
             if isinstance(planned.step, Copy):
                 return
@@ -340,7 +349,7 @@ class _Planning:
                 yield self._texture_of[left], "sampled"
 
     def _buffers_left(self) -> Iterator[tuple[Elements, BufferUse]]:
-        """Likewise."""
+        """The buffers that are left for the host and the next frame, with their uses."""
         for left in self._left():
             if isinstance(left, Elements):
                 yield left, "read"

@@ -59,7 +59,7 @@ class PlannedTexture:
     images: list[Image]
     """Each once, also where several layers or levels of one are drawn here, each with samples."""
     uses: tuple[TextureUse, ...] = ()
-    """All that it is used as, also where it is exchanged with the one that the last frame left."""
+    """All uses, also those of the texture of the last frame with which it is exchanged."""
     kept: bool = False
     """True if its contents are needed in the next frame."""
 

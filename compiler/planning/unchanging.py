@@ -15,8 +15,11 @@ from .lifetimes import Left, attachments_of, read_by, sources_of, uses_of, writt
 
 
 def unchanging(frame: Frame) -> frozenset[str]:
-    """The names of these steps. What the host gets of a frame, what others draw over, and what is
-    exchanged with what the last frame left, is drawn anew in each."""
+    """The names of these steps.
+
+    Outputs for the host, results that others draw over, and textures that are exchanged with those
+    of the last frame are drawn anew in each frame.
+    """
     drawn_anew: set[Left | None] = {output.source for output in frame.outputs}
     for step in frame.steps:
         drawn_anew.update(each.over for each in attachments_of(step))

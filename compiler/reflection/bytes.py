@@ -41,8 +41,10 @@ def _layout_id(members: Sequence[BlockMember], structs: Sequence[StructRow]) -> 
 
 
 def _fnv_1a(text: str) -> int:
-    """A hash of 64 bits (Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv). Python's
-    better ones take several milliseconds to import."""
+    """A hash of 64 bits (Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv).
+
+    Python's better ones take several milliseconds to import.
+    """
     found = 0xCBF29CE484222325
     for byte in text.encode():
         found = (found ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF

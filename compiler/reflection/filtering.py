@@ -26,8 +26,11 @@ class Filtered:
 
 
 def filtered_in(frame: Frame, program_of: Callable[[FrameShader], Program]) -> Iterator[Filtered]:
-    """All of them. Whether a shader filters shows in its program, which is asked for only where it
-    is given such a format."""
+    """All filtered results of a frame whose format many devices cannot filter.
+
+    Whether a shader filters shows in its program, which is asked for only where it is given such a
+    format.
+    """
     for step in frame.steps:
         for use in uses_of(step):
             given = list(_unfilterable(use))

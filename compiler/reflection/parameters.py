@@ -35,7 +35,7 @@ class Places:
         return _place(found, 0, packing(parameter.type))
 
     def table_rows(self, parameter: Parameter) -> list[tuple[str, Placed]]:
-        """Of each member of a table's structures its name, and as above."""
+        """The name and the place of each member of a table's structures."""
         found = self._places.get((parameter.name, parameter.derived))
         table = packing(parameter.type)
         return [(m.name, _place(found, m.offset, spread(table, m))) for m in table.members]

@@ -61,7 +61,7 @@ VERSION: Literal[2] = 2
 
 
 def plan_document(plan: Plan) -> FramePlan:
-    """Everything that a host needs to draw a frame, but for the reflections of its shaders."""
+    """The document that a host needs to draw a frame, but for the reflections of its shaders."""
     return _Document(plan).made()
 
 
