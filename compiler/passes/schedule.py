@@ -185,22 +185,29 @@ class Scheduler:
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
         optional: set[int] = set()
         for node in reversed(self._order):
+            # All users have been placed by now, so the regions of all uses are known. The node is
+            # computed in the innermost region around them, or further out (loop-invariant code).
             home = _enclosing(homes[node.id])
             self._home[node.id] = self._lifted(node, home)
+            # Outside of the region that uses it, the node cannot be printed in place.
             lifted = self._home[node.id] is not home
             if lifted or (node.id in optional and node.id in self._together):
                 self._apart.add(node.id)
             home = self._home[node.id]
             self._open_blocks(node, home)
+            # Texture reads and derivatives need coordinates without choices in them.
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             elif node.id in self._coordinates and is_access(node):
                 # It is never named itself.
                 self._coordinates.update(operand.id for operand in node.operands)
+            # A part without a name is printed as an access to its whole, which then needs the name
+            # and has all uses of the part.
             stands_for_whole = self._stands_for_whole(node)
             if stands_for_whole and node.id in self._apart:
                 self._apart.add(node.operands[0].id)
             uses = self._uses[node.id] if stands_for_whole else 1
+            # Hand the regions of the uses on to the operands, which come later in this walk.
             for position, operand in enumerate(operands_of(node)):
                 if operand.op in LEAVES:
                     continue
@@ -246,7 +253,7 @@ class Scheduler:
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
         if user.op in LOOPS and position in (inside := bodies_of(user)):
-            # Of a fold the whole body; of a loop with states first what says whether to go on.
+            # A fold has one block for its body; a loop with states has its condition in the header.
             head, tail = self._loops[user.id]
             return head if position == inside.start else tail
         if user.id in self._sides and position > 0 and user.id not in self._flat:
@@ -262,6 +269,8 @@ class Scheduler:
         together = node.id in self._together
         if node.id not in self._notes.names and all(o.op in _COUNTED for o in node.operands):
             return home
+        # Walk outwards as far as the value means the same; ``best`` is the outermost region where
+        # this saves work, so that a value does not leave a branch for nothing.
         block, best = home, home
         while block.parent is not None:
             if not block.loop.isdisjoint(node.variables):
@@ -337,12 +346,14 @@ class Scheduler:
         if node.op == "array" or joins_group(node):
             # What follows may be no place for a barrier.
             return True
+        # A name is needed for a value that is used twice, or outside of the region of its user.
         if self._uses[node.id] > 1 or node.id in self._apart:
             return True
         if node.id in self._coordinates and node.id in self._choosing:
             return True
         if node.id in self._results:
             return False
+        # Everything else is a matter of taste: names of the user stay, long expressions are cut.
         named = node.id in self._notes.names and size > 1
         return named or size > INLINE_SIZE or depth > INLINE_DEPTH
 
@@ -396,6 +407,7 @@ def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[t
     needed = Counter(formal for value in nexts for formal in value.variables)
     order: list[tuple[int, bool]] = []
     while remaining:
+        # A state may be set once no other one that is still to be set reads its old value.
         free = [k for k in remaining if needed[formals[k]] == (formals[k] in nexts[k].variables)]
         k = free[0] if free else remaining[0]
         remaining.remove(k)

@@ -47,6 +47,8 @@ def _are_factors(_builder: Builder, type_: Type, one: Node, other: Node) -> bool
 
 
 # --- sums ----------------------------------------------------------------------------------------
+# The rules at the end find the chain and compute the constant; these functions write what is left:
+# without a term of 0, and as a difference where the constant is negative.
 
 
 @computed
@@ -84,6 +86,7 @@ def _from(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -
 
 
 # --- products ------------------------------------------------------------------------------------
+# Here a factor of 1 leaves the value itself, by the rule for such products.
 
 
 @computed
@@ -110,6 +113,10 @@ def _quotient(builder: Builder, type_: Type, dividend: Node, divisor: Node) -> N
     wide = dividend.type if isinstance(dividend.type, Vector) else divisor.type
     return builder.call("div", wide, dividend, divisor)
 
+
+# --- rules ---------------------------------------------------------------------------------------
+# ``_SUM @ (x + c)`` gives the inner operation a name, so that a rule can ask whether the user named
+# it. Rules are for calls only: hardware operations round where their expansions want it.
 
 _SUM, _PRODUCT = Variable("s"), Variable("p")
 _ARE_NO_MATRICES = tuple(map(is_no_matrix, (x, c, d)))

@@ -78,6 +78,7 @@ def quads_of(fragments: Fragments, rules: RasterRules, side: int) -> tuple[Quads
     x, y = pixel % width, pixel // width + above
     across = -(-width // side)
     column, row = x // side, y // side
+    # One number for each pair of a face and a quad's place, so that equal pairs are found at once.
     span = (int(row.max(initial=0)) + 1) * across
     keys, quad = np.unique(fragments.face * span + row * across + column, return_inverse=True)
     place = keys % span
@@ -201,12 +202,14 @@ class Barycentric:
         planes. A device divides a plane through the values over w by a plane through 1 / w, which
         are rounded each on its own.
         """
+        # The exact value, from those at the corners.
         vertices = self._faces.corners[self._face]
         exact = lane.value if isinstance(lane, Bounded) else lane
         corners = exact[vertices].astype(np.float64)
         value = self._interpolated(corners)
         parts = self._cut(corners)
-        # Those of the whole triangle, because the clipped part decides how its planes are rounded.
+        # The error of both planes, relative to the largest numbers that they are computed with:
+        # those of the whole triangle, because the clipped part decides how its planes are rounded.
         near = self._near
         largest = _most(corners) * _most(near)
         flushed = self._flushed * (largest > 0)[:, None, None]
@@ -215,15 +218,18 @@ class Barycentric:
         # A device multiplies by distances in the picture before it divides by the face's area.
         planes = np.where(largest * self._extent**2 > _OVERFLOWS, np.inf, planes)
         off = planes + self._far * np.abs(value) + flushed
+        # The error of the triangle's place, and that of the weights by the corners' own w.
         a, b, c = parts.T[:, :, None, None]
         second, third = np.abs(b - a), np.abs(c - a)
         off = off + self._moved * (self._slopes[0] * second + self._slopes[1] * third)
         off = off + self._weights_off * (second + third)
+        # The errors of the values at the corners, each by the magnitude of its weight.
         if isinstance(lane, Bounded) and not lane.is_exact:
             radius = np.maximum(lane.high - lane.value, lane.value - lane.low)
             a, b, c = self._cut(radius[vertices]).T[:, :, None, None]
             second, third = self._perspective
             off = off + np.abs(1.0 - second - third) * a + np.abs(second) * b + np.abs(third) * c
+        # Near the horizon of the plane nothing is known.
         if self._may_divide_by_zero.any():
             off = np.where(self._may_divide_by_zero, np.inf, off)
         return Bounded(value, value - off, value + off)
@@ -286,6 +292,8 @@ class Barycentric:
         slopes: list[Floats] = []
         for i, share in enumerate(self._perspective):
             change = np.zeros_like(share)
+            # By the quotient rule, as a share is a linear weight times its corner's 1 / w, divided
+            # by the mean 1 / w.
             for step in self._steps:
                 slope = step[0] * (near[:, 1] - near[:, 0]) + step[1] * (near[:, 2] - near[:, 0])
                 moved = step[i] * near[:, i + 1] - share * slope

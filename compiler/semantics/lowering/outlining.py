@@ -72,6 +72,8 @@ class _Sharing:
 
     def roots(self, roots: list[Node]) -> list[Node]:
         """Lowers the roots as ``lowered`` says."""
+        # A body may call functions itself, so calls are looked for in the bodies, too. Callees come
+        # first: their bodies are closed before those that apply them.
         self._find_bodies(roots)
         self._find_calls([*roots, *(group.body for group in self._groups.values())])
         uses = Counter(self._group_of.values())
@@ -140,12 +142,14 @@ class _Sharing:
 
     def _find_calls(self, roots: list[Node]) -> None:
         """Find the calls whose values are those of a group's body."""
+        # Close the body of each group: its variables become the parameters of a function.
         groups = self._groups.values()
         marks = [mark for marks in _by_callee(roots).values() for mark in marks]
         bodies = {
             group: close(self._graph, body, group.formals)
             for group, body in zip(groups, self._plain([g.body for g in groups]), strict=True)
         }
+        # Put the arguments of each call into the body of its group.
         groups_of = [self._group(mark) for mark in marks]
         called = [(mark, group) for mark, group in zip(marks, groups_of, strict=True) if group]
         flat = self._plain([operand for mark, _ in called for operand in mark.operands])
@@ -156,7 +160,8 @@ class _Sharing:
             values.append(value)
             varying = group.varying(tuple(arguments))
             opened.append(open_body(self._graph, bodies[group], varying))
-        # Where a call's value is what the body is for its arguments, the body serves the call.
+        # Equal expressions are one node (hash-consing): where the body with these arguments is the
+        # node of the call's value, the body serves the call.
         for (mark, group), value, body in zip(called, values, self._plain(opened), strict=True):
             if body is value:
                 self._group_of[mark.id] = group
