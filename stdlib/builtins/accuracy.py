@@ -211,7 +211,7 @@ CORRECT = promised(Rounded())
 COMMON = promised(Rounded(), silent(Rounded(), _NO_WORD, "direct3d", "opengl", "es"))
 """Functions that return a whole number, an operand or a sign."""
 EXACT = promised(Exact())
-"""Integers, conditions, bit patterns, and what is only moved to another place."""
+"""Integers, conditions, bit patterns, and values that are only moved to another place."""
 INHERITED = promised(Inherited(), silent(Inherited(), _WRITTEN_OUT, "direct3d"))
 """Functions that the specifications define by other operations, or that Burnish expands."""
 

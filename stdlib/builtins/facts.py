@@ -1,4 +1,4 @@
-"""``Fact``: what range analysis knows about a value, namely an interval and the length of a vector.
+"""``Fact``: the result of range analysis for a value, an interval and the length of a vector.
 
 The range rules of builtins compute the fact of a result from the facts of the operands. Other
 compilers call facts value ranges.

@@ -26,7 +26,7 @@ _FLUSHED = _WIDEST * SMALLEST_NORMAL
 """The further loss of such a sum, where products are flushed to zero."""
 _LENGTH_ERROR = (1.0 + _SUM_ERROR) * (1.0 + ROOT_ERROR) - 1.0
 SHORTEST = 2.0**-60
-"""The least length whose square is far above what a device may flush to zero."""
+"""The least length whose square is far above the numbers that a device may flush to zero."""
 
 
 def _is_float(facts: tuple[Fact, ...]) -> bool:

@@ -36,7 +36,7 @@ _TANH_ERROR = max(
     * (1.0 + relative(QUOTIENT, CORRECT))
     - 1.0,
 )
-"""Farther out the result is 1; the quotient is off by what both functions are off by."""
+"""The error where the result is not 1 yet: both functions' errors count in the quotient."""
 
 
 def _tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:

@@ -51,7 +51,7 @@ _WORDS: Mapping[str, str] = MappingProxyType(
         "passop": "pass",
     }
 )  # fmt: skip
-"""Without what they begin or end with, in small letters."""
+"""The words here, by those elsewhere without prefix and suffix, in small letters."""
 
 
 def word_here(name: str) -> str:
