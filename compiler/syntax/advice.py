@@ -1,4 +1,4 @@
-"""Hints for syntax errors: what was probably meant, and where possible the edit that writes it.
+"""Hints for syntax errors: the probable meaning, and where possible the edit that writes it.
 
 ``SyntaxErrors`` asks here after it has decided which token is wrong.
 """
@@ -112,7 +112,7 @@ class Advice(TokenView):
         return ""
 
     def _of_header(self, index: int, expected: set[str]) -> Hint:
-        """About what follows the name of a material, light or pass."""
+        """The hint for a token behind the name of a material, light or pass."""
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))
         if "blend" not in expected or "{" not in expected:
             return ""
@@ -202,7 +202,7 @@ class Advice(TokenView):
         return function_hint(self, begin + 1) if word == "fn" else DECLARATIONS[word]
 
     def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> Hint:
-        """About what stands where a member or declaration begins."""
+        """The hint for a token where a member or declaration begins."""
         found, previous, before = (self.token(index - back) for back in range(3))
         begins = may_begin_member(expected) or may_begin_declaration(expected)
         if begins and found.kind in _MARKS:
@@ -254,7 +254,7 @@ class Advice(TokenView):
         return ""
 
     def _of_layout(self, index: int) -> str:
-        """About ``layout(…) in vec2 uv`` and its like, by what follows the parentheses."""
+        """The hint for ``layout(…) in vec2 uv`` and the like, by the word behind parentheses."""
         return _LAYOUTS.get(self.text(self.closing(index) + 1)) or elsewhere("layout")
 
     def _of_function(self, index: int, outside: bool) -> Hint:
@@ -291,7 +291,7 @@ class Advice(TokenView):
         return rewritten(row, in_body=not outside) if index - start < 4 else ""
 
     def _of_two_words(self, index: int, start: int, outside: bool) -> Hint:
-        """About what follows a word in which no equation can go on."""
+        """The hint for a token behind a word in which no equation can go on."""
         found, previous = self.token(index), self.token(index - 1)
         if found.kind == "(":
             if self.token(index + 1).kind == "STRING":

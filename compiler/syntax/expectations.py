@@ -1,4 +1,4 @@
-"""Words for the message of a syntax error: what was expected, and what was found instead."""
+"""Words for the message of a syntax error: the expected symbols, and the one found instead."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
 
 
 def _head(view: TokenView, name: int) -> tuple[str, int]:
-    """The head of the function, with ``…`` for arguments that cannot be, and what follows it."""
+    """The head of the function, with ``…`` for impossible arguments, and the index behind it."""
     closing = view.closing(name + 1)
     arguments = _arguments(view, name + 2, closing)
     listed = "…" if arguments is None else ", ".join(arguments)
@@ -76,7 +76,7 @@ def _arguments(view: TokenView, first: int, closing: int) -> list[str] | None:
 
 
 def _argument(view: TokenView, first: int, end: int) -> str:
-    """``float x``, ``in float x`` or ``x: f32``; empty for others, and for what is handed out."""
+    """``float x``, ``in float x`` or ``x: f32``; empty for others, and for output arguments."""
     words = [token.text for token in view.tokens[first:end]]
     if {"out", "inout"} & set(words):
         return ""

@@ -42,7 +42,7 @@ def elsewhere(word: str) -> str:
 
 
 class Row(NamedTuple):
-    """Several names in a row, with what follows them on the line."""
+    """Several names in a row, with the text behind them on the line."""
 
     words: Sequence[str]
     length: str

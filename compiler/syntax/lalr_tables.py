@@ -80,7 +80,7 @@ def _key(grammar: str) -> str:
 def _made(
     origin: str, length: int, method: str, plan: tuple[tuple[int, bool], ...], collapses: bool
 ) -> Production:
-    """A production, with what follows from the rest of its row."""
+    """A production, with the fields that follow from the rest of its row."""
     as_read = list(plan) == [(position, False) for position in range(length)]
     renames = collapses and length == 1
     return Production(origin, length, method, plan, collapses, renames, as_read)

@@ -1,4 +1,4 @@
-"""Turns the text of a file into tokens, and reports what cannot be one.
+"""Turns the text of a file into tokens, and reports text that cannot be one.
 
 ``parse`` calls ``lex`` once for each file.
 """
@@ -31,9 +31,9 @@ _token = partial(tuple.__new__, Token)
 
 @cache
 def token_pattern() -> re.Pattern[str]:
-    """One expression for any token: proper ones first, then marks, then whatever is malformed.
+    """One expression for any token: proper ones first, then marks, then any malformed text.
 
-    Blanks belong to what stands before them, so that half as many matches are needed.
+    Blanks belong to the token before them, so that half as many matches are needed.
     """
     tables = load_tables()
     marks = sorted((m for m in tables.literals if not m.isidentifier()), key=len, reverse=True)
@@ -72,7 +72,7 @@ def lex(source: Source, report: Report) -> Lexed:
 
 
 class _DocCollector:
-    """Decides for each doc comment what it describes: what ends on its line, or what follows."""
+    """Decides for each doc comment if it describes text that ends on its line, or what follows."""
 
     def __init__(self, text: str, tokens: list[Token]) -> None:
         self._found = Docs()
@@ -84,7 +84,7 @@ class _DocCollector:
         self._end = -1
         """The end of the last of these that is no separator."""
         self._waiting: list[tuple[int, Token]] = []
-        """Comments, each with the number of tokens before it: it describes what begins next."""
+        """Comments, each with the number of tokens before it: it describes the next declaration."""
 
     def settled(self) -> Docs:
         """All doc comments, once the lexer has reached the end."""

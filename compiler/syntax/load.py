@@ -33,8 +33,8 @@ def load_source(
 ) -> Source | None:
     """The text of the file at ``path``; None if it cannot be read, and then ``report`` says why.
 
-    ``name`` is what messages call it; by default the path as given. ``span`` is what asks for the
-    file. ``seen`` is called with the bytes that were read.
+    ``name`` is the one in messages; by default the path as given. ``span`` is the text that asks
+    for the file. ``seen`` is called with the bytes that were read.
     """
     name = readable(name or os.fspath(path))
     content = _content(path, name, span, report)

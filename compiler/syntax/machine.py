@@ -103,7 +103,7 @@ class Machine:
         return state
 
     def unwind(self, origins: Sequence[str]) -> bool:
-        """Drop what is unfinished, down to where one of ``origins`` may begin; False if nowhere."""
+        """Drops unfinished parts, down to where one of ``origins`` may begin; False if nowhere."""
         depth = self._depth(origins)
         if depth is None:
             return False
@@ -112,7 +112,7 @@ class Machine:
         return True
 
     def begun(self, origins: Sequence[str]) -> int | None:
-        """The place in the text where what ``unwind`` would drop begins, if it drops anything."""
+        """The place where the text that ``unwind`` would drop begins, if it drops anything."""
         depth = self._depth(origins)
         if depth is None or depth == len(self._values):
             return None

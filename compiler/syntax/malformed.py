@@ -199,7 +199,7 @@ def _foreign(word: str, span: Span, report: Report) -> Token:
 
 
 def _set_apart(word: str, span: Span) -> str:
-    """A word with spaces where it would run together with what stands beside the place."""
+    """A word with spaces where it would run together with the text beside the place."""
     if not word.isalpha():
         return word
     text = span.source.text

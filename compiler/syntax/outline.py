@@ -195,7 +195,7 @@ class Outline:
             self.chunks[-1].too_deep = index
 
     def _leave(self, index: int, closer: str) -> None:
-        """Close the innermost bracket of this kind; a brace also ends what is open inside it."""
+        """Closes the innermost bracket of this kind; a brace also closes those inside it."""
         if self._open and _CLOSED_BY[self.tokens[self._open[-1]].kind] == closer:
             self._open.pop()
             return

@@ -1,7 +1,7 @@
 """Parses a file into its syntax tree.
 
 ``compiler/frontend.py`` and ``library.py`` call ``parse`` for each file. It always returns a tree:
-every mistake is reported, none is raised, and the tree lacks what could not be read.
+every mistake is reported, none is raised, and the tree lacks the parts that could not be read.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ class _Parser:
         """Names that the unreadable parts may declare, so that nobody reports them as unknown."""
 
     def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
-        """The edition and the declarations of ``chunk``, without what is broken in it."""
+        """The edition and the declarations of ``chunk``, without its broken parts."""
         if chunk.too_deep is not None:
             self._errors.too_deep(chunk.too_deep)
             self._give_up(chunk.start, chunk.start + 1, chunk.end)
@@ -204,7 +204,7 @@ class _Parser:
         return not self._outline.begins_line(index)
 
     def _next_start(self, begin: int, chunk: Chunk) -> int:
-        """Drop what is broken, and return the next token from ``begin`` on that can be read."""
+        """Drops a broken part, and returns the next token from ``begin`` on that can be read."""
         if not self._machine.unwind(_BODY_PARTS):
             self._machine.unwind(_FILE_PARTS)
             return next(filter(self._follows_statement, range(begin, chunk.end)), chunk.end)

@@ -46,9 +46,9 @@ class SyntaxErrors:
         self._unexpected(first, {"material"}, f"{hint}`material Name {{ … }}`")
 
     def report(self, index: int, chunk: Chunk, expected: set[str], start: int) -> int:
-        """Report what is wrong at ``index``; returns where the next member may begin.
+        """Reports the error at ``index``; returns where the next member may begin.
 
-        ``start`` is the first token of what cannot be read.
+        ``start`` is the first token of the part that cannot be read.
         """
         found = self._token(index)
         if found.kind == "FOREIGN":

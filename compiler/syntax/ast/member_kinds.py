@@ -45,10 +45,10 @@ class MemberKind:
     """The word that it begins with; empty for an equation, which begins with its name."""
     node: type[Member]
     productions: Mapping[str, Callable[..., Member]]
-    """The productions of ``burnish.lark`` that read it, each with what makes the node.
+    """The productions of ``burnish.lark`` that read it, each with the function that makes the node.
 
     They are called with the span, with the doc comment if the node has a field ``doc``, and with
-    what the production hands over.
+    the parts of the production.
     """
     opening: tuple[str, ...]
     """Symbols that follow the word in every such member, up to one that tells it from an equation.

@@ -39,14 +39,14 @@ class Map:
     type: TypeName
     group: Name | None
     default: Name | None
-    """A word for what a host may bind that has no picture; or a step of the light's own."""
+    """A word for a texture that a host may bind if it has no picture; or a step of the light."""
     result: Name | None
     """The result of that step: in frames the light brings the texture itself."""
     state: tuple[tuple[Name, Name], ...]
 
     @property
     def brought(self) -> Field | None:
-        """The expression for what a step leaves, if that is what the texture is."""
+        """The expression for a result of a step, if the texture is one."""
         if self.default is None or self.result is None:
             return None
         span = self.default.span
@@ -89,7 +89,7 @@ class Slot:
 
 @frozen(eq=False)
 class Blending:
-    """``blend alpha { mask = rgb }``: a state that has a name, and what is set besides."""
+    """``blend alpha { mask = rgb }``: a state that has a name, and further settings."""
 
     span: Span
     mode: Name | None
@@ -98,7 +98,7 @@ class Blending:
 
 @frozen(eq=False)
 class Target:
-    """``target color : rgba8 = e blend alpha``: what a pass writes to one render target."""
+    """``target color : rgba8 = e blend alpha``: the value that a pass writes to a render target."""
 
     span: Span
     doc: str
@@ -110,7 +110,7 @@ class Target:
 
 @frozen(eq=False)
 class Clear:
-    """``clear { color = #112233, depth = 0 }``: what is there before a pass draws."""
+    """``clear { color = #112233, depth = 0 }``: the contents before a pass draws."""
 
     span: Span
     values: tuple[Slot, ...]
@@ -146,7 +146,7 @@ class Raster:
 
 @frozen(eq=False)
 class Depth:
-    """``depth { compare = less_equal, write = false }``: what a pass does with depths."""
+    """``depth { compare = less_equal, write = false }``: the depth test of a pass."""
 
     span: Span
     settings: Settings
@@ -162,7 +162,7 @@ class Stencil:
 
 @frozen(eq=False)
 class Capture:
-    """``capture place : vec3 = e``: what a pass keeps of each vertex."""
+    """``capture place : vec3 = e``: a value of each vertex that a pass keeps."""
 
     span: Span
     doc: str
@@ -199,7 +199,7 @@ class Strips:
 
 @frozen(eq=False)
 class Expand:
-    """``expand point { strip of 4 as i { … } }``: what becomes of each primitive of a mesh."""
+    """``expand point { strip of 4 as i { … } }``: the expansion of each primitive of a mesh."""
 
     span: Span
     doc: str
@@ -209,7 +209,7 @@ class Expand:
 
 @frozen(eq=False)
 class Tessellate:
-    """``tessellate triangle by e as at { … }``: what each patch of a mesh is divided into."""
+    """``tessellate triangle by e as at { … }``: the division of each patch of a mesh."""
 
     span: Span
     doc: str
@@ -250,7 +250,7 @@ Scattering = Literal["add", "min", "max", "and", "or"]
 
 @frozen(eq=False)
 class Scatter:
-    """``scatter bins : uint[n] add 1u at i where c``: what invocations join with elements."""
+    """``scatter bins : uint[n] add 1u at i where c``: values to join with elements."""
 
     span: Span
     doc: str
