@@ -340,7 +340,7 @@ class RenderStateRow:
     front: Winding
     """Order of the corners of a triangle whose front is seen.
 
-    The backend's ``front_face`` is what an API has to be told.
+    An API has to be told the backend's ``front_face``.
     """
     fill: Fill
     """Part of a triangle that is drawn: all of it, or its edges as lines."""

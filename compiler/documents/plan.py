@@ -452,7 +452,7 @@ class RunStep:
     only_first: bool
     """True if it is needed in the first frame only."""
     use: UseRow
-    """The kernel, and what the frame sets of it."""
+    """The kernel, and its inputs that the frame sets."""
     images: tuple[WrittenImage, ...]
     """The images that it writes."""
     buffers: tuple[WrittenBuffer, ...]
@@ -531,7 +531,7 @@ class KeptRow:
     texture: int | None
     """Texture; null of a buffer."""
     previous: int | None
-    """The texture that has what the last frame left; null of a buffer."""
+    """Number of the texture that has the result of the last frame; null for a buffer."""
 
 
 @frozen(kw_only=True)

@@ -1,8 +1,8 @@
 """Makes records of JSON, and checks it: a document may come from anybody.
 
-``read`` is called with what a file has, after ``targets/runner/documents.py`` has read its text.
-Each value is looked at once. Of each kind of record a function is made once that checks and reads
-it, so that a large document takes little longer than reading its text.
+``read`` is called with the content of a file, after ``targets/runner/documents.py`` has read its
+text. Each value is looked at once. For each kind of record a function is made once that checks and
+reads it, so that a large document takes little longer than reading its text.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from .shapes import (
 T = TypeVar("T")
 
 Place = tuple[Any, str | int] | None
-"""The place of what contains a value, and the key of the value in it; ``None`` of the whole."""
+"""The place of the container of a value, and the value's key in it; ``None`` for the document."""
 
 MOST = 100
 """The number of errors that are told."""
@@ -61,7 +61,7 @@ class Found(list[str]):
 
 
 Reader = Callable[[Any, Place, Found], Any]
-"""Reads a value at a place, and notes what is wrong with it; what it gives then means nothing."""
+"""Reads a value at a place, and notes its errors; with errors, the result means nothing."""
 
 
 def read(kind: type[T], document: object) -> T:

@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 from ...frozen import DEFAULTS, frozen
 
 KEYS = "KEYS"
-"""The attribute of a record with what JSON calls some of its fields, by their names in Python."""
+"""The attribute of a record with the names in JSON of some fields, by their names in Python."""
 
 
 def keys_of(kind: Any) -> dict[str, str]:

@@ -57,7 +57,7 @@ class _Types:
         return name
 
     def _type(self, type_: Any, *, is_optional: bool = False) -> str:
-        """A type as TypeScript writes it; what may be left out is never null."""
+        """A type as TypeScript writes it; a field that may be left out is never null."""
         constraints, inner = constraints_of(type_), bare(type_)
         for each in constraints:
             if isinstance(each, TypeScript):

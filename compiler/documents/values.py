@@ -279,7 +279,7 @@ class BlockMember:
     """One member."""
 
     name: str
-    """Suggested identifier; each backend says what it became."""
+    """Suggested identifier; each backend says its final name."""
     type: str
     """Stored type."""
     offset: Count

@@ -149,7 +149,7 @@ export interface BlockBindingRow {
 
 /** One member. */
 export interface BlockMember {
-  /** Suggested identifier; each backend says what it became. */
+  /** Suggested identifier; each backend says its final name. */
   name: string;
   /** Stored type. */
   type: string;
@@ -731,7 +731,7 @@ export interface KeptRow {
   result: string;
   /** Texture; null of a buffer. */
   texture: number | null;
-  /** The texture that has what the last frame left; null of a buffer. */
+  /** Number of the texture that has the result of the last frame; null for a buffer. */
   previous: number | null;
 }
 
@@ -1151,8 +1151,8 @@ export interface RenderStateRow {
   /** Triangles that are not drawn, by the side that is seen of them. */
   cull: "none" | "back" | "front";
   /**
-   * Order of the corners of a triangle whose front is seen. The backend's `front_face` is what an
-   * API has to be told.
+   * Order of the corners of a triangle whose front is seen. An API has to be told the backend's
+   * `front_face`.
    */
   front: "counter_clockwise" | "clockwise";
   /** Part of a triangle that is drawn: all of it, or its edges as lines. */
@@ -1247,7 +1247,7 @@ export interface RunStep {
   buffer_barriers: BufferBarrierRow[];
   /** True if it is needed in the first frame only. */
   only_first: boolean;
-  /** The kernel, and what the frame sets of it. */
+  /** The kernel, and its inputs that the frame sets. */
   use: UseRow;
   /** The images that it writes. */
   images: WrittenImage[];
