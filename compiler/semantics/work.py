@@ -38,7 +38,7 @@ class Work:
     steps: int = 0
     """The steps of all frames so far."""
     refused: dict[Hashable, str] = fresh(factory=dict)
-    """The places of values that take too long, and of what these take more than."""
+    """The places of values that take too long, with the limit that they exceed."""
 
     @property
     def is_spent(self) -> bool:

@@ -19,7 +19,7 @@ class Callee:
 
 
 def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Node) -> Node:
-    """``value`` as what a function gives for ``arguments``: a node ``called``."""
+    """Wraps a call's result in a ``called`` node that records callee and arguments."""
     if not isinstance(value.type, Scalar | Vector | Matrix) or not value.operands:
         return value
     kinds = kinds_of(ctx, arguments)

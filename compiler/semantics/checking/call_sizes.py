@@ -34,9 +34,9 @@ def bodies_of(ctx: Context, symbol: Symbol) -> int:
 
 
 def _calls(symbol: Symbol) -> Counter[Symbol]:
-    """The functions that are called in a body, with how often they stand there.
+    """The functions that are called in a body, with the number of their calls.
 
-    Of overloads each counts, as what the arguments are is not known here.
+    Each overload counts, as the types of the arguments are not known here.
     """
     function = symbol.declaration
     assert isinstance(function, ast.Function)

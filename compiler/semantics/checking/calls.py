@@ -1,4 +1,4 @@
-"""Calls, by what is called: functions, builtins, constructors, texture reads; and ``with``."""
+"""Calls of functions, builtins, constructors and texture reads; and ``with``."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ def _named(
 def _no_function(
     ctx: Context, e: ast.Call, callee: ast.Reference, scope: Scope, failed: bool
 ) -> Failure:
-    """A call of what cannot be called; if that is a slot, it may have failed by itself."""
+    """Reports a call of something that cannot be called; a slot may have failed by itself."""
     name = callee.name
     if scope.instance is not None and scope.instance.has(name):
         known = slot(ctx, scope.instance, name, callee.span)

@@ -178,7 +178,7 @@ def _of_no_terms(
 ) -> Node:
     """``min`` or ``max`` of no terms and no initial value: an error, if a program comes to it.
 
-    A term stands in for the value, so that what needs it can be checked.
+    A term stands in for the value, so that expressions that need it can be checked.
     """
     term = _at(ctx, body, turns.formal, 0)
     value = ctx.tree.node("call", body.type, (term, term), operator)
@@ -215,7 +215,7 @@ def bounds_of_iterate(e: ast.Iterate, _scope: Scope) -> tuple[ast.Expression, ..
 
 @frozen
 class _States:
-    """The states of a loop: what they are as a whole, and each as a variable with its start."""
+    """The states of a loop: their whole, and each as a variable with its initial value."""
 
     initial: Node
     starts: tuple[Node, ...]
@@ -301,7 +301,7 @@ def _looped(
     states: list[tuple[Formal, Node, Node, Node]],
     going: Node,
 ) -> list[Node]:
-    """The last states of a loop; what no turn changes is no part of it."""
+    """The last states of a loop; a state that no iteration changes is no part of it."""
     graph, moved = ctx.tree, ctx.follow
     fixed = {f: start for f, variable, start, following in states if following is variable}
     kept = [state for state in states if state[0] not in fixed]

@@ -1,6 +1,6 @@
 """Operands that no signature of a builtin takes, and the edit that mends them.
 
-An edit is offered where the builtin is known to take what comes of it.
+An edit is offered where the builtin is known to take the edited operands.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def listed(operands: Sequence[Node]) -> str:
 def no_signature(
     ctx: Context, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
 ) -> Failure:
-    """Report operands that no signature of a builtin takes, or what is wrong with one of them."""
+    """Reports operands that no signature of a builtin takes, or an error in one of them."""
     if any(map(ctx.deferred.is_wrong, operands)):
         return FAILURE
     row, places = BUILTINS[name], [each.span for each in written]

@@ -93,9 +93,9 @@ def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None
 
 
 def failed(ctx: Context, signature: Signature, before: int) -> None:
-    """Note that a call failed with its own arguments, too, so that no further one is checked.
+    """Notes that a call failed with its own arguments, too, so that no further one is checked.
 
-    If nothing was reported since ``before``, what went wrong with the shared body is.
+    If nothing was reported since ``before``, the errors in the shared body are.
     """
     if ctx.report.count == before:
         ctx.report.extend(ctx.withheld[signature])
@@ -296,7 +296,7 @@ def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool
 
 
 def _closed(ctx: Context, symbol: Symbol, body: Node, formals: tuple[Formal, ...]) -> Node:
-    """A body with its variables bound, and with what texts show of the function."""
+    """A body with its variables bound, and with notes on the function for the texts."""
     closed = close(ctx.tree, body, formals, ctx.follow)
     ctx.notes.functions.setdefault(closed.id, symbol.name)
     ctx.notes.arguments.setdefault(closed.id, tuple(formal.name for formal in formals))

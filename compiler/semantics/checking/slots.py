@@ -62,7 +62,10 @@ def inherited(ctx: Context, instance: Instance, level: int, name: ast.Name) -> V
 
 
 def _unknown_inherited(ctx: Context, record: Record, name: ast.Name) -> None:
-    """A mixin, where no record has it, knows of the chain behind it only what it declares."""
+    """Reports an unknown ``inherited`` name.
+
+    A mixin that no record has knows only those names of the chain behind it that it declares.
+    """
     if isinstance(record.symbol.declaration, ast.Mixin) and name.text in record.definitions:
         hint = f"say of which type it has to be: `{name.text} : … = …`"
         kind = "inherited slot"
@@ -104,7 +107,7 @@ def _definition(instance: Instance, name: str, level: int) -> Definition:
 
 
 def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: int) -> None:
-    """Compute what the record itself says of a slot."""
+    """Computes the record's own definition of a slot."""
     definition = _definition(instance, name, level)
     member = definition.member
     if not isinstance(member, ast.Slot):
@@ -158,7 +161,7 @@ def _finish_made(
     equation: ast.Slot,
     value: Value,
 ) -> None:
-    """Keep what a group says of a slot, as a value of the slot's type."""
+    """Keeps a group's equation for a slot, as a value of the slot's type."""
     written, name, scope = equation.value, equation.name.text, slots.groups[number].scope
     assert written is not None
     node = plain(ctx, value, written)
@@ -214,7 +217,7 @@ def _settle_given(
     definition: Definition,
     within: Instance | None,
 ) -> None:
-    """Compute what a pass or a rig's entry says of a slot."""
+    """Computes the override of a slot by a pass or a rig's entry."""
     if within is not None and is_abstract(definition.member):
         _keep(ctx, instance, name, level, slot(ctx, within, name, span))
     else:
@@ -260,9 +263,9 @@ def _finish_equation(
 def like_overridden(
     ctx: Context, instance: Instance, name: str, level: int, node: Node | Failure
 ) -> Node | Failure:
-    """A literal adapts to the type of what it overrides, as it would to a written one.
+    """Adapts a literal to the type of the definition that it overrides.
 
-    ``level`` is that of the literal.
+    It does so as for a written type. ``level`` is that of the literal.
     """
     record = instance.record
     if isinstance(node, Failure) or not is_adaptable(node) or record.typing(name) is not None:

@@ -18,7 +18,7 @@ from ..names.modules import Module, Symbol
 from ..state.scope import OUTERMOST
 
 PREVIOUS = "previous"
-"""``previous(x)``: what an image held at the end of the last frame."""
+"""The name of ``previous(x)``: the content of an image at the end of the last frame."""
 
 SCREEN = "screen"
 """The argument of a pass that draws one triangle over everything."""

@@ -1,4 +1,4 @@
-"""Names that nothing declares, and what may have been meant."""
+"""Names that nothing declares, and hints at the names that may have been meant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Values as what was declared: whether the meaning is the one wanted, and the contract is kept."""
+"""Checks values against declarations: the meaning has to be the wanted one, contracts are kept."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def as_declared(
     written: ast.Expression,
     scope: Scope | None = None,
 ) -> Node | Failure:
-    """The value of ``written`` as what was declared: its type, its meaning, its contract."""
+    """The value of ``written`` with its declared type, meaning and contract."""
     if _is_apart(node, ctx, declared):
         return meant(ctx, node, declared, written.span, written, scope)
     fitted = fit(ctx, node, declared.type, declared.text, written.span)
@@ -225,7 +225,7 @@ def assumed(ctx: Context, variable: Node, declared: Declared) -> Node:
 def light_variable(
     ctx: Context, light: LightVariable, name: str, variable: Node, sample: Node
 ) -> Node:
-    """A slot of ``light`` in a term: what all lights of the rig have to keep to."""
+    """A slot of ``light`` in a term, with the type that all lights of the rig have to keep."""
     if variable.id not in ctx.lights.types:
         declared, typing = None, light.record.typing(name)
         if typing is not None and typing.member.type is not None:

@@ -1,4 +1,4 @@
-"""Blocks that the host already owns: what is declared of them, checked against every backend."""
+"""Blocks that the host already owns: their declarations, checked against every backend."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ INTEGERS = Kind(("zero",))
 """Maps of integers: nothing filters them, so they have no sampler."""
 
 DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
-"""All words for what a texture is until a host binds one."""
+"""All words for the texture that stands in until a host binds one."""
 
 
 def kind_of(texture: Texture) -> Kind:

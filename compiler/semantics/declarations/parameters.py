@@ -1,4 +1,4 @@
-"""Declared parameters, textures and buffers as leaves, with what a host may know of them."""
+"""Declared parameters, textures and buffers as leaves, with their descriptions for a host."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ DEFAULT_GROUPS: Mapping[str, str] = {
     "kernel": "draw",
     "frame": "frame",
 }
-"""The group of a parameter that names none, by what declares it."""
+"""The group of a parameter that names none, by the kind of its record."""
 
 STEPS = (VERTICES, INSTANCES)
 """The domains that an attribute can be declared ``per``; the first is the default."""

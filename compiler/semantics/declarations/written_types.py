@@ -184,7 +184,7 @@ def _struct(ctx: Context, symbol: Symbol) -> Declared | None:
 def _members(
     ctx: Context, symbol: Symbol, declaration: ast.StructDeclaration
 ) -> list[tuple[str, Declared]]:
-    """The members that have a type, each with it; what is wrong with the others is reported."""
+    """The members that have a type, each with it; errors in the others are reported."""
     members = []
     ctx.progress.active[symbol] = (symbol.name, declaration.name.span)
     try:
@@ -230,7 +230,7 @@ def _too_large(ctx: Context, declaration: ast.StructDeclaration) -> None:
 def _extent(type_: Type) -> tuple[int, int]:
     """Levels of structures, and parts that are none; the elements of an array are one part.
 
-    Members are measured before what holds them, so the cache keeps this from recursing deeply.
+    Members are measured before their structure, so the cache keeps this from recursing deeply.
     """
     match type_:
         case Array(element=element):

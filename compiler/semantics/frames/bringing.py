@@ -35,7 +35,7 @@ class Bringing:
         check: Callable[[Owner, list[Need]], None],
         made: Callable[[ast.Expression, Around], Made],
     ) -> None:
-        """``check`` makes the steps that an expression needs, and ``made`` says what it is."""
+        """``check`` makes the steps that an expression needs, and ``made`` evaluates it."""
         self._ctx = ctx
         self._lights = lights
         self._check = check

@@ -34,7 +34,7 @@ class Destinations:
         numbers: Numbers,
         made: Callable[[ast.Expression, Around], Made],
     ) -> None:
-        """``made`` says what an expression about steps is."""
+        """``made`` evaluates an expression about steps."""
         self._ctx = ctx
         self._frame = frame
         self._numbers = numbers
@@ -117,7 +117,7 @@ class Destinations:
         return applied(e, around.scope.module) is not None
 
     def _whole_size(self, e: ast.Call) -> Size | None:
-        """The size of what the host shows: the frame's own ``size``."""
+        """The size of the picture that the host shows: the frame's own ``size``."""
         reference = ast.Reference(e.span, "size")
         return self._size(reference, Scope(self._frame.record.root.module, self._frame))
 

@@ -154,7 +154,7 @@ class Draws:
     def use(
         self, material: str, shader: FrameShader, symbol: Symbol, inputs: Inputs, e: ast.Call
     ) -> Use | None:
-        """A shader with what it is given; ``None`` after reporting what it lacks."""
+        """A shader with its inputs; ``None`` after reporting inputs that it lacks."""
         found = inputs.of(shader.shader)
         missing = inputs.lacks(required_of(self._ctx.records.of(symbol)))
         for name in missing:

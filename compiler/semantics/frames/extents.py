@@ -23,7 +23,7 @@ def in_frame(
     number_of: Callable[[Parameter], Node | None],
     size_of: Callable[[Resource], Node | None],
 ) -> Node | None:
-    """``extent`` as a tree of the frame; ``None`` where it depends on what the frame does not give.
+    """``extent`` as a tree of the frame; ``None`` where the frame does not give all of it.
 
     ``number_of`` tells what the frame gives a parameter, and ``size_of`` the size of a texture.
     """

@@ -67,7 +67,7 @@ class Inputs:
         self._given = given
         self._scope = scope
         self._known: dict[tuple[str, str], Source | Failure] = {}
-        """Sources by the name of the input, and what is declared there."""
+        """Sources by the name of the input, and its declaration."""
         self._met: set[str] = set()
         self._seen: set[str] = set()
         """The names of all inputs there are."""
@@ -202,7 +202,7 @@ def fits(ctx: Context, found: Type, wanted: Type, span: Span) -> bool:
 
 
 def check_previous(ctx: Context, later: Sequence[Later]) -> None:
-    """Check the types of what the last frame left, once it is known what that is."""
+    """Checks the types of the last frame's results, once these are known."""
     for source, wanted, span in later:
         if source.of is None:
             continue

@@ -1,4 +1,4 @@
-"""Checks that steps with several samples for each pixel fit to what they draw over.
+"""Checks that steps with several samples for each pixel fit to the results that they draw over.
 
 ``steps.py`` asks for each step, and who reads a result for the depths.
 """
@@ -32,7 +32,7 @@ class SampleChecks:
                 return
 
     def _misfit(self, image: Image, over: Image | None, samples: int) -> str:
-        """Why a step cannot draw to ``image``, or ``over`` what another one has left."""
+        """The reason why a step cannot draw to ``image``, or ``over`` the result of another one."""
         if image.samples != samples:
             return f"this step draws with {samples}, another one with {image.samples}"
         if over is None:

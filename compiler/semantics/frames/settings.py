@@ -61,14 +61,14 @@ class Settings:
     def parted(
         cls, ctx: Context, numbers: Numbers, given: Replacements, scope: Scope
     ) -> tuple[Settings, Replacements]:
-        """The settings among what stands behind `with`, and all else."""
+        """The settings among the replacements behind ``with``, and all other ones."""
         own = [row for row in given if row[0].text in AREAS or row[0].text.startswith(CLEAR)]
         check_once(ctx.report, (name for name, _ in own))
         written = {name.text: (name, value) for name, value in own}
         return cls(ctx, numbers, written, scope), [row for row in given if row not in own]
 
     def number(self, name: str) -> int | None:
-        """The number of what the whole step is set to, if it is."""
+        """The number of the value of a setting of the whole step, if it is set."""
         if name not in self.written:
             return None
         _, value = self.written[name]

@@ -1,4 +1,4 @@
-"""The steps of a frame: what each draws or computes, where to, and what it is given.
+"""The steps of a frame: their draws or kernels, their destinations, and their inputs.
 
 ``frames.py`` asks for the slots of a frame in an order in which each stands behind those that it
 needs. A step is checked where it is written, with all that it reads of others.
@@ -75,7 +75,7 @@ OF_A_DEFAULT = (
 
 
 class Steps:
-    """Checks the steps of one frame, and keeps what they are."""
+    """Checks the steps of one frame, and keeps their values."""
 
     def __init__(
         self,
@@ -182,7 +182,7 @@ class Steps:
         unknown(self._ctx, "step", name, span, known)
 
     def _left(self, whole: Made, e: ast.Field) -> Made:
-        """``step.target``: what a step leaves."""
+        """``step.target``: a result of a step."""
         if isinstance(whole, Failure):
             return FAILURE
         if not isinstance(whole, StepValue):
@@ -213,7 +213,7 @@ class Steps:
         return found
 
     def settle_previous(self) -> None:
-        """Find what all ``previous(…)`` mean, once every step is there."""
+        """Finds the values of all ``previous(…)``, once every step is there."""
         for found, e, around in self._previous:
             left = self.made(e.arguments[0], around)
             if isinstance(left, Image | Elements):

@@ -26,7 +26,7 @@ Each record of a chain is flattened by itself, so the work would grow with the s
 
 
 class Records:
-    """Flattens records; each once. Reports what is wrong with an inheritance chain."""
+    """Flattens records; each once. Reports errors in an inheritance chain."""
 
     def __init__(self, report: Report) -> None:
         self._report = report
@@ -49,9 +49,9 @@ class Records:
         return self._known[symbol]
 
     def alone(self, mixin: Symbol) -> Record:
-        """A mixin in front of what every record of its kind extends.
+        """A mixin in front of a record that stands for every record of its kind.
 
-        What it needs beyond that, or builds on, is declared there without a value.
+        Names that the mixin needs beyond that, or builds on, are declared there without a value.
         """
         declaration = mixin.declaration
         assert isinstance(declaration, ast.Mixin)

@@ -57,7 +57,7 @@ def leaf_definitions(
 
 
 def _in_force(record: Record, given: Mapping[str, Definition]) -> _InForce:
-    """The nearest definition of each name, and what these build on by ``inherited.name``."""
+    """The nearest definition of each name, and those that these reach by ``inherited.name``."""
     nearest = {name: given.get(name, own[0]) for name, own in record.definitions.items()}
     found = {(name, definition.level) for name, definition in nearest.items()}
     if not _hides_leaves(record, nearest):

@@ -1,4 +1,4 @@
-"""Makes a graph of checked trees: equal values become one node, and keep what was noted of them."""
+"""Makes a graph of checked trees: equal values become one node, and keep the notes about them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Interning:
     """The graph of some trees, which grows with each of them. It reports nothing."""
 
     def __init__(self, noted: Notes) -> None:
-        """``noted`` is what was noted of the trees' nodes."""
+        """``noted`` are the notes about the trees' nodes."""
         self.graph = Graph()
         self.notes = Notes()
         self.written: dict[Callee, Callee] = {}

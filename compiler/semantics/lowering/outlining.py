@@ -1,10 +1,10 @@
-"""Functions whose body serves several calls.
+"""Outlining: functions whose body serves several calls.
 
-In a checked tree, a call is what the function gives for its arguments, and marked as such
+In a checked tree, a call is the function's value for its arguments, with an annotation that says so
 (``call_marks.py``). When the trees have become a graph, each function that is called repeatedly
 gets a body in which variables stand for the arguments. A call becomes an ``apply`` of that body
 where this is the same value: with the arguments in place of the variables they are one node. Where
-they are not, the arguments had a say in what the body is, and the call stays written out.
+they are not, the body depends on the arguments in other ways, and the call stays written out.
 """
 
 from __future__ import annotations

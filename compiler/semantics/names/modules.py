@@ -1,7 +1,7 @@
-"""Modules and symbols: one file with the names that it can see, and what a name stands for.
+"""Modules and symbols: one file with the names that it can see, and their declarations.
 
-``loader.py`` reads files and links them. The rest of semantics asks a module what a name means.
-A module sees its own declarations, what it imports, and everything the library's prelude declares.
+``loader.py`` reads files and links them. The rest of semantics asks a module what a name means. A
+module sees its own declarations, those it imports, and everything the library's prelude declares.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Module:
     incomplete: bool = False
     """True if a file to be imported as a whole could not be, and its names are not known."""
     doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
-    """Names that several imported files declare, with what reports them once they are used."""
+    """Names that several imported files declare, with a function that reports one when used."""
     prelude: Module | None = None
     offered: Callable[[str], str] = lambda _name: ""
     """The library file that declares a name, as an import path; empty if none does."""

@@ -34,7 +34,7 @@ class Parts:
 
     material: Symbol
     rig: Symbol
-    """A rig; or a light, for checking what is meant for lights that no rig has."""
+    """A rig; or a light, for checking declarations that are meant for lights that no rig has."""
     pass_: Symbol
     module: Module
     """The file being compiled."""
@@ -54,7 +54,7 @@ class Setting:
 
 
 def set_up(parts: Parts, report: Report, records: Records) -> Setting:
-    """The parts put together; what they lack because they are abstract has stand-ins."""
+    """The parts put together; slots that they lack because they are abstract get placeholders."""
     ctx = Context(report, records, RULES)
     leaves = _leaves(ctx, parts)
     entries = entries_of(ctx, parts.rig, names_taken(leaves, parts.module))

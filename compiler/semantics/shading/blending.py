@@ -56,9 +56,9 @@ LANES = "rgba"
 
 
 def blending_of(ctx: Context, drawn: Record, target: ast.Target) -> tuple[Blend, Mask]:
-    """A target's own blending, or what the nearest header of its pass names; and what it writes.
+    """A target's own blending, or that which the nearest header of its pass names; and its mask.
 
-    What is wrong is reported, and left out.
+    Errors are reported, and left out.
     """
     headers = (symbol.declaration for symbol in drawn.chain)
     written = target.blend
@@ -115,7 +115,7 @@ def _equation(equation: BlendEquation, said: Mapping[str, Any]) -> BlendEquation
 def _check_alpha(
     ctx: Context, target: ast.Target, blend: Blend, words: Iterable[ast.Name | None]
 ) -> None:
-    """Report what takes an alpha where a target has none; the hardware would invent one."""
+    """Reports words that take an alpha where a target has none; the hardware would invent one."""
     if OF_ALPHA.isdisjoint(blend.color.factors):
         return
     word = next(word for word in words if word and word.text in (*_BY_ALPHA, *OF_ALPHA))

@@ -48,9 +48,9 @@ from .slot_checks import check_rig, check_slots
 
 
 def results_of(setting: Setting) -> tuple[Result, ...]:
-    """Check what the pass delivers, and everything else that the parts say.
+    """Checks the results of the pass, and everything else that the parts declare.
 
-    What is wrong has been reported, and is not among the results.
+    Errors have been reported, and their results are left out.
     """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
     parts, externs = setting.parts, ctx.externs
@@ -85,7 +85,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     """The shader of a material under a pass and a rig, or ``None`` after reporting why not.
 
     ``reached`` gets every declaration that was checked on the way. The setting can be used on:
-    what is checked in it later is no part of the shader's graph.
+    nodes that are checked in it later are no part of the shader's graph.
     """
     ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)

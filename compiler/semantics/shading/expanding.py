@@ -1,4 +1,4 @@
-"""Surfaces whose primitives turn into others: what an ``expand`` member makes of a material.
+"""Surfaces whose primitives turn into others by an ``expand`` member.
 
 It stands in the material, or in the pass that draws it. ``assembly.py`` calls ``expanded`` when the
 parts of a shader have been put together.
@@ -77,9 +77,9 @@ def expands(instance: Instance) -> bool:
 def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
     """The surface as it is at the emitted vertices; itself where nothing is expanded.
 
-    The surface may divide patches: then what these are divided into is expanded. What ``passing``
-    says of primitives counts instead of what the surface says. The pass itself becomes what it is
-    at the emitted vertices. There is none where a mixin is checked alone.
+    The surface may divide patches: then the triangles or lines of these are expanded. The pass's
+    expansion counts before that of the surface. The pass itself becomes a pass at the emitted
+    vertices. There is none where a mixin is checked alone.
     """
     holder = surface if passing is None or not expands(passing) else passing
     written = list(holder.record.every(ast.Expand))

@@ -1,4 +1,4 @@
-"""Formats of render targets and of images: what a texel of each is given."""
+"""Formats of render targets and of images, and the values of their texels."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FORMATS: Mapping[str, Type] = {
     "rgba8": VEC4, "rgba8_srgb": VEC4, "bgra8": VEC4, "bgra8_srgb": VEC4, "rgb10a2": VEC4,
     "rgba16f": VEC4, "rgba32f": VEC4,
 }  # fmt: skip
-"""The formats, and what is written to a texel of one of them."""
+"""The formats, and the type of the value that is written to a texel."""
 
 
 def texel_value(

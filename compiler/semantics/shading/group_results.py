@@ -60,7 +60,7 @@ def of_each_group(
 
 
 def check_no_groups(ctx: Context, results: Iterable[Result], what: str, around: Span) -> None:
-    """Report what joins the values of a work group where there is none."""
+    """Reports operations that join the values of a work group where there is none."""
     if not ctx.progress.joins_groups:
         return
     for node in reachable(tuple(result.value for result in results)):

@@ -60,7 +60,7 @@ def extent_words(member: ast.Result) -> str:
 
 
 def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | None:
-    """An image with the value of one of its texels; ``None`` after reporting what is wrong."""
+    """An image with the value of one of its texels; ``None`` after reporting an error."""
     if member.type.name.text != IMAGE_TYPE:
         return None  # It has been reported that there is no such image.
     if len(member.type.arguments) != 1:

@@ -1,6 +1,6 @@
 """Render targets with layers: how many a pass has, and to which of them a strip is drawn.
 
-``elaborate.py`` calls this for what a pass delivers.
+``elaborate.py`` calls this for the results of a pass.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ def by_vertices(names: Iterable[str]) -> dict[str, Replacement]:
 
 
 def apart(surface: Instance, passing: Instance | None) -> tuple[Instance, Instance | None]:
-    """The surface with a pass of its own, so that what the pass overrides reads this surface."""
+    """The surface with a pass of its own, so that the pass's overrides read this surface."""
     base = changed(surface, replaced=dict(surface.replaced))
     return base, pass_of(base, passing)
 

@@ -67,7 +67,7 @@ def _may_exist(ctx: Context, member: ast.Scatter, place: Node, length: Node) -> 
 def _results(
     ctx: Context, store: Store, value: Node, place: Node, condition: Node, length: Node
 ) -> Iterator[Result]:
-    """The rows of what is scattered: nothing is, where there is no such element."""
+    """The results of a ``scatter``; nothing is joined where there is no such element."""
     tree, zero = ctx.tree, build.constant(ctx.tree, INT, 0)
     after_first = tree.node("call", BOOL, (place, zero), "ge")
     before_end = tree.node("call", BOOL, (place, length), "lt")

@@ -1,4 +1,4 @@
-"""Surfaces whose patches are divided: what a ``tessellate`` member makes of a material.
+"""Surfaces whose patches are divided by a ``tessellate`` member.
 
 ``assembly.py`` calls ``tessellated`` when the parts of a shader have been put together.
 """
@@ -39,9 +39,9 @@ SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 
 
 def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
-    """The surface as it is at the vertices that patches are divided into; itself where none are.
+    """The surface at the vertices that patches are divided into; itself where none are.
 
-    The pass becomes what it is there. There is none where a mixin is checked alone.
+    The pass becomes a pass at these vertices. There is none where a mixin is checked alone.
     """
     written = list(surface.record.every(ast.Tessellate))
     if not written:

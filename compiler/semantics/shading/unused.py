@@ -1,8 +1,8 @@
-"""Checks of what a file declares and its shaders do not use, so that a library is checked, too.
+"""Checks declarations of a file that its shaders do not use, so that a library is checked, too.
 
-What reads slots of a surface or of a light can be told right or wrong only together with one. It is
-right if it is right with any of those that the file declares; otherwise the errors of the setting
-with the fewest errors are reported.
+A declaration that reads slots of a surface or of a light can be right or wrong only together with
+one. It is right if it is right with any of those that the file declares; otherwise the errors of
+the setting with the fewest errors are reported.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ to those of the library.
 """
 
 Check = Callable[[Setting], bool]
-"""Reports what it finds, and says whether it came to values."""
+"""A check that reports its findings, and says whether it came to values."""
 
 
 @frozen
@@ -120,7 +120,7 @@ class UnusedDeclarations:
         self._trials = {setting.parts: _Trial(setting) for setting in settings}
 
     def check(self) -> None:
-        """Report what is wrong with them; what records use counts as checked with them."""
+        """Reports the errors in declarations; those that records use count as checked with them."""
         with suppress(_TooMuchError):
             self._check(ast.Record)
             self._check(ast.Rig, ast.Mixin)
@@ -183,10 +183,10 @@ class UnusedDeclarations:
         return sorted(found, key=lambda symbol: not _is_material(symbol))
 
     def _tell(self, attempts: Iterable[Attempt]) -> None:
-        """Take over what the first right attempt found, or that with the fewest errors.
+        """Takes over the findings of the first right attempt, or of that with the fewest errors.
 
         Only errors count that have not been reported before, of other declarations. A wrong attempt
-        without such errors says nothing.
+        without such errors is ignored; its cause has been reported elsewhere.
         """
         best: Attempt | None = None
         for tried in attempts:
@@ -346,7 +346,7 @@ def _check_light(symbol: Symbol, setting: Setting) -> bool:
 
 
 def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
-    """Check what a mixin says, with stand-ins for what it needs of the records it is for."""
+    """Checks a mixin, with placeholders for the slots that it needs of its records."""
     ctx, surface = setting.ctx, setting.surface
     record = ctx.records.alone(symbol)
     if mixin.kind == "light":

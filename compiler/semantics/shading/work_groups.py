@@ -16,7 +16,7 @@ from ..state.scope import Scope
 
 
 def work_group_of(ctx: Context, record: Record, dimensions: int) -> WorkGroup:
-    """The size of a kernel's work groups; the usual one after reporting what is wrong with it."""
+    """The size of a kernel's work groups; the usual one after reporting an error in it."""
     usual = USUAL[dimensions]
     found = next(iter(record.every(ast.WorkGroup)), None)
     if found is None:

@@ -1,4 +1,4 @@
-"""The state of one elaboration: the trees that are being made, and what is known already.
+"""The state of one elaboration: the trees that are being made, and all that is known already.
 
 This module holds data and no rules. The rules for each kind of expression are handed in, so that
 the modules in which they stand can import this one.
@@ -174,7 +174,7 @@ class Context:
         """Errors in a function's body that occur as long as nothing is known of its arguments."""
 
     def follow(self, old: Node, new: Node) -> None:
-        """Hand what is known of a node on to its copy."""
+        """Hands all knowledge about a node on to its copy."""
         self.notes.follow(old, new)
         self.deferred.follow(old, new)
 
@@ -193,10 +193,10 @@ class Context:
 
 
 Twin: TypeAlias = "tuple[Context, Instance]"
-"""An instance in a context of its own, which is there to ask for the types of what is overridden.
+"""An instance in a context of its own, which can be asked for the types of overridden slots.
 
 Nothing there is part of the shader or reported, so it does no harm if an overridden equation is
-wrong, or is defined by what overrides it.
+wrong, or is defined by its own override.
 """
 
 
@@ -259,7 +259,7 @@ class Rule:
 
 @frozen
 class OpenRule:
-    """The same where an operand may be more than a value: what has members, or may be called."""
+    """A rule whose operands may be more than values: have members, or be called."""
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
     value: Callable[[Context, Any, Sequence[Value], Scope], Value]

@@ -46,7 +46,7 @@ KERNEL_INPUTS = inputs_of(COMPUTED)
 _KERNEL_CROSSINGS = joined_in(COMPUTED)
 """Between which stages of a kernel values cross: there are none, as it has only one."""
 INPUTS = inputs_of(RASTERISED)
-"""The names by which expressions read what the pipeline supplies."""
+"""The inputs that the pipeline supplies, by their names in expressions."""
 
 
 class Crossings:
@@ -55,7 +55,7 @@ class Crossings:
     def __init__(
         self, graph: Graph, report: Report, follow: Callable[[Node, Node], None], places: Places
     ) -> None:
-        """``follow`` hands what is known of a node on to its copy."""
+        """``follow`` hands the knowledge about a node on to its copy."""
         self._graph = graph
         self._report = report
         self._follow = follow
@@ -119,7 +119,7 @@ class Crossings:
         return self.to_fragments(inner)
 
     def checked_at_vertex(self, root: Node, span: Span) -> Node | Failure:
-        """``root`` as the vertex stage computes it, or a report of what it cannot compute."""
+        """``root`` as the vertex stage computes it; reports a part that it cannot compute."""
         inner = self.at_vertex(root)
         found = self._missing_at_vertex(inner)
         if found is None:
@@ -201,7 +201,7 @@ def _unseen(root: Node, seen: Container[int]) -> list[Node]:
 
 
 def _exists_before_fragments(node: Node) -> bool:
-    """True if stages before the fragments have what an operation needs, besides its operands."""
+    """True if stages before the fragments have all that an operation needs besides operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
     return node.op != "input" or INPUT.data(node) not in FRAGMENT.inputs
@@ -213,7 +213,7 @@ def missing_in_kernels(root: Node) -> Node | None:
 
 
 def _exists_in_kernels(node: Node) -> bool:
-    """True if a kernel has what an operation needs, besides its operands."""
+    """True if a kernel has all that an operation needs besides its operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
     if node.op == "cross":

@@ -77,9 +77,9 @@ class Deferred:
             self._also.setdefault(new, self._also[old])
 
     def unread(self, value: Node, evaluated: Sequence[Node], first: int | None = None) -> None:
-        """Note what was evaluated for a value and is no part of it: an argument, an element.
+        """Notes nodes that were evaluated for a value and are no part of it, such as an argument.
 
-        The value was made since there were ``first`` nodes, or after what was evaluated.
+        The value was made since there were ``first`` nodes, or after the evaluated ones.
         """
         if not self._found or not evaluated:
             return

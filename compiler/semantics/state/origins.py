@@ -51,7 +51,7 @@ class MixedEnds:
     """The place of the vertex in the patch."""
 
     def value(self, graph: Graph, part: Node, *, is_of_instance: bool) -> Node:
-        """A value of the mesh at this vertex; what is no float is that of the first end."""
+        """A value of the mesh at this vertex; a value that is no float is that of the first end."""
         ends = [
             build.at_corner(graph, part, build.constant(graph, INT, end), CONTROL_POINT)
             for end in self.ends

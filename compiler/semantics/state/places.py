@@ -7,14 +7,14 @@ from ...ir.node import Node
 
 
 class Places:
-    """All places of each node; ``spans`` has the first, which is what the other phases show."""
+    """All places of each node; ``spans`` has the first, which the other phases show."""
 
     def __init__(self, spans: dict[int, Span]) -> None:
         self._first = spans
         self._further: dict[int, list[Span]] = {}
 
     def note(self, node: Node, span: Span) -> None:
-        """A node is the value of what is written at ``span``."""
+        """Notes that a node is the value of the text at ``span``."""
         if self._first.setdefault(node.id, span) is not span:
             self._further.setdefault(node.id, []).append(span)
 

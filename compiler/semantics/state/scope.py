@@ -114,7 +114,7 @@ class MadeGroup:
 
 @record
 class MadeSlots:
-    """A surface whose vertices are made of those of a mesh: what it and its pass are made of."""
+    """A surface whose vertices are made of those of a mesh, and the slots of it and its pass."""
 
     base: Instance
     """The surface at the vertices that these are made of.
@@ -128,7 +128,7 @@ class MadeSlots:
     stages: tuple[StageRow, ...]
     """The stages that make the vertices; the last one delivers them."""
     inputs: Mapping[str, SystemInput]
-    """The names by which expressions read what the pipeline supplies."""
+    """The inputs that the pipeline supplies, by their names in expressions."""
     origin: Origin | None = None
     """The origin of the vertex inputs at the vertices that are made."""
     groups: tuple[MadeGroup, ...] = ()

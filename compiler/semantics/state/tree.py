@@ -19,8 +19,8 @@ from ..work import Work
 class Tree(Graph):
     """Makes nodes, and a new one whenever it is asked for one.
 
-    Only a rule that runs once more gets the nodes that it made before (``evaluation``), as what was
-    computed for it in between is known by these.
+    Only a rule that runs once more gets the nodes that it made before (``evaluation``), as values
+    computed for it in between are known by these.
     """
 
     def __init__(self, work: Work) -> None:

@@ -33,7 +33,7 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
 
 
 def _elements(graph: Graph, node: Node, wanted: Array) -> Node | None:
-    """``[1, 2]`` as two floats: what is put together of constants adapts as they do."""
+    """``[1, 2]`` as two floats: an array of constants adapts as they do."""
     if node.op != "array" or len(node.operands) != wanted.count:
         return None
     fitted = [coerce(graph, element, wanted.element) for element in node.operands]

@@ -35,7 +35,7 @@ _WHOLE: Mapping[str, type[Matrix | Texture]] = {MATRICES: Matrix, TEXTURES: Text
 
 @frozen
 class Use:
-    """An argument, or what is in it, where a pattern is matched with it."""
+    """An argument, or a part of it, where a pattern is matched with it."""
 
     operand: Operand
     meaning: Meaning | None
@@ -98,7 +98,7 @@ def _names(written: ast.TypeName) -> list[str]:
 
 
 def shown(name: str, variables: Variables) -> str:
-    """A generic function with what its parameters stand for, as messages call it."""
+    """A generic function with the values of its type parameters, as messages show it."""
     values = (v.text if isinstance(v, Declared) else str(v) for v in variables.values())
     known = [value for value in values if value]
     return f"{name}<{', '.join(known)}>" if known else name
@@ -111,7 +111,7 @@ class _Binding:
         self._known: dict[str, Variable] = {}
 
     def match(self, pattern: ast.TypeName, use: Use) -> bool:
-        """Learn from one argument; False where it cannot be what is written."""
+        """Learns from one argument; False where it cannot have the written type."""
         if pattern.count is not None:
             matched = self._array(pattern.count, use)
             if matched is None:
@@ -176,7 +176,7 @@ class _Binding:
 
 
 def _common(family: str, uses: Sequence[Use]) -> Declared | None:
-    """The one type of a family for all arguments of a type parameter, with what they all mean."""
+    """The one type of a family for all arguments of a type parameter, with their common meaning."""
     if not uses:
         return None
     operands = [use.operand for use in uses]

@@ -1,4 +1,4 @@
-"""The algebra of meanings: what an operation of meaningful values means, and which ones have none.
+"""The typing rules of meanings: the meaning of each operation's result, or why it has none.
 
 One rule for each way of working, named by the ``meaning`` column of the builtins' rows. A rule sees
 only meanings and types. A side without a meaning is a bare number, which fits everywhere: rules
@@ -90,7 +90,7 @@ def apart(sides: tuple[Side, ...]) -> Clash | None:
 
 
 def joined(one: Meaning | None, other: Meaning | None) -> Meaning | None:
-    """The meaning of what may be either of two values that are not ``apart``, if there is one."""
+    """The meaning of a value that may be either of two that are not ``apart``, if there is one."""
     if one is None or other is None:
         return weakened(one or other)
     if one == other:
@@ -257,7 +257,7 @@ def _numbers(sides: tuple[Side, ...], _result: Type) -> Found:
 
 
 def _lanes(sides: tuple[Side, ...], result: Type) -> Found:
-    """Colours stay colours; what is done to single coordinates leaves no geometry."""
+    """The rule of operations lane by lane: colours stay colours, and geometry is lost."""
     known = _first(sides)
     clash = apart(sides)
     if clash is not None or known is None or known.kind not in COLORS:

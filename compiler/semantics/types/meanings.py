@@ -51,7 +51,7 @@ class Meanings:
         return known[node]
 
     def keep(self, node: Node, meaning: Meaning | None) -> None:
-        """Remember what was worked out for ``node`` already."""
+        """Remembers a meaning that was worked out for ``node`` already."""
         self._known[node] = meaning
 
     def ascribed(self, node: Node, meaning: Meaning | None) -> Node:

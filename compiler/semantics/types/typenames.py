@@ -1,7 +1,7 @@
-"""Written types to representation types.
+"""Resolves written types to representation types.
 
-Geometry types name a space (``point<world>``), which has to exist. A written type says what a value
-is on the machine, what it means beyond that, and what holds of it by contract.
+Geometry types name a space (``point<world>``), which has to exist. A written type says the
+representation of a value on the machine, its meaning, and the facts that hold by contract.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ HOMOGENEOUS = "clip"
 
 @frozen
 class Named:
-    """A type with a name: representation, how many spaces it names, and what holds by contract."""
+    """A type with a name: representation, number of spaces that it names, and contract."""
 
     representation: Type
     spaces: int = 0
@@ -125,7 +125,7 @@ def _written(word: str, arguments: Sequence[str]) -> str:
 
 
 class TypeResolver:
-    """Looks written types up; reports what it cannot find."""
+    """Looks written types up; reports those that it cannot find."""
 
     def __init__(self, report: Report) -> None:
         self._report = report
