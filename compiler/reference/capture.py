@@ -1,4 +1,4 @@
-"""Computes what a pass captures: every value of every vertex at once, with bounds.
+"""Computes the captured values of a pass: all those of all vertices at once, with bounds.
 
 It evaluates the same graphs by the same definitions as the pictures, at the mesh's vertices and, if
 primitives are expanded, at the vertices that are emitted: these are listed as triangles, lines or

@@ -1,10 +1,10 @@
-"""Counts how many operations an evaluation takes, before it begins.
+"""Estimates the cost of an evaluation in operations, before it begins.
 
 Those who draw pictures and run kernels of sources that anybody may have written multiply this by
-the number of pixels or elements, and refuse what would not end. A loop counts as often as its
+the number of pixels or elements, and refuse work that would not end. A loop counts as often as its
 bound says: that is known of every loop. An operation with vectors or matrices counts as often as
-they have numbers, and one that takes longer as often as simpler ones fit into its time: two
-units for one pixel are about a nanosecond, which is one of the operations that are limited.
+they have numbers, and one that takes longer as often as simpler ones fit into its time: two units
+for one pixel are about a nanosecond, which is one of the operations that are limited.
 """
 
 from __future__ import annotations

@@ -195,9 +195,9 @@ class Evaluator:
         return None if missing else values
 
     def _used(self, operands: Sequence[Node]) -> None:
-        """Forget what a node has used that is evaluated only once, unless others need it, too.
+        """Forgets values that only this node, which is evaluated once, still needs.
 
-        Users under binders, which may need a value in every turn, are never done.
+        Users under binders, which may need a value in every iteration, are never done.
         """
         for operand in operands:
             self._uses[operand.id] -= 1

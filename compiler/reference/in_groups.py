@@ -19,7 +19,7 @@ from .namespace import Binary, Lane, WorkGroups
 
 
 class Groups(WorkGroups):
-    """Joins what ``count`` invocations have, in groups of ``size``."""
+    """Joins the values of ``count`` invocations, in groups of ``size``."""
 
     def __init__(self, count: int, size: int) -> None:
         self._count, self._size = count, size

@@ -1,8 +1,8 @@
-"""Computes what a kernel writes: every result for many elements at once, with bounds.
+"""Computes the results of a kernel, each for many elements at once, with bounds.
 
 So many work groups are computed at once that NumPy is fast, and that a long kernel needs no more
-memory than others for what it computes in between. It evaluates the same graphs by the same
-definitions as the pictures. A device's value of each lane has to lie between two numbers.
+memory than others for the values in between. It evaluates the same graphs by the same definitions
+as the pictures. A device's value of each lane has to lie between two numbers.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ They hold its value and its bounds, as an array of its own and as a part of the 
 
 @dataclass(frozen=True, slots=True)
 class Lane:
-    """One lane of what a result writes, for all elements."""
+    """One lane of a written result, for all elements."""
 
     store: Store
     lane: int
@@ -198,7 +198,7 @@ def _joined(
 
 
 class _Watch(Watch):
-    """Observes some invocations at once, and what their work groups join."""
+    """Observes some invocations at once, and the values that their work groups join."""
 
     def __init__(
         self, found: Found, shape: tuple[int, ...], rules: RasterRules, groups: Groups,

@@ -1,4 +1,4 @@
-"""Defines what builtins mean for matrices, which are tuples of columns.
+"""Defines the meaning of builtins for matrices, which are tuples of columns.
 
 ``functions.py`` has them in its table.
 """

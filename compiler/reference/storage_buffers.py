@@ -1,4 +1,4 @@
-"""Reads elements of storage buffers: what ``index`` of a buffer means, for all pixels at once.
+"""Reads elements of storage buffers: the meaning of ``index``, for all pixels at once.
 
 ``HeldValues`` makes a ``BufferReader`` for each buffer and each type in which a graph reads it. It
 is the value of the ``buffer`` leaf.

@@ -30,7 +30,7 @@ from .pixel import PixelShader
 LOSS = 16.0
 """An expression loses precision if it magnifies errors at least this many times."""
 NOTABLE = 0.25
-"""The part of the picture's error that has to pass through what is said to lose precision."""
+"""The part of the picture's error that has to pass through an expression that loses precision."""
 FAINT = 0.1
 """An expression that hands on a smaller part of the error than this is not shown."""
 LONGEST_TEXT = 60

@@ -1,4 +1,4 @@
-"""Measures what a small error of each operation does to a pixel; ``explanation.py`` calls it.
+"""Measures the effect of a small error of each operation on a pixel, for ``explanation.py``.
 
 The shader is evaluated with one way for each lane of each operation. In its own way a lane is a
 little larger, and everything that follows from it shows by how much this changes the picture. The
@@ -132,7 +132,7 @@ class _Measuring:
     def _enlisted(
         self, where: Occurrence, node: Node, operands: list[Lanes], value: Lanes
     ) -> Lanes:
-        """Note what can have an error of its own, or jump."""
+        """Notes values that can have an error of their own, or jump."""
         errors = self._errors.of(node, operands, value)
         shown = (map(self._shown, pair) for pair in zip(errors, flat(value), strict=True))
         # Nothing is said of the error of what is infinite.
@@ -182,7 +182,7 @@ class _Measuring:
         return list(groups.values())
 
     def _try(self, ways: list[list[Tried]]) -> None:
-        """Evaluate with these errors, each in its way, and add what they do to all values."""
+        """Evaluates with these errors, each in its way, and adds their effects to all values."""
 
         def off(site: Site, lane: int, value: Lane, way: int) -> Lane:
             shape, signs = self._pixel.quad(site.where)

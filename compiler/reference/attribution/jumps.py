@@ -1,4 +1,4 @@
-"""The operations whose results jump: how close their operands are to a jump, and what is beyond it.
+"""The operations whose results jump: the distance of their operands to a jump, and its other side.
 
 ``influences.py`` looks at each of them. A jump that rounding may tip has no small error: the pixel
 is one or the other.

@@ -42,9 +42,9 @@ _STEP = 2.0**-52
 class Bounded(Operators):
     """One lane: arrays of the same kind (float64, int64 or bool) that broadcast together.
 
-    ``value`` is what the program means. A conforming device has a value from ``low`` to ``high``.
-    Of a condition, ``low`` says where it certainly holds, and ``high`` where it may hold. Ends that
-    are NaN say nothing.
+    ``value`` is the exact value of the program. A conforming device has a value from ``low`` to
+    ``high``. Of a condition, ``low`` says where it certainly holds, and ``high`` where it may hold.
+    Ends that are NaN say nothing.
     """
 
     __slots__ = (

@@ -57,7 +57,7 @@ class Errors:
         return all(isinstance(each.bound(name), Rounded) for each in self._distinct(name))
 
     def _distinct(self, name: str) -> tuple[_OfPlatform, ...]:
-        """One platform of those that promise the same, also of what the error is inherited from."""
+        """One platform of those that promise the same, also for inherited accuracy."""
         if name not in self._found:
             measured = dict(self.measured)
             names = (name, *_INHERITED_FROM)

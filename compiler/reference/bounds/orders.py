@@ -1,8 +1,8 @@
 """Sums and products whose terms and factors a compiler may take in another order.
 
-GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
-("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum and product,
-and widens the next one by the error that any order may have.
+GLSL and HLSL let a compiler reassociate operations that are not ``precise``, and WGSL does so as
+well ("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum and
+product, and widens the next one by the error that any order may have.
 """
 
 from __future__ import annotations

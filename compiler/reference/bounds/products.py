@@ -1,4 +1,4 @@
-"""The ends of all products of two intervals: what ``bounded.py`` rounds to bounds of a product."""
+"""The ends of all products of two intervals, which ``bounded.py`` rounds to bounds of a product."""
 
 from __future__ import annotations
 

@@ -105,7 +105,7 @@ def _subnormal(x: Array) -> Array:
 
 
 def _finite_or_infinite(low: Array, high: Array) -> tuple[Array, Array]:
-    """The interval, with infinity in place of what is beyond the largest float32."""
+    """The interval, with infinity in place of numbers beyond the largest float32."""
     least = np.minimum.reduce(low, axis=None, initial=0.0)
     largest = np.maximum.reduce(high, axis=None, initial=0.0)
     if least >= -LARGEST_FLOAT and largest <= LARGEST_FLOAT:

@@ -1,8 +1,8 @@
 """Intervals of whole numbers: bit operations, shifts, quotients and remainders.
 
 ``Bounded`` has them as its operators. Few programs compute with integers that a device may have
-otherwise (such as a ``floor`` that may tip), so what is not monotone is evaluated at both ends of
-an interval of two numbers, and any wider one says nothing.
+otherwise (such as a ``floor`` that may tip), so functions that are not monotone are evaluated at
+both ends of an interval of two numbers, and any wider one says nothing.
 """
 
 from __future__ import annotations

@@ -74,7 +74,7 @@ def _steps(faces: Faces) -> Bounded:
     """The smallest steps of depths as large as the largest of each face: r.
 
     Of a face that is clipped, a device may look at the corners before that, none of which has a
-    depth over 1 in what is drawn.
+    depth over 1 in the drawn part.
     """
     most = np.abs(faces.z).max(axis=1)
     off = faces.z_off + _ROUNDINGS * most

@@ -1,7 +1,7 @@
-"""Blends neighbouring texels, and levels, as a linear filter does, over all places of an interval.
+"""Blends neighbouring texels, and levels, as a linear filter does, over an interval of places.
 
-A linear filter's result is linear along each axis between two texels' centres. So what it may be
-within a box between them is known from the box's corners alone.
+A linear filter's result is linear along each axis between two texels' centres. So its bounds within
+a box between them are known from the box's corners alone.
 """
 
 from __future__ import annotations

@@ -32,9 +32,9 @@ _MISSING = (0.0, 0.0, 0.0, 1.0)
 Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
 NOWHERE = -1
-"""The place of what no face has drawn."""
+"""The place of samples where no face was drawn."""
 _OF_A_SAMPLE = 80
-"""Bytes of a canvas for each sample: depths, stencil values, and what is undecided."""
+"""Bytes of a canvas for each sample: depths, stencil values, and undecided states."""
 _OF_A_TARGET = 200
 """Bytes for each sample of a target: four lanes with their ends, and again in the picture."""
 _OF_A_LAYER = 10**6
@@ -112,13 +112,13 @@ class Canvas:
         """The nearest depth that a device may have where it is unsure if a fragment was drawn."""
         self.stencil = Stencil(samples)
         self.counted: Counted = frozenset()
-        """The rare rules on which it hangs what has been drawn so far."""
+        """The rare rules on which the content depends so far."""
         self.layers = np.zeros(samples, dtype=np.int64)
         """The number of fragments drawn at each sample."""
         self.undecided = np.zeros(samples, dtype=np.bool_)
         """Samples that are undecided because their coverage is."""
         self.shaky = np.zeros(samples, dtype=np.bool_)
-        """Samples that are undecided because of what has been drawn there so far."""
+        """Samples that are undecided because of fragments drawn there so far."""
         self.is_opaque = all(state.is_replaced for state in self._states)
         constant = np.asarray(blend_constant, np.float32).astype(np.float64)
         self._constants = [clamped(state.format, constant).tolist() for state in self._states]

@@ -107,7 +107,7 @@ def hull_of_choices(choices: Sequence[Choice], compute: Compute, anything: Anyth
 
 
 def with_hull(found: Bounded, owner: Part, more: Bounded) -> Bounded:
-    """The lanes (lanes, pixels), with what a device may also have in some of the pixels.
+    """The lanes (lanes, pixels), with further possible values of a device in some of the pixels.
 
     ``owner`` says which pixel each of ``more`` belongs to, in ascending order.
     """

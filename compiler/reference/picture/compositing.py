@@ -81,7 +81,7 @@ def _weighted(of: Bounded, factor: Factor, sides: Sides, lane: int) -> Bounded |
 
 
 def _saturated(sides: Sides, lane: int) -> Bounded:
-    """The least of what is drawn and of what is left; alpha is as it is."""
+    """The smaller of the source's alpha and 1 minus the destination's; for alpha itself, 1."""
     if lane == ALPHA:
         return exact(np.float64(1.0))
     drawn, left = sides.source[ALPHA], 1.0 - sides.destination[ALPHA]

@@ -21,7 +21,7 @@ from .scene import Bools, Floats, Ints, RasterRules
 _OF_A_ROW = 150
 """Bytes for each row of pixels of a face, while those are found that it covers."""
 _OF_A_FRAGMENT = 120
-"""Bytes for each pixel that a face may cover: its place, its depths, and what it is drawn with."""
+"""Bytes for each pixel that a face may cover: its place, its depths, and its colours."""
 _OF_A_SHADE = 110
 """Bytes for each target that such a pixel is drawn to: four lanes with their ends."""
 _CANDIDATES = 1 << 18

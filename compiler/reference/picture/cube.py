@@ -1,4 +1,4 @@
-"""Cube maps: which face a direction meets, where it meets it, and what is beyond a face's edges.
+"""Cube maps: the face and the place that a direction meets, and the texels beyond its edges.
 
 The sampler and its texels ask for it. The rules are those of Vulkan, "Cube Map Face Selection and
 Transformations" and "Cube Map Edge Handling". Direct3D, OpenGL and WebGPU have the same faces, +x,

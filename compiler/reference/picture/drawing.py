@@ -42,7 +42,7 @@ from .stencil import StencilTest
 from .tiles import Tile, tiles
 
 _OF_A_FACE = 1200
-"""Bytes for each face: its corners, what they may be off by, and all of that again for a tile."""
+"""Bytes for each face: its corners, their errors, and all of that again for a tile."""
 _OF_A_POSITION = 4
 """The lanes of a position."""
 _OF_A_LANE = 32
@@ -100,10 +100,11 @@ def draw_onto(
     progress: Tell | None = None,
     hulls: Hulls | None = None,
 ) -> frozenset[int]:
-    """Draw over what is on a canvas, as ``draw`` does on an empty one, and with the same errors.
+    """Draws over the content of a canvas, as ``draw`` does on an empty one.
 
-    The canvas has as many samples as ``rules`` say, which are those of the pass. ``hulls`` gets
-    what undecided ones may be. Returns the ids of the promises that were broken.
+    The errors are the same. The canvas has as many samples as ``rules`` say, which are those of the
+    pass. ``hulls`` gets the possible values of undecided samples. Returns the ids of the promises
+    that were broken.
     """
     size = _size_of(shader, geometry)
     with holding(size, f"what `{shader.name}` draws needs"), np.errstate(all="ignore"):
@@ -120,7 +121,7 @@ def _size_of(shader: Shader, geometry: Geometry) -> int:
 
 
 def written_by(shader: Shader) -> list[tuple[RenderTarget, Type]]:
-    """The render targets of a shader, with the types of what it writes to them."""
+    """The render targets of a shader, with the types of the values that it writes to them."""
     return [(r.state, r.value.type) for r in shader.results if r.state is not None]
 
 

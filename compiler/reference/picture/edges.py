@@ -50,7 +50,7 @@ def edges_of(
 ) -> Faces:
     """The edges of triangles whose vertices have these clip positions, (vertices, 4).
 
-    ``faces`` are what is drawn of the triangles, and ``unmoved`` the same without a bias.
+    ``faces`` are the drawn parts of the triangles, and ``unmoved`` the same without a bias.
     """
     _, first = np.unique(faces.primitive, return_index=True)
     triangles, seen = faces.corners[first], faces.only(_mask(first, len(faces.corners)))

@@ -78,7 +78,7 @@ class Hulls:
 
 
 def _join(hull: Floats, now: Floats, undecided: Bools) -> None:
-    """Make of a hull, in place: of undecided samples both, of all others what they are now."""
+    """Updates a hull in place: undecided samples join their present value, others take it."""
     here = undecided if now.ndim == 2 else undecided[:, None]
     for least, before, new in zip((np.minimum, np.maximum), hull, now, strict=True):
         least(before, new, out=before, where=here)

@@ -49,7 +49,7 @@ class LineFaces(Faces):
     end: Floats
     """(faces, 2): the ends."""
     slack: Floats
-    """(faces,): how close a decision about an end has to be to hang on rounding."""
+    """(faces,): the distance at which rounding tips a decision about an end."""
     step: Floats
     """(faces,): the distance between the places to which ends are snapped."""
     leaves: Bools
@@ -112,7 +112,7 @@ class _Outline:
     narrowing: Floats
     """(faces,): by how many pixels the sides along the line differ between all rules."""
     diagonal: Bools
-    """(faces,): whether it hangs on rounding which direction is the longer one."""
+    """(faces,): true if rounding decides which direction is the longer one."""
 
 
 def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Floats) -> Faces:

@@ -72,7 +72,7 @@ def _in_order(roots: Sequence[Node]) -> Iterator[Node]:
 
 
 def _written(nodes: Sequence[Node], held: _Held) -> Iterator[bytes]:
-    """The operations and their operands by number, and what the leaves hold."""
+    """The operations and their operands by number, and the content of the leaves."""
     numbers: dict[Node, int] = {}
     variables: dict[Formal, int] = {}
     for number, node in enumerate(nodes):

@@ -175,10 +175,10 @@ class Barycentric:
         return second * near_b / self.per_w.value, third * near_c / self.per_w.value
 
     def perspective(self, values: Lanes) -> Lanes:
-        """Interpolate values at the vertices with perspective.
+        """Interpolates values at the vertices with perspective.
 
         Lanes become ``Bounded``, whether those at the vertices are or not. A device rounds here
-        even what is the same at all vertices.
+        even values that are the same at all vertices.
         """
         return tuple(map(self._crossed, values))
 

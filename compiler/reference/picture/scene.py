@@ -30,7 +30,7 @@ Derivatives = Literal["own", "first", "any"]
 the whole quad. ``any``: nothing is known, so any of its quad.
 """
 Counted = frozenset[tuple[str, Hashable]]
-"""Names of raster rules and what they were, for those of ``RARE`` on which a picture hangs."""
+"""Names and values of raster rules in ``RARE`` on which a picture depends."""
 
 LEVEL_EDGES = frozenset({"owns_bottom"})
 LINES = frozenset({"lines", "snaps_line_ends"})

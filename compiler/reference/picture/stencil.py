@@ -1,8 +1,8 @@
-"""The stencil values of a canvas: which fragments they let through, and what becomes of them.
+"""The stencil values of a canvas: the stencil test, and the changes of the values.
 
-``canvas.py`` asks for each layer of fragments. Where rounding may tip what happens to a value, it
-is not known any more, and neither is what it lets through.
-Sources: Vulkan, "Stencil Test"; OpenGL 4.6, 17.3.3.
+``canvas.py`` asks for each layer of fragments. Where rounding may tip a change of a value, the
+value is not known any more, and neither are the fragments that it lets through. Sources: Vulkan,
+"Stencil Test"; OpenGL 4.6, 17.3.3.
 """
 
 from __future__ import annotations

@@ -217,9 +217,9 @@ def _any_depth(mean: Bounded, three: Sequence[Bounded]) -> Bounded:
 
 
 def _ends_of(table: NDArray[Any], texels: Texels) -> tuple[Floats, Floats] | None:
-    """Between which numbers a device decodes texels; ``None`` if it reads just those of the table.
+    """The bounds of the texels that a device decodes; ``None`` if it reads just the table.
 
-    What an earlier step has drawn is stored somewhere between its bounds, and is decoded then.
+    The result of an earlier step is stored somewhere between its bounds, and is decoded then.
     """
     was_drawn = bool(texels.low)
     low, high = (_table(texels.low), _table(texels.high)) if was_drawn else (table, table)

@@ -1,8 +1,8 @@
 """Divides a picture into tiles with few fragments each, which are drawn one after the other.
 
-What is kept of fragments, from their coverage to their colours, takes hundreds of bytes for each.
-So a picture needs no more memory for them if it is large, or if many faces lie behind each other.
-Nothing that is drawn depends on the tiles: what fragments meet is in their own pixel.
+The data of fragments, from their coverage to their colours, takes hundreds of bytes for each. So a
+picture needs no more memory for them if it is large, or if many faces lie behind each other. No
+result depends on the tiles: a fragment depends on those in its own pixel only.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Tile:
 
 @dataclass(frozen=True, slots=True)
 class _Around:
-    """The rectangles around some faces, wider by what rounding may add to them."""
+    """The rectangles around some faces, widened by the possible rounding of these."""
 
     face: Ints
     """The numbers of the faces, in ascending order."""

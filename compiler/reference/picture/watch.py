@@ -74,7 +74,7 @@ class Watch:
         return value
 
     def end(self, lanes: Lanes) -> None:
-        """Record where results of the stage hang on an operation outside of its domain."""
+        """Records where results of the stage depend on an operation outside of its domain."""
         if self._found.left_a_domain:
             self._record_nan(lanes)
 

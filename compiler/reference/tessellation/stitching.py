@@ -2,7 +2,7 @@
 
 Rows are lists of the points' numbers, and all go round the patch in the same direction.
 ``patterns.py`` calls this for every side of a patch. The point that a triangle begins with is
-prescribed, too: what is not interpolated is as it is there.
+prescribed, too: values that are not interpolated are those of this point.
 """
 
 from __future__ import annotations
