@@ -109,7 +109,7 @@ def index(graph: Graph, operand: Node, position: Node) -> Node:
 
 
 def member(graph: Graph, operand: Node, name: str) -> Node:
-    """Member of a struct; of one that was made here, what it got."""
+    """A member of a struct; of a struct that was built here, the value that it was built of."""
     assert isinstance(operand.type, Struct)
     if operand.op == "struct":
         return operand.operands[[member for member, _ in operand.type.members].index(name)]
@@ -117,7 +117,7 @@ def member(graph: Graph, operand: Node, name: str) -> Node:
 
 
 def part(graph: Graph, operand: Node, position: int) -> Node:
-    """Member, element, column or lane ``position``; of what was made here, the part that it got."""
+    """Member, element, column or lane ``position``, simplified if the operand was built here."""
     if operand.op in ("struct", "array", "matrix"):
         return operand.operands[position]
     if isinstance(operand.type, Struct):
@@ -162,7 +162,7 @@ def flattened(graph: Graph, node: Node) -> Iterator[Node]:
 
 
 def named_parts(name: str, type_: Type) -> Iterator[tuple[str, Type]]:
-    """Names and types of what ``flattened`` makes of a value."""
+    """Names and types of the parts that ``flattened`` makes of a value."""
     match type_:
         case Struct(members=members):
             for member, inner in members:

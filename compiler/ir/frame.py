@@ -91,7 +91,7 @@ class Previous:
     """The content of an image or a buffer at the end of the last frame."""
 
     of: Image | Elements | None = None
-    """Unknown while the frame is checked: what is read may be made later."""
+    """The result; unknown while the frame is checked, as it may be made later."""
     initially: Image | Elements | FromHost | None = None
     """The source in the first frame; ``None`` for an image without anything drawn."""
 
@@ -110,7 +110,7 @@ class Given:
 
 @frozen(eq=False)
 class Use:
-    """A shader in a step, with what the frame sets there."""
+    """A shader in a step, with the inputs that the frame sets there."""
 
     material: str
     """Whose models are drawn with it; empty where there are none."""
@@ -175,7 +175,10 @@ class RenderStep:
 
     @property
     def settings(self) -> tuple[int, ...]:
-        """The numbers of all values that say where it draws, and over what."""
+        """The numbers of all values that are set for the step as a whole.
+
+        They are its areas, the blend constant, and the values that it clears to.
+        """
         every = (
             self.viewport, self.scissor, self.blend_constant,
             *(attachment.clear for attachment in self.drawn_to),

@@ -28,4 +28,4 @@ KNOWN_TO_HOST = PLAIN | KEYS.keys() | {"fold"}
 """The operations that a host computes, in a graph whose binders are closed."""
 
 KNOWN_IN_TREES = KNOWN_TO_HOST | {"as", "called"}
-"""The same in checked trees, with the marks that mean what their operand does."""
+"""The same in checked trees, with the annotations that have the value of their operand."""

@@ -1,4 +1,4 @@
-"""Derives what holds for a loop's states in every iteration, for range analysis.
+"""Derives facts of a loop's states that hold in every iteration, for range analysis.
 
 ``ranges.py`` calls ``invariants``. It begins with the facts of the initial states, and extends each
 by the fact of the state's next value, until nothing changes. If this takes long, bounds that still

@@ -26,7 +26,7 @@ ScatterOperator = Literal["add", "min", "max", "and", "or"]
 """The operator that joins a scattered value with an element: in any order with one result."""
 
 MOST_INVOCATIONS = 1024
-"""No API that there is has larger work groups; what a profile has at least is one of its limits."""
+"""The largest work group of any API; a profile's limits say what it has at least."""
 
 
 def invocations(group: WorkGroup) -> int:

@@ -127,7 +127,7 @@ class Iterating(Binder):
         return range(1 + self.states, 2 + 2 * self.states)
 
     def types(self, operands: Sequence[Type]) -> list[Type]:
-        """The number of the turn, and what each state starts with."""
+        """The types of the iteration's number, and of the states."""
         return [INT, *operands[1 : 1 + self.states]]
 
 
@@ -171,7 +171,7 @@ def constant_head(data: Hashable) -> str:
 
 
 _VARIABLES: frozenset[Op] = frozenset(("bound", "formal", "fold", "iterate", "apply"))
-"""Variables, and what binds them."""
+"""Variables, and the operations that bind them."""
 _NONE: frozenset[Formal] = frozenset()
 
 
@@ -304,7 +304,7 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, froz
 
 
 def bare(node: Node) -> Node:
-    """The value under what was said of its meaning, and of whose value it is."""
+    """The value under its ascriptions and call-site annotations."""
     while node.op in ("as", "called"):
         node = node.operands[0]
     return node

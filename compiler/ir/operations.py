@@ -68,7 +68,7 @@ BRANCH: BranchMode = "branch"
 
 @frozen(eq=False)
 class Operation(Generic[Data]):
-    """One row: what is true of every node of one operation."""
+    """One row: the properties of every node of one operation."""
 
     name: Op
     role: Role

@@ -1,6 +1,6 @@
-"""Points, lines and triangles: what a mesh consists of, and what is drawn of it.
+"""Points, lines and triangles: the primitives of a mesh, and those that are drawn of it.
 
-Expansions and tessellations say by these words what they take and what becomes of it.
+Expansions and tessellations say by these words which primitives they take and make.
 """
 
 from __future__ import annotations

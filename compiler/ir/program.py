@@ -1,4 +1,4 @@
-"""The types of programs: what the passes hand to ``legalise`` and ``emit``, in no language yet.
+"""The types of programs, which the passes hand to ``legalise`` and ``emit``, in no language yet.
 
 A program is staged, laid out and scheduled. A backend prints it and decides nothing about order,
 sharing, stages or offsets: a node that a statement binds is printed as that statement's name, every
@@ -58,7 +58,7 @@ class StoredMember:
 
 @frozen
 class Block:
-    """A uniform block: one group's parameters, what was derived from them, or a host's own."""
+    """A uniform block: one group's parameters, values derived from them, or a host's own."""
 
     name: str
     """Suggested identifier, ``Material`` or ``MaterialDerived``."""
@@ -165,7 +165,7 @@ class Output:
 
 @frozen
 class Function:
-    """A body used more than once, such as what one light contributes.
+    """A body used more than once, such as the contribution of one light.
 
     A call is an ``apply`` node whose first operand is ``body`` and whose further operands are the
     arguments. Of its caller's values a body reads uniforms and its parameters only.
@@ -248,11 +248,14 @@ class Stage:
     reads: tuple[TextureRead, ...] = ()
     """The ways in which the stage reads its textures: each way of each once."""
     natives: tuple[NativeUse, ...] = ()
-    """The builtins whose own operations it uses; what a profile lacks is looked up here."""
+    """The builtins whose own operations it uses, to be looked up among those a profile lacks."""
     handed_on: tuple[Field, ...] = ()
     """The inputs that the next stage reads as well, so that this stage hands them on."""
     emitted: tuple[EmittedPart, ...] = ()
-    """The groups of vertices that it emits, if any. Its region is then what these share."""
+    """The groups of vertices that it emits, if any.
+
+    The stage's region then has the values that these share.
+    """
     emitting: tuple[Node, ...] = ()
     """For each group of the expansion, a condition: a strip of it is emitted. All share a graph."""
 

@@ -217,7 +217,7 @@ _FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
 
 
 def _iterate(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """A state is what it was at the start, or what a turn has made of it."""
+    """The fact of a state: its initial value, or its value after an iteration."""
     return known[1].union(known[-1]) if ITERATE.data(node).states == 1 else UNKNOWN
 
 

@@ -51,7 +51,7 @@ class Ranges:
         self.note_binders(roots)
 
     def note_binders(self, roots: Iterable[Node]) -> None:
-        """Learn what the formals under ``roots`` stand for."""
+        """Learns the binders of the formals under ``roots``."""
         for node in reachable(roots):
             if node.op == "apply":
                 for formal, argument in zip(formals_of(node), node.operands[1:], strict=True):
@@ -100,7 +100,7 @@ class Ranges:
         return UNKNOWN.as_kind(_kind(node.type)) if known is None else known
 
     def assuming(self, facts: Mapping[Node, Fact]) -> Ranges:
-        """The same knowledge with more taken for granted; what follows from that is not kept."""
+        """The same knowledge with further facts assumed; facts that follow are not kept."""
         other = Ranges((), self.without)
         other._facts = ChainMap(dict(facts), self._facts)
         other._sources, other._indices = self._sources, self._indices
@@ -137,7 +137,7 @@ class Ranges:
         return fact.as_kind(_kind(node.type))
 
     def assume(self, node: Node, fact: Fact) -> None:
-        """Add what is known of a node's value otherwise than through its operands."""
+        """Adds a fact of a node's value that does not follow from its operands."""
         self._facts[node] = self.of(node).meet(fact)
 
     def assume_counting(self, node: Node, bound: int) -> None:

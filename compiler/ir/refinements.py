@@ -1,4 +1,4 @@
-"""Refinement: what follows about two values from a comparison that holds, or does not."""
+"""Refinement: facts about two values that follow from a comparison that holds, or does not."""
 
 from __future__ import annotations
 

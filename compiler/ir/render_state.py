@@ -1,4 +1,4 @@
-"""The state of the pipeline that a pass asks for, beside what its shaders compute.
+"""The state of the pipeline that a pass asks for, beside the code of its shaders.
 
 Semantics reads it from the passes' members, and the reflection hands it on to hosts. The reference
 draws by it.

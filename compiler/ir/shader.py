@@ -251,9 +251,9 @@ class Notes:
         return Notes(*map(dict, self._tables))
 
     def take_over(self, others: Notes, ids: Mapping[int, int]) -> None:
-        """Keep what ``others`` says of nodes that have other ids here.
+        """Takes over the notes of ``others`` about nodes that have other ids here.
 
-        Where several of them are one, what was noted first counts, and the place that comes first.
+        Where several nodes are one here, the first note counts, and the place that comes first.
         """
         for table, other in zip(self._tables, others._tables, strict=True):
             for id_, noted in other.items():
@@ -269,7 +269,7 @@ class Notes:
             table.pop(node.id, None)
 
     def follow(self, old: Node, new: Node) -> None:
-        """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
+        """Hands the notes about a node on to one that replaces it, which keeps its own."""
         id_ = old.id
         for table in self._tables:
             if id_ in table:
@@ -352,7 +352,7 @@ class Shader:
 
     @property
     def roots(self) -> Roots:
-        """The values of all results: what passes and walks over the graph start from."""
+        """The values of all results, from which passes and walks over the graph start."""
         return Roots([result.value for result in self.results])
 
     @property

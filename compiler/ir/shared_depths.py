@@ -1,4 +1,4 @@
-"""Finds the steps of a frame that draw to the same depths, one over what another one has left.
+"""Finds the steps of a frame that draw to the same depths, one over the result of another.
 
 These depths have one format, and are compared with each other. ``semantics/frames`` and
 ``compiler/planning`` ask.

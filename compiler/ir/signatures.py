@@ -128,7 +128,7 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
 
 
 def _of_texture(letter: str, texture: Texture) -> Type | None:
-    """A texture's coordinate, its size, and what a texel holds."""
+    """The type of a texture's coordinate, of its size, or of a texel."""
     match letter:
         case "K":
             return Vector("float", texture.axes)

@@ -30,7 +30,7 @@ EMITTED: Domain = "emitted"
 FRAGMENTS: Domain = "fragment"
 INVOCATIONS: Domain = "invocation"
 INSTANCES: Domain = "instance"
-"""No stage is run for each instance; but what an instance has, each of its vertices has."""
+"""A domain without a stage: each vertex of an instance has the values of the instance."""
 
 CLIP_POSITION = "clip_position"
 """The kind of the result that places a vertex: a vec4 in clip space."""
@@ -77,7 +77,7 @@ EXTENT = "extent"
 For images, it is the number of texels in a row and in a column.
 """
 VARYING = "varying"
-"""The kind of what a stage delivers to the next one; packing makes these results."""
+"""The kind of a varying that a stage delivers to the next one; packing makes these results."""
 
 
 InterpolationMode = Literal["perspective", "flat", "corner"]
@@ -145,7 +145,7 @@ class SystemInput:
 
     name: str
     type: Type
-    """The type that Burnish gives it; what a language has may differ."""
+    """The type in Burnish; that of a language may differ."""
     domain: Domain
     """The domain of the stage that reads it, or ``INSTANCES``."""
     most: int | None = None
@@ -163,7 +163,7 @@ class StageRow:
     domain: Domain
     """The domain of the values that it computes: it runs once for each element."""
     suffix: str
-    """The file ending before that of the language, which is also what tools call the stage."""
+    """The file ending before that of the language, which is also the tools' name of the stage."""
     entry: str
     """The entry point in a text that holds several stages."""
     inputs: tuple[SystemInput, ...]

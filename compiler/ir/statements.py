@@ -1,4 +1,4 @@
-"""Statements: what a stage or a function computes, in order, with its branches and loops.
+"""Statements: the computation of a stage or a function, in order, with branches and loops.
 
 ``Scheduler`` makes them of a graph, and ``emit`` prints them. All else of a program is in
 ``program.py``.
@@ -82,7 +82,7 @@ class Loop:
 
 @frozen
 class State:
-    """A variable of an ``Iterate``, and what a turn makes of it."""
+    """A variable of an ``Iterate``, with its value after an iteration."""
 
     name: str
     formal: Formal
@@ -129,7 +129,7 @@ class Region:
 
 @frozen
 class EmittedGroup:
-    """Strips that a stage emits: what it computes for each of them, and for each vertex."""
+    """Strips that a stage emits, with the statements for each of them, and for each vertex."""
 
     strips: EmittedStrips
     strip: Formal

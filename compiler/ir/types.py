@@ -1,4 +1,4 @@
-"""Representation types: which numbers a value consists of, without what they mean.
+"""Representation types: the numbers of a value, without their meaning.
 
 The types of the language that carry meaning (``rgb``, ``angle``, ``point<world>`` …) cost nothing
 at run time; ``semantics`` maps each of them onto one of these types. All are frozen, and equal

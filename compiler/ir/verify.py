@@ -166,7 +166,7 @@ def _variable_types(node: Node) -> dict[Formal | int, Type]:
 
 
 def _check_row(node: Node, row: Operation[Any], form: Form) -> None:
-    """Checks that data, operands and type are what the table of operations asks for."""
+    """Checks that data, operands and type are as the table of operations demands."""
     if not isinstance(node.data, row.kinds):
         raise InvalidGraphError(node, "operands or data that the operation does not take")
     fits = len(node.operands) == row.arity if row.arity is not None else bool(node.operands)
