@@ -36,10 +36,10 @@ class Apart:
         )
 
     def each(self, roots: Roots, change: Change) -> Roots:
-        """The values of all results, changed apart.
+        """The values of all results, with positions changed apart.
 
-        Positions do not know of others that use the same values; but these know of positions, as
-        what is only safe for some uses must not be shared with more.
+        Positions do not know of others that use the same values; but these know of positions, as a
+        change that is only safe for some uses must not be shared with more.
         """
         if not self.placing:
             return _as_roots(change(roots, roots))

@@ -22,7 +22,10 @@ WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
 
 DEAR = 1024
-"""Bodies that cost more are alike: such a call is what a body around it mainly costs."""
+"""The limit of a body's price: more expensive bodies are alike.
+
+The cost of a body around such a call is mainly that of the call.
+"""
 
 
 class CallPrices:
@@ -52,7 +55,7 @@ class CallPrices:
         return self._price(body, formals, fixed) > max(TRIVIAL, WORTHWHILE * whole)
 
     def _price(self, body: Node, formals: Formals, fixed: tuple[Node | None, ...]) -> int:
-        """The cost of what a call computes, if these arguments are put in, for every pixel."""
+        """The cost of a call's values for every pixel, if these arguments are put in."""
         if (body.id, fixed) not in self._left:
             pairs = zip(formals, fixed, strict=True)
             known = {formal: value for formal, value in pairs if value is not None}
@@ -77,7 +80,7 @@ class CallPrices:
         return self._costs[body]
 
     def _varying_cost(self, root: Node, outside: Container[int]) -> int:
-        """The cost of what may differ from pixel to pixel, but for what is computed ``outside``."""
+        """The cost of nodes that may differ from pixel to pixel, if not computed ``outside``."""
         varying: set[Node] = set()
         price = 0
         for node in visible((root,)):

@@ -1,7 +1,8 @@
 """Tells which operations choose, and which of these choices are worth a branch.
 
 A choice is a ``?:``, a ``&&`` or a ``||``. ``schedule`` asks here for each of them whether it shall
-become an ``if``, so that what only one side needs is computed only where that side is chosen.
+become an ``if``, so that values that only one side needs are computed only where that side is
+chosen.
 """
 
 from __future__ import annotations
@@ -57,7 +58,7 @@ class Choices:
     """The choices of one body: a stage's entry point or a function."""
 
     def __init__(self, order: Sequence[Node], together: frozenset[int]) -> None:
-        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``)."""
+        """``together`` are the nodes that all pixels have to reach (``uniformity.py``)."""
         self._order = order
         self._together = together
         self._constant = DrawConstants()

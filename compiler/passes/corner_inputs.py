@@ -37,7 +37,7 @@ def listed_vertex(graph: Graph, count: int) -> Node:
 
 
 def as_attribute(row: SystemInput) -> Attribute:
-    """A vertex input that gives what the pipeline supplies where nothing is lowered."""
+    """A vertex input in place of a number that the pipeline supplies where nothing is lowered."""
     return Attribute(row.name, row.type, row.domain)
 
 
@@ -80,7 +80,7 @@ class CornerInputs:
         return tuple(info for _, info in sorted(self._read.items(), key=itemgetter(0)))
 
     def at_corner(self, value: Node, number: Node) -> Node:
-        """A value of the mesh's vertices at one corner, computed from what this corner has."""
+        """A value of the mesh's vertices at one corner, computed from the inputs of this corner."""
 
         def rule(_graph: object, node: Node, _operands: tuple[Node, ...]) -> Node:
             leaf = as_attribute(node.data) if isinstance(node.data, SystemInput) else node.data

@@ -1,4 +1,4 @@
-"""Expansions for pipelines with a geometry stage: what this emits, group by group.
+"""Expansions for pipelines with a geometry stage, which emits them group by group.
 
 ``lower_stages.py`` calls ``count_strips`` before all passes where the stage itself is wanted, and
 ``split_stages`` calls ``groups_of`` at the end. In between, all groups are one graph, in which a
@@ -26,7 +26,7 @@ from .simplify import Simplifier
 
 
 def count_strips(shader: Shader) -> Shader:
-    """The shader with what is known of the numbers of its strips and vertices."""
+    """Notes the ranges of the numbers of a shader's strips and vertices."""
     if shader.expansion is None:
         return shader
     groups = shader.expansion.groups

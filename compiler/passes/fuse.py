@@ -72,7 +72,7 @@ class _Fusing:
             return root
         groups: list[Node] = []
         meeting: dict[Hashable, dict[int, None]] = {}
-        """The groups, by what a term has to have in common with them to be fused."""
+        """The groups, by the keys that a term may have in common with them."""
         for term in terms:
             common = self._common(term)
             near = {position for key in common for position in meeting.get(key, ())}

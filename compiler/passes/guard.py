@@ -28,7 +28,7 @@ from .simplify import Simplifier
 
 @frozen
 class Guard:
-    """A builtin that keeps its guard, and what was known of its operands."""
+    """A builtin that keeps its guard, and the known facts of its operands."""
 
     builtin: str
     facts: tuple[Fact, ...]
@@ -58,7 +58,7 @@ class Decisions:
     """True if any call was left to the profiles."""
 
     def add(self, guarding: Guarding) -> None:
-        """Take over what was decided in one part."""
+        """Takes over the decisions about one part."""
         self.kept.update(guarding.kept)
         self.remarks.update(guarding.remarks)
         self.undecided = self.undecided or guarding.undecided
@@ -188,7 +188,7 @@ class Guarding(Expanding):
         return open_ and node.operands[-1] not in self._constant
 
     def _keep(self, node: Node, row: Builtin, by_profile: bool) -> None:
-        """Remember that a guard stays, and what was known of the operands."""
+        """Remembers that a guard stays, and the known facts of the operands."""
         asked = self._asked
         operands = node.operands
         if not self.expanding and asked is not None and asked.data == node.data:

@@ -37,7 +37,7 @@ _NOT_HOISTED = BINDING | {"cross", "struct", "array"}
 """Loops stay in the shader, and so do arrays that are put together."""
 
 ROW = 16
-"""Bytes of what a block holds in a row: a vector, a column of a matrix."""
+"""Bytes of a row of a block: a vector, or a column of a matrix."""
 
 ROOM = 12 * 1024
 """The size limit of the tables of a group, in bytes.
@@ -246,7 +246,7 @@ class _Hoisting:
     # --- where it goes ---------------------------------------------------------------------------
 
     def _place(self, node: Node) -> None:
-        """Give a chosen value its place, by the user's name or one that says what it is made of."""
+        """Gives a chosen value its place, by the user's name or one after its operands."""
         reads, name, fact = self._reads[node.id], self._naming.name(node), self._ranges.of(node)
         assert reads is not None and reads.owner is not None
         if reads.position is None:

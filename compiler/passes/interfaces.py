@@ -1,4 +1,4 @@
-"""Packs what crosses between the stages of a chain, from the last stage to the first.
+"""Packs the varyings between the stages of a chain, from the last stage to the first.
 
 ``split_stages`` tells it of each stage in turn, once it is known what the stage has to compute.
 """
@@ -20,13 +20,13 @@ class Interfaces:
     """The varyings between the stages that are known so far."""
 
     def __init__(self, notes: Notes, results: Iterable[Result]) -> None:
-        """``results`` are all that the stages deliver besides what crosses."""
+        """``results`` are all results of the stages besides the varyings."""
         self._notes = notes
         self._captured = {result.name for result in results if result.kind == CAPTURE}
         self.all: tuple[Interface, ...] = ()
         """The interfaces in pipeline order."""
         self._onward: Sequence[Node] = ()
-        """The values of the stage behind, if some of what it reads is handed on to it."""
+        """The values of the stage behind, if some of those that it reads are handed on to it."""
         self._placed_onward: frozenset[Node] = frozenset()
         """The values in ``_onward`` that are for positions that have to be invariant."""
 

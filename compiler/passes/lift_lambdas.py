@@ -1,4 +1,4 @@
-"""Lambda lifting: gives every function's body what it reads of its surroundings as arguments.
+"""Lambda lifting: gives every function's body the values around it as arguments.
 
 Before this pass a body may read any value of the shader around it. Afterwards it reads its
 parameters, uniforms and constants only, so that it can be printed as a function. A value that does

@@ -1,12 +1,11 @@
 """Captures without a stream output: a kernel writes the vertices, one by each invocation.
 
 ``lower_stages`` calls ``lower_capture`` before all passes, when expansions and tessellations have
-been lowered. What the mesh has is read from one storage buffer. Each of its elements is a vertex
-that is drawn; or a primitive that is expanded or a patch that is divided, with what is read of its
-corners. The numbers of a vertex
-are written as they lie in the buffer of a stream output, each as the 32 bits that it has. A vertex
-that is not emitted is written, too: one more number says of each vertex whether it is there, and a
-host leaves the others out.
+been lowered. The attributes of the mesh are read from one storage buffer. Each of its elements is a
+vertex that is drawn; or a primitive that is expanded or a patch that is divided, with the
+attributes that are read at its corners. The numbers of a vertex are written as they lie in the
+buffer of a stream output, each as the 32 bits that it has. A vertex that is not emitted is written,
+too: one more number says of each vertex whether it is there, and a host leaves the others out.
 """
 
 from __future__ import annotations
@@ -67,7 +66,7 @@ def lower_capture(shader: Shader) -> Shader:
 
 
 class _Reading:
-    """Reads of a buffer what vertices read of the mesh."""
+    """Reads the attributes of the mesh's vertices from a buffer."""
 
     def __init__(self, shader: Shader) -> None:
         self._graph: Graph = shader.graph

@@ -103,7 +103,7 @@ def _placed(shader: Shader, result: Result, drawn: Node | None) -> Result:
 
 
 class _Lowering:
-    """Makes vertices of emitted vertices, and collects what these read of the mesh."""
+    """Turns emitted vertices into vertices of a draw, and collects the inputs that they read."""
 
     def __init__(self, shader: Shader, expansion: Expansion, corners: Corners) -> None:
         self._graph: Graph = shader.graph
@@ -143,7 +143,7 @@ class _Lowering:
 
     @property
     def parameters(self) -> tuple[ParameterInfo, ...]:
-        """The parameters, and what the host sets for each of several draws."""
+        """The parameters, and those that the host sets for each of several draws."""
         if self.layer is None:
             return self._parameters
         doc, span = "The layer of the render targets that is drawn", self._expansion.span

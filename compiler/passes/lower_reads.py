@@ -158,7 +158,7 @@ def _whole(graph: Graph, square: Node) -> Node | None:
 
 
 def _from_whole(graph: Graph, node: Node, stored: Node, operands: tuple[Node, ...]) -> Node | None:
-    """A vector that is computed from a stored matrix: the upper rows of what all rows give."""
+    """A vector that is computed from a stored matrix: the upper rows of the result of all rows."""
     if node.op == "index":
         rows = index(graph, stored, operands[1])
     elif node.op == "native" and node.data == "mul":

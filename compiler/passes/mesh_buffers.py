@@ -1,4 +1,4 @@
-"""Storage buffers that have what vertices read of a mesh, instead of vertex inputs.
+"""Storage buffers with the attributes that vertices read of a mesh, instead of vertex inputs.
 
 ``lower_capture`` has a kernel read such a buffer, and ``corners_in_buffer`` the vertex stage where
 the corners of a primitive need more vertex inputs than there are.
@@ -16,7 +16,7 @@ from ..ir.shader import AttributeInfo, BufferInfo, ParameterInfo, Shader
 from ..ir.types import RuntimeArray, Struct, Type
 
 MESH = "mesh"
-"""The buffer; a host binds it with what it sets for each draw, or what a kernel writes."""
+"""The name of the buffer, which a host binds for each draw, or for a capturing kernel."""
 VERTEX_STRUCT, PRIMITIVE_STRUCT = "MeshVertex", "MeshPrimitive"
 """The names of the structures that are the elements of these buffers."""
 

@@ -18,7 +18,7 @@ from ..ir.types import Scalar, Vector, width
 from .draw_constants import DrawConstants
 
 AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
-"""Builtins that are affine in one operand, and what they make of it."""
+"""Builtins that are affine in one operand, and the word for their result."""
 
 
 def move_to_vertices(graph: Graph, roots: Roots, notes: Notes) -> Roots:
@@ -66,7 +66,7 @@ class _Moving:
         return position if fits and self._users[old.id] == 1 else None
 
     def _name_after(self, node: Node, crossing: Node) -> None:
-        """A moved value without a name of its own is called after what crossed before."""
+        """Calls a moved value without a name of its own after the value that crossed before."""
         names = self._notes.names
         source = names.get(crossing.id)
         if source is None and isinstance(attribute := crossing.operands[0].data, Attribute):

@@ -53,7 +53,7 @@ class Naming:
         return f"{context}_{role}" if context else role
 
     def _own(self, node: Node) -> str | None:
-        """A name that says by itself what the value is."""
+        """A name that describes the value by itself."""
         body = node.operands[0] if node.op == "apply" else node
         if body.id in self._notes.terms:
             return self._notes.functions[body.id]

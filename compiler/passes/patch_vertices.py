@@ -64,7 +64,7 @@ def count_captured(shader: Shader) -> Shader:
 
 
 class PatchVertices:
-    """Makes vertices of a draw of those in patches, and collects what these read of the mesh."""
+    """Makes vertices of a draw of those in patches, and collects the inputs that they read."""
 
     def __init__(self, shader: Shader, patches: Tessellation) -> None:
         self._shader = shader

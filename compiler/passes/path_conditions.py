@@ -1,4 +1,4 @@
-"""Path conditions: what the conditions of branches say about the values computed behind them.
+"""Path conditions: facts that the conditions of branches imply for values computed behind them.
 
 In ``if x > 0 then 1 / x else 0`` the divisor is positive wherever the quotient is used. ``guard``
 and ``simplify`` may rely on this if *all* uses of a node are behind the condition. The node then
@@ -116,7 +116,7 @@ class PathConditions:
         return self._refined_at[path]
 
     def _find(self, roots: Roots, together: frozenset[int]) -> None:
-        """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
+        """Finds the paths of all nodes; nodes that all pixels reach precede all branches."""
         for root in roots:
             self._of[root.id] = None
         for node in reversed(roots.nodes):
@@ -134,7 +134,7 @@ class PathConditions:
 
 
 def _cone(operand: Node, about: Collection[int]) -> list[Node]:
-    """The values between ``operand`` and what some condition bounds, operands first."""
+    """The values between ``operand`` and those that some condition bounds, operands first."""
     near: dict[int, Node] = {operand.id: operand}
     front = [operand]
     while front and len(near) < WIDEST:

@@ -40,7 +40,7 @@ class Options:
     """Choices that change a program but not its meaning."""
 
     hoist: bool = True
-    """Compute what depends on parameters only on the host side."""
+    """True if the host computes the values that depend on parameters only."""
     without: frozenset[str] = frozenset()
     """Names of rules to do without, to see what they are good for.
 
@@ -85,7 +85,7 @@ class Form:
 
 @frozen
 class Staged:
-    """A program with what else is to be told about it."""
+    """A program with further results of the passes."""
 
     shader: Shader
     """The shader that it was made of."""
@@ -167,7 +167,7 @@ def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -
 def _simplified(
     graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier, apart: Apart
 ) -> Roots:
-    """Simplify, fuse sums over lights, and write out what is used once."""
+    """Simplifies, fuses sums over lights, and inlines bodies that are used once."""
     roots = verified("simplify", "flat", simplifier.simplified(roots))
     fused = apart.each(roots, lambda some, _: fuse(graph, some, notes, simplifier))
     roots = verified("fuse", "flat", fused)

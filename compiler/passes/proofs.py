@@ -28,12 +28,12 @@ LONGEST = 16
 """Steps of one proof that are shown."""
 
 WIDEST = 400
-"""Values that are searched for what is unknown of them."""
+"""The number of values that are searched for unknown facts."""
 
 
 @frozen
 class ProofStep:
-    """One link of the chain: what is known of a value, and by which rule."""
+    """One link of the chain: the fact of a value, and the rule that derives it."""
 
     depth: int
     """Distance from the operation. The steps that this one rests on follow it, one deeper."""
@@ -167,7 +167,7 @@ class Proofs:
             )
 
     def _unknown(self, operands: Sequence[Node]) -> Iterator[str]:
-        """The leaves about which nothing is known, with what could be done about it."""
+        """The leaves about which nothing is known, each with a way to make it known."""
         pending = [o for o in reversed(operands) if not self._ranges.of(o).unit]
         seen: set[int] = set()
         told: set[str] = set()

@@ -37,7 +37,7 @@ class _Dissolving:
         """The depth of nested choices between matrices."""
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
-        """Resolve what is read of an aggregate; its own parts have been resolved already."""
+        """Resolves reads of an aggregate; its own parts have been resolved already."""
         if node.op == "member":
             return self._resolved((operands[0], MEMBER.data(node)))
         if node.op == "index" and isinstance(node.operands[0].type, Array):
@@ -94,7 +94,7 @@ class _Dissolving:
         return build.index(self._graph, self._array(flat, rows), place)
 
     def _array(self, parts: list[Node], source: Node, member: str = "") -> Node:
-        """An array of what is read of the elements of ``source``, called after it."""
+        """An array of the parts that are read of the elements of ``source``, called after it."""
         array = self._graph.node("array", Array(parts[0].type, len(parts)), tuple(parts))
         name = self._notes.names.get(source.id)
         if name is not None:

@@ -1,4 +1,4 @@
-"""Turns the graph of a stage or function into statements: what is computed where, in which order.
+"""Turns the graph of a stage or function into statements: their regions and their order.
 
 ``split_stages`` makes a ``Scheduler`` for each stage and function. Every node is computed once, in
 the innermost region that encloses all of its uses; a value that does not depend on a loop's
@@ -44,7 +44,7 @@ INLINE_SIZE = 12
 
 
 _COUNTED = frozenset({"formal", "constant"})
-"""Variables of loops, and what is known of them from the start."""
+"""Variables of loops, and values that are known from the start."""
 BOUND = (0, 0)
 """Size and depth, where it is used, of a value that has a name, and of a leaf."""
 
@@ -100,8 +100,10 @@ class Scheduler:
         together: frozenset[int],
         groups: Sequence[GroupValues] = (),
     ) -> None:
-        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``).
-        ``groups`` are those of the strips that a body emits."""
+        """``together`` are the nodes that all pixels have to reach (``uniformity.py``).
+
+        ``groups`` are those of the strips that a body emits.
+        """
         self._notes = notes
         self._naming = naming
         self._top = _Block(None)
@@ -166,7 +168,7 @@ class Scheduler:
 
     @property
     def emitted(self) -> tuple[EmittedPart, ...]:
-        """The groups of strips, once ``schedule`` has said what is computed for them."""
+        """The groups of strips, once ``schedule`` has filled their blocks."""
         parts = (list(part) for _, part in groupby(self._strips, lambda each: id(each.part)))
         return tuple(
             EmittedPart(
@@ -390,7 +392,7 @@ def is_part(node: Node) -> bool:
 
 
 def is_access(node: Node) -> bool:
-    """Reads of parts of what is at hand anyway; naming them would only add lines."""
+    """True for parts of values that are at hand anyway; naming them would only add lines."""
     if node.op in PARTS:
         whole = node.operands[0]
         return whole.op in LEAVES or whole.op == "iterate" or is_access(whole)

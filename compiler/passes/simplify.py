@@ -32,14 +32,14 @@ class Simplifier(Builder):
         super().__init__(graph, ranges, notes)
         self._candidates = rule_table(ranges.without).candidates
         self.at: Span | None = None
-        """The source of what is being built."""
+        """The source of the node that is being built."""
         self.expanding = 0
         """The number of expansions around the current node."""
         self.remarks: dict[Hashable, Remark] = {}
         self._simplest: set[Node] = set()
         """Nodes that were built here: they are in simplest form, with all that they need."""
         self._arguments: dict[Node, Node] = {}
-        """The simplest forms of arguments, and of what they need: many share most of it."""
+        """The simplest forms of arguments and of all nodes below them: many share most of these."""
 
     def remark(
         self,
@@ -49,7 +49,7 @@ class Simplifier(Builder):
         conditions: tuple[PathRefinement, ...] = (),
         rule: str = "",
     ) -> None:
-        """Remember what became of a builtin that stands in somebody's text."""
+        """Remembers the decision about a builtin of a user's text."""
         if not self.expanding:
             key = builtin, operands, outcome
             if key not in self.remarks:
@@ -57,7 +57,7 @@ class Simplifier(Builder):
                 self.remarks[key] = remark
 
     def simplified(self, roots: Roots) -> Roots:
-        """The roots in their simplest form; what is in this form already is not looked at."""
+        """The roots in their simplest form; nodes in this form already are not looked at."""
         nodes = self._affected(roots, frozenset()) if self._simplest else None
         return rewrite(self.graph, roots, self.rule, self.notes.follow, nodes=nodes)
 

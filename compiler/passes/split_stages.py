@@ -1,6 +1,6 @@
 """Splits the graph of a shader into the stages of a program; this is the last pass.
 
-It walks the chain of stages backwards from what the shader delivers. A stage has to compute its
+It walks the chain of stages backwards from the results of the shader. A stage has to compute its
 results and the values that the next stage reads. The crossings among the operands of these are
 values that the stage before has to deliver.
 """
@@ -58,7 +58,8 @@ def split_stages(
 ) -> Program:
     """The program of a shader whose ``results`` have been through all other passes.
 
-    It is the last pass, and what ``targets/legalise`` ends with that has changed some values.
+    It is the last pass, and also the last step of ``targets/legalise`` if that has changed some
+    values.
     """
     blocks = _blocks(shader, derived)
     _name_levels(results, shader.notes)

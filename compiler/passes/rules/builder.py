@@ -14,7 +14,7 @@ from ...reference.operations import constant_lanes
 
 
 class Builder:
-    """Builds nodes for rules. ``Simplifier`` is the one that simplifies what it builds."""
+    """Builds nodes for rules. A ``Simplifier`` also simplifies the nodes that it builds."""
 
     def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
         self.graph = graph

@@ -107,7 +107,7 @@ def _over(builder: Builder, type_: Type, inner: Node, value: Node, divisor: Node
 
 @computed
 def _quotient(builder: Builder, type_: Type, dividend: Node, divisor: Node) -> Node | None:
-    """A constant over another one, of floats only: whole numbers would lose what remains."""
+    """A constant over another one, for floats only: whole numbers would lose the remainder."""
     if scalar_kind(type_) != "float":
         return None
     wide = dividend.type if isinstance(dividend.type, Vector) else divisor.type

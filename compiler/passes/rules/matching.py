@@ -91,7 +91,7 @@ def orders(operation: Operation) -> Iterator[Operation]:
 
 
 def heads_of(term: Term) -> Heads | None:
-    """The heads of what a term can stand for."""
+    """The heads of the values that a term can stand for."""
     match term:
         case Variable(heads=heads):
             return heads
@@ -173,7 +173,10 @@ class _Matching:
         return opened
 
     def _look(self, term: Term, place: int, is_told: bool) -> None:
-        """Ask of a value what a term says; where ``is_told``, its head is known to be right."""
+        """Makes steps that ask a value for the properties in a term.
+
+        Where ``is_told``, its head is known to be right.
+        """
         heads = heads_of(term)
         if heads is not None and not is_told:
             self._steps.append(lambda values: values[place].head in heads)
@@ -188,7 +191,7 @@ class _Matching:
                 self._look_into(term, place)
 
     def _look_into(self, operation: Operation, place: int) -> None:
-        """Ask of the operands of a value what the terms of an operation say."""
+        """Makes steps that ask the operands of a value for the properties in their terms."""
         count = None if _ends_in_several(operation.operands) else len(operation.operands)
         of_calls = self._of_calls
 

@@ -31,7 +31,7 @@ class Rule:
     """The name of the rule in tests and in ``Options.without``."""
     left: Operation
     right: Operand
-    """The simpler value; of its type is what is computed, and each number."""
+    """The simpler value; computed values and numbers have its type."""
     says: str
     """The effect of the rule and why it is right, in a sentence."""
     where: Condition | tuple[Condition, ...] = ()
