@@ -138,11 +138,11 @@ class Tally:
         self._total = 0
 
     def begin(self) -> None:
-        """Forget what was counted."""
+        """Forgets all amounts that were counted."""
         self._total = 0
 
     def add(self, amount: int, *, passing: int = 0) -> None:
-        """Count a piece before it is there, and what is needed beside it while it is made.
+        """Counts a piece before it is there, and the memory that is needed while it is made.
 
         Raises ``BudgetError`` if that is more than there may be.
         """
@@ -176,7 +176,7 @@ def amount_with_unit(amount: int, row: Limit) -> str:
 
 
 def _largest_scale(amount: int) -> tuple[str, int]:
-    """The letter of the largest scale that is no more than an amount, and what it stands for."""
+    """The letter of the largest scale that is no more than an amount, and its factor."""
     found = "", 1
     for letter, scale in _SCALES.items():
         if scale <= amount:

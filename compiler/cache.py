@@ -80,7 +80,7 @@ def load(name: str, key: str) -> bytes | None:
 
 
 def store(name: str, key: str, payload: bytes) -> None:
-    """Keep ``payload`` under a name and a key, in place of what was there before, if possible."""
+    """Keeps ``payload`` under a name and a key, in place of an earlier value, if possible."""
     path = _path(name, key)
     try:
         write_private(path, bytes.fromhex(digest(payload)) + payload)
@@ -101,7 +101,7 @@ def read_private(path: str) -> bytes | None:
 
 
 def private_files(place: str) -> list[tuple[str, os.stat_result]]:
-    """The paths of what a folder below ``private_folder`` holds, and what is known of each.
+    """The paths of all files below ``private_folder``, with their properties.
 
     Raises ``OSError`` if the folder is not there or not ours, such as a link to another one.
     """

@@ -141,10 +141,10 @@ class Frontend:
     def shaders(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None
     ) -> list[Shader]:
-        """The shaders of all concrete materials, or of the one named; errors are in the report.
+        """The shaders of all concrete materials, or of the named one; errors are in the report.
 
-        One that is named is compiled alone: only what it uses is checked. Otherwise everything that
-        the file declares is.
+        A named one is compiled alone: only the declarations that it uses are checked. Otherwise all
+        declarations of the file are.
         """
         kernels = records_of(module, "kernel", abstract=False)
         if material is not None:
@@ -197,7 +197,7 @@ class Frontend:
         return [frame for frame in found if frame is not None]
 
     def _check_beside(self, module: Module, rig: Symbol, reached: set[Symbol]) -> None:
-        """Check what a file declares and no frame of it uses."""
+        """Checks the declarations of a file that no frame of it uses."""
         rigs = dict.fromkeys([rig, *self._rigs_of(module)])
         drawn = list(product(rigs, [self._forward()]))
         self._check_unused(module, drawn, (), reached)
@@ -229,10 +229,10 @@ class Frontend:
         yield from product(rigs or (None,), (None, *passes))
 
     def check(self, module: Module, rig: str | None, pass_: str | None) -> list[Frame]:
-        """Report what is wrong with a file, which needs no materials: it may be for importing.
-        Returns its frames, of which ``api.py`` reports what only their programs tell.
+        """Reports the errors of a file, which needs no materials: it may be for importing.
 
-        Its materials need not agree with each of its rigs, unless one is named.
+        Returns its frames: ``api.py`` reports errors that only their programs show. Its materials
+        need not agree with each of its rigs, unless one is named.
         """
         if not module.declared:
             self._materials(module, None)
@@ -256,7 +256,10 @@ class Frontend:
         settings: Iterable[Setting],
         reached: set[Symbol],
     ) -> None:
-        """Check what has not been reached, if possible with the rigs and passes in ``drawn``."""
+        """Checks declarations that have not been reached, if possible with the pairs in ``drawn``.
+
+        These are rigs and passes.
+        """
         prelude = self._library.prelude
         materials = _materials_of(module)
         rigs = [*(rig for rig, _ in drawn), *self._rigs_of(module)]

@@ -19,7 +19,7 @@ Severity = Literal["error", "warning", "note"]
 
 @frozen
 class Rule:
-    """One row of ``rules``: what all diagnostics of one kind have in common."""
+    """One row of ``rules``: the properties that all diagnostics of one kind share."""
 
     code: str
     severity: Severity

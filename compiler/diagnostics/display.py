@@ -23,7 +23,7 @@ def harmless(text: str) -> str:
 
 
 def harmless_lines(text: str) -> str:
-    """Like ``harmless``, for a text of several lines: their ends and tabs stay what they are."""
+    """Like ``harmless``, for a text of several lines: their ends and tabs are kept."""
     pieces = _LINES_AND_TABS.split(text)
     pieces[::2] = map(harmless, pieces[::2])
     return "".join(pieces)

@@ -22,7 +22,7 @@ has to say whether the text then means what was intended.
 
 @frozen
 class Edit:
-    """``text`` replaces what stands at ``span``; an empty span inserts, an empty text removes."""
+    """``text`` replaces that of ``span``; an empty span inserts, an empty text removes."""
 
     span: Span
     text: str
@@ -38,7 +38,7 @@ class Fix:
 
 @frozen
 class FixIt:
-    """A hint that says what to write."""
+    """A hint that says how to write it, with the edits that do so."""
 
     text: str
     """The sentence, in which a long edit may be abbreviated."""
@@ -57,7 +57,7 @@ def fix_it(text: str, *edits: tuple[Span, str], sure: bool = False) -> FixIt:
 
 
 def write(span: Span, text: str, *, sure: bool = False) -> FixIt:
-    """``write …`` in place of what stands at ``span``."""
+    """The hint ``write …``, in place of the text at ``span``."""
     return fix_it(f"write `{text}`", (span, text), sure=sure)
 
 

@@ -19,7 +19,7 @@ class Compared:
 class Source:
     """One file (or string) of Burnish text; compared by identity.
 
-    ``name`` is what messages show: a path as the user wrote it, or ``<text>``.
+    ``name`` is that in messages: a path as the user wrote it, or ``<text>``.
     """
 
     name: str

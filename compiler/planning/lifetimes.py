@@ -24,11 +24,11 @@ Left = Image | Elements
 """A result of a step: an image or a buffer."""
 
 ALWAYS = 1 << 30
-"""A step after the last one: what is needed then lives on."""
+"""A step after the last one: results that it needs live on."""
 
 
 def uses_of(step: Step) -> Iterator[Use]:
-    """The shaders of a step, with what they are given."""
+    """The shaders of a step, with their inputs."""
     if isinstance(step, KernelStep):
         yield step.use
     else:

@@ -1,7 +1,7 @@
 """Makes a plan of a frame: textures that results share, copies, loads and stores, barriers.
 
 ``compiled.py`` calls ``plan`` when somebody asks for a frame's plan, and ``reflection/plan.py``
-writes what comes of it as JSON.
+makes a document of the result.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from .unchanging import unchanging
 
 @frozen(eq=False)
 class Target:
-    """An attachment of a step with what happens to its texture."""
+    """An attachment of a step, with the loads and stores of its texture."""
 
     attachment: Attachment
     texture: int
@@ -207,7 +207,7 @@ class _Planning:
         return Shape.of(self._frame, self._stencils, image)
 
     def _placed(self, number: int, step: Step) -> Iterator[Copy]:
-        """Find a texture for everything that a step draws; what has to be copied before it."""
+        """Finds a texture for everything that a step draws; yields the copies before it."""
         read = set(read_by(step))
         for attachment in attachments_of(step):
             image, over = attachment.image, attachment.over
@@ -246,7 +246,7 @@ class _Planning:
         self._samples_of[part_of(attachment)] = texture
 
     def _found(self, step: Step, image: Image, shape: Shape) -> int:
-        """A texture for what a step leaves."""
+        """A texture for a result of a step."""
         if step.name in self._rare:
             return self._textures.new(shape, image, lasts=True)
         return self._textures.allot(shape, image)

@@ -1,7 +1,7 @@
 """Finds the depths of a frame that need stencil values beside them.
 
 ``plan.py`` asks once for each frame. A step's depths have stencil values if a pass uses them that
-draws there, or over what is there: then all of these have one format.
+draws there, or draws over them: then all of these have one format.
 """
 
 from __future__ import annotations

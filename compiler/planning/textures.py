@@ -112,12 +112,12 @@ class Textures:
             self._free.setdefault(self.made[number].shape, []).append(number)
 
     def exchange(self, one: int, other: int) -> None:
-        """Have two textures take turns from frame to frame: the next one finds what they hold."""
+        """Has two textures take turns: the next frame reads the one that this frame writes."""
         for number in (one, other):
             self.made[number].kept = True
 
     def join_uses(self, exchanged: Iterable[tuple[int, int]]) -> None:
-        """Say what each texture is used as; of two that are exchanged, what either is."""
+        """Notes all uses of each texture; two that are exchanged share theirs."""
         uses = self._waits.uses
         for number, texture in enumerate(self.made):
             texture.uses = tuple(uses[number])

@@ -1,4 +1,4 @@
-"""The parameters' side of the reflection: what a host sets, and where it lies."""
+"""The parameters' side of the reflection: the values that a host sets, and their places."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def _declaration(info: ParameterInfo) -> Declared:
 
 
 def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> tuple[MemberRow, ...]:
-    """Members of a struct or of an array's elements, with what was declared about them."""
+    """Members of a struct or of an array's elements, with their declarations."""
     declared = {info.parameter.name.rpartition(".")[2]: info for info in infos}
     return tuple(_member(member, declared.get(member.name)) for member in packed.members)
 

@@ -1,4 +1,4 @@
-"""The textures' side of the reflection, with what a WebGPU layout says of each."""
+"""The textures' side of the reflection, with the entry of a WebGPU layout for each."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class TextureRows:
     def _sample_type(
         self, resource: Resource
     ) -> Literal["float", "unfilterable-float", "depth", "sint", "uint"]:
-        """GPUTextureSampleType: what is never filtered may have a format that cannot be."""
+        """GPUTextureSampleType; a texture that nothing filters may have an unfilterable format."""
         match _type(resource).sample:
             case "int":
                 return "sint"
