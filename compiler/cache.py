@@ -37,7 +37,7 @@ def folder() -> str:
     """
     platform: str = sys.platform
     if platform == "linux":
-        # What platformdirs says of Linux, without the time that it takes to import.
+        # As platformdirs does on Linux, without the time that it takes to import.
         caches = os.environ.get("XDG_CACHE_HOME", "").strip()
         if not os.path.isabs(caches) and os.environ.get("HOME") != "":  # noqa: PTH117
             caches = os.path.expanduser("~/.cache")  # noqa: PTH111

@@ -35,7 +35,7 @@ class Domains:
         if root.id not in self._found:
             missing = {root}
             pending = [root]
-            for node in pending:  # It grows on the way.
+            for node in pending:  # The list grows on the way.
                 new = {o for o in node.operands if o.id not in self._found} - missing
                 missing |= new
                 pending += new

@@ -343,7 +343,7 @@ def reachable(roots: Iterable[Node]) -> list[Node]:
 def _reachable(roots: Iterable[Node]) -> list[Node]:
     seen = set(roots)
     found = list(seen)
-    for node in found:  # It grows on the way.
+    for node in found:  # The list grows on the way.
         for operand in node.operands:
             if operand not in seen:
                 seen.add(operand)

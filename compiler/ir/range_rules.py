@@ -202,7 +202,7 @@ def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     if data.operator == "add":
         lo = start.lo + min(0.0, body.lo * data.bound) if data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * data.bound) if data.bound else start.hi
-        # Each turn rounds once more, and what only grows never rounds to less than it was.
+        # Each iteration rounds once more, and a growing value never rounds to less than it was.
         error = math.expm1(data.bound * math.log1p(ROUNDING))
         slack = product(max(abs(lo), abs(hi)), error)
         return Fact(lo - slack if body.lo < 0 else lo, hi + slack if body.hi > 0 else hi)

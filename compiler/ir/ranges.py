@@ -83,8 +83,8 @@ class Ranges:
                 pending.pop()
                 continue
             needs = top.operands if top.op not in _NEEDING else self.needs(top)
-            # What a function gets may have been computed by the same function, before a loop and
-            # in its turns: of a value that needs itself nothing is known on the way round.
+            # An argument of a function may come from the same function, before a loop and in its
+            # iterations: of a value that needs itself nothing is known on the way round.
             for need in needs:
                 if need not in facts and need not in begun:
                     pending.append(need)

@@ -34,7 +34,7 @@ def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
             continue
         images, together = {first: None}, dict[RenderStep, None]()
         pending = [first]
-        for image in pending:  # It grows on the way.
+        for image in pending:  # The list grows on the way.
             together.update(dict.fromkeys(drawing[image]))
             beside = {each for step in drawing[image] for each in _depths_of(step)}
             pending += (new := [each for each in beside if each not in images])

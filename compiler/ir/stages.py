@@ -237,7 +237,7 @@ FRAGMENT = StageRow(
     inputs=(
         # Pixel centres lie at .5, y points down, and w is 1 / clip w.
         SystemInput("frag_coord", VEC4, FRAGMENTS),
-        # Whether the counter-clockwise side is seen.
+        # True if the counter-clockwise side is seen.
         SystemInput("front_facing", BOOL, FRAGMENTS),
     ),
     delivers=(TARGET, DISCARD),

@@ -31,7 +31,7 @@ def listed_vertex(graph: Graph, count: int) -> Node:
     """The number of a vertex in a draw of so many."""
     last = build.constant(graph, UINT, count - 1)
     index = graph.node("input", UINT, (), VERTEX_INDEX)
-    # The host draws no more vertices: what this says is how large the numbers can become.
+    # The host draws no more vertices, so this is the range of the numbers.
     index = graph.node("call", UINT, (index, last), "min")
     return graph.node("call", INT, (index,), "to_int")
 

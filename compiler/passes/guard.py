@@ -144,7 +144,7 @@ class Guarding(Expanding):
         known = [self._paths.known(node, operand) for operand in node.operands]
         if not row.domain(tuple(more.fact for more in known)):
             return False
-        # What is known behind a condition helps only where its select becomes a branch.
+        # Facts behind a condition help only where its select becomes a branch.
         self._branches.update(select.id for more in known for select in more.selects)
         conditions = tuple(one for more in known for one in more.conditions)
         self.remark(row.name, node.operands, "native", conditions)

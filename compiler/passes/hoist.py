@@ -202,7 +202,7 @@ class _Hoisting:
             *(Derived(t.parameter, t.element(self._graph)) for t in tables),
         ]
 
-    # --- what can go -----------------------------------------------------------------------------
+    # --- candidates -------------------------------------------------------------------------------
 
     def _reads_of(self, node: Node) -> _Reads | None:
         """The sources of a value; ``None`` if it reads anything else."""

@@ -156,7 +156,7 @@ class _Inlining:
             rebuilt, *arguments = (self._done[simplest][operand] for operand in call.operands)
             values = dict(zip(formals_of(call), arguments, strict=True))
             written = self._simplifier.substituted(rebuilt, values)
-        # What a light adds keeps the names of its terms, which say what it is.
+        # The part that a light adds keeps the names of its terms, which describe it.
         if written not in self._bodies and body.id not in self._notes.terms:
             self._notes.forget_function(written)
         return written

@@ -49,7 +49,7 @@ def lower_capture(shader: Shader) -> Shader:
     results = (
         Result(EXTENT, COMPUTE, reading.extent), *_stores(shader, written, lowered),
     )  # fmt: skip
-    # What is read and counted stands nowhere, but where the first value is that is captured.
+    # The inputs and counts have no place of their own: they get that of the first captured value.
     for node in reachable([result.value for result in results]):
         if node.id >= before:
             shader.notes.spans.setdefault(node.id, reading.span)

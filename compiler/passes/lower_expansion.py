@@ -76,7 +76,7 @@ def lower_expansion(shader: Shader) -> Shader:
     if drawn is not None and shader.capture is not None:
         # There is no place for a vertex that is not captured, so it has to be left out.
         delivered.append(Result(EMITTING, VERTEX, drawn))
-    # What tells the vertices apart stands nowhere, but where the expansion does.
+    # The vertices' numbers have no place of their own: they get that of the expansion.
     for node in reachable([result.value for result in delivered]):
         if node.id >= before:
             shader.notes.spans.setdefault(node.id, shader.expansion.span)

@@ -52,7 +52,7 @@ def lower_tessellation(shader: Shader) -> Shader:
         results.append(changed(result, stage=row, value=value))
     if drawn is not None and shader.capture is not None:
         results.append(Result(EMITTING, VERTEX, drawn))
-    # What tells the vertices apart stands nowhere, but where the tessellation does.
+    # The vertices' numbers have no place of their own: they get that of the tessellation.
     for node in reachable([result.value for result in results]):
         if node.id >= before:
             shader.notes.spans.setdefault(node.id, patches.span)

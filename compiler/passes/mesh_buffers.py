@@ -33,7 +33,7 @@ def mesh_buffer(
         tuple((name, info.attribute.type) for name, info in rows),
     )
     span = rows[0][1].span
-    # A mesh's values are taken as they are: what a type says beyond its numbers is not checked.
+    # A mesh's values are taken as they are: contracts beyond their types are not checked.
     described = tuple(
         ParameterInfo(Parameter(name, type_, ""), str(type_), None, None, info.doc, span)
         for (name, type_), (_, info) in zip(struct.members, rows, strict=True)

@@ -133,5 +133,5 @@ class PatchVertices:
         if crossing.mode == "corner":
             return self._inputs.at_corner(*operands)
         if crossing.destination == TESSELLATED:
-            return operands[0]  # What a patch has, each of its vertices can compute.
+            return operands[0]  # Each vertex can compute the values of its patch.
         return build.cross(graph, operands[0], FLAT if crossing.mode == "flat" else SMOOTH)

@@ -112,7 +112,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = verified("semantics", "semantics", Roots([result.value for result in results]))
     roots = verified("open_binders", "opened", open_binders(graph, roots, notes))
     roots = verified("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
-    # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
+    # Passes keep values, so facts of a node, or of a variable, stay true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
     apart = Apart.of(results, shader.placing)

@@ -159,7 +159,7 @@ class Scheduler:
         """The statements that compute the roots."""
         self._place()
         self._results = self._region_results()
-        # Operands come before users, so what stands inside a loop or a branch comes before it.
+        # Operands come before users, so the body of a loop or a branch is filled before it.
         for node in self._order:
             statement = self._statement(node)
             if statement is not None:
@@ -346,7 +346,7 @@ class Scheduler:
         if access or self._is_part_of_bound(node):
             return False
         if node.op == "array" or joins_group(node):
-            # What follows may be no place for a barrier.
+            # Later uses may be no place for a barrier.
             return True
         # A name is needed for a value that is used twice, or outside of the region of its user.
         if self._uses[node.id] > 1 or node.id in self._apart:

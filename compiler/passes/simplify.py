@@ -120,7 +120,7 @@ class Simplifier(Builder):
         seen = set(roots).difference(known)
         pending = list(seen)
         found: list[Node] = []
-        for node in pending:  # It grows on the way.
+        for node in pending:  # The list grows on the way.
             if node in simplest and (not formals or node.variables.isdisjoint(formals)):
                 continue
             found.append(node)

@@ -240,7 +240,7 @@ def _stage(
     is_first = row == shader.chain[0]
     entering = [face for face in interfaces if face.destination == row.domain]
     handing = [face for face in interfaces if face.through == row.domain]
-    # What asks whether there is anything to do comes before all statements.
+    # A condition for there being anything to do comes before all statements.
     roots = [] if groups else [output.value for output in outputs if output.kind != EXTENT]
     naming = Naming(shader.notes)
     together = needing_uniform_flow(nodes)

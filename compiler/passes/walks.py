@@ -29,7 +29,7 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
     """
     seen = set(roots)
     found = list(seen)
-    for node in found:  # It grows on the way.
+    for node in found:  # The list grows on the way.
         is_whole = node.op not in _PARTLY or (into_bodies and node.op == "apply")
         for operand in node.operands if is_whole else operands_of(node):
             if operand not in seen:

@@ -217,7 +217,7 @@ class _Planning:
             if over is None or self._lifetimes.first[image] < number:
                 continue
             if image in self._texture_of:
-                yield Copy(over, image)  # What is kept has a texture of its own.
+                yield Copy(over, image)  # A kept result has a texture of its own.
             elif (
                 self._shares and over not in read and self._needs.is_drawn_over(over, image, number)
             ):
@@ -340,7 +340,7 @@ class _Planning:
             if not planned.continues:
                 return
 
-    # --- what is left ---
+    # --- results ---
 
     def _images_left(self) -> Iterator[tuple[int, TextureUse]]:
         """The textures that the host or the next frame reads."""

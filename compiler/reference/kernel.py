@@ -193,7 +193,7 @@ def _joined(
     """The new elements of a buffer that is scattered to."""
     parts = (lanes[part.id][0] for part in (row.value, row.place, row.condition))
     ends = joined(row.store, length, *parts)
-    # What an invocation scatters of which nothing is defined may go anywhere.
+    # An undefined value that an invocation scatters may go anywhere.
     return Lane(row.store, 0, "i", *ends, np.full(length, undecided.any()))
 
 

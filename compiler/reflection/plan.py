@@ -124,7 +124,7 @@ class _Document:
             ),
         )
 
-    # --- what there is ---
+    # --- resources ---
 
     def _sources(self) -> Iterator[tuple[str, PlaceRow]]:
         """Yields the declarations of everything that the host sets."""
@@ -182,7 +182,7 @@ class _Document:
     def _texture(self, left: Image | Elements) -> int | None:
         return self._plan.texture_of.get(left) if isinstance(left, Image) else None
 
-    # --- what is done ---
+    # --- steps ---
 
     def _step(self, planned: PlannedStep) -> DrawStep | RunStep | CopyStep:
         waiting = planned.waiting

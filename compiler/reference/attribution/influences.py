@@ -135,7 +135,7 @@ class _Measuring:
         """Notes values that can have an error of their own, or jump."""
         errors = self._errors.of(node, operands, value)
         shown = (map(self._shown, pair) for pair in zip(errors, flat(value), strict=True))
-        # Nothing is said of the error of what is infinite.
+        # The error of an infinite value says nothing.
         local = [error if math.isfinite(error + lane) else 0.0 for error, lane in shown]
         rule = rule_of(node)
         rounds = _rounds(node) if node.op != "constant" else any(local)
@@ -187,7 +187,7 @@ class _Measuring:
         def off(site: Site, lane: int, value: Lane, way: int) -> Lane:
             shape, signs = self._pixel.quad(site.where)
             if max(np.shape(value)[1:], default=1) == 1:
-                # What is the same everywhere is rounded in the same way everywhere.
+                # A value that is the same everywhere is rounded in the same way everywhere.
                 shape, signs = (1,) * len(shape), np.ones(())
             change = np.zeros((len(ways) + 1, *shape))
             change[way] = site.probe[lane] * signs
@@ -199,7 +199,7 @@ class _Measuring:
             self._add(site, operands, value, parts)
 
         changes = self._changes(ways, off, add)
-        # Jumps are tried by themselves, and what is infinite anyway has no slope.
+        # Jumps are tried by themselves, and an infinite value has no slope.
         changes = np.where(np.isfinite(changes), changes, 0.0)
         for lanes, change in zip(ways, changes, strict=True):
             for where, lane in lanes:

@@ -88,8 +88,8 @@ class _OfPlatform:
         promise = self._promise(name)
         if name not in self._measured:
             return self._by(promise, name, operand, result)
-        # What is allowed besides what was measured must not be more than what is promised. That is
-        # inherited from other promises, and not from what was measured of other functions.
+        # A measured bound must not be larger than the promised one. The promise is inherited from
+        # other promises, and not from measurements of other functions.
         promised = _OfPlatform(self._platform, {})._by(promise, name, operand, result)
         return np.minimum(self._by(self._measured[name], name, operand, result), promised)
 
@@ -118,7 +118,7 @@ class _OfPlatform:
 
 def ulp(magnitude: Floats) -> Floats:
     """The unit in the last place of a float32."""
-    # Without its fraction, a float is the power of two below it; infinity stays what it is.
+    # Without its fraction, a float is the power of two below it; infinity stays infinity.
     powers = (np.asarray(magnitude, np.float64).view(np.int64) & _EXPONENT).view(np.float64)
     return np.maximum(powers * ULP, _LEAST)
 

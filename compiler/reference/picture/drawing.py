@@ -201,7 +201,7 @@ class _Drawing:
         fragments, sure = fragments.only(seen), sure[seen]
         doubtful = self._not_behind(coverage.doubtful.only(self._let_through(coverage.doubtful)))
         if self._depth.is_biased:
-            # APIs leave open what becomes of depths that a bias moves out of their range.
+            # APIs leave the depths open that a bias moves out of their range.
             beyond = sure & out_of_range(self._faces, fragments, self._rules)
             doubtful, sure = joined([doubtful, fragments.only(beyond)]), sure & ~beyond
         every, certain = Coverage(fragments, sure, doubtful).in_order()

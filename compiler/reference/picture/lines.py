@@ -243,7 +243,7 @@ def _unsure(outline: _Outline, slack: Floats, is_cut: Bools, rules: RasterRules)
     The sides are one along the line, its end, the other one, and where it begins.
     """
     corners = _unsure_corners(outline, slack, rules)
-    # What a device cuts at the border of the picture gets new corners there: these are snapped.
+    # A line that a device cuts at the picture's border gets new corners there, which are snapped.
     cut = np.where(is_cut, _step(rules), 0.0)[:, None]
     sides = np.maximum(corners, np.roll(corners, -1, axis=1)) + cut
     along, ends = sides[:, ::2], sides[:, 1::2]

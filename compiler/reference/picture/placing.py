@@ -124,7 +124,7 @@ class _Held:
 
 def _of_value(value: Any) -> Iterator[bytes]:
     if isinstance(value, Contents):
-        # What a kernel has written is the same for all who read it, and for nobody else.
+        # A kernel's result is the same for all who read it, and for nobody else.
         yield value.data if value.ends is None else value.written.bytes
     elif isinstance(value, tuple | list):
         yield b"("

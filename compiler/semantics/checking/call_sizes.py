@@ -25,7 +25,7 @@ def bodies_of(ctx: Context, symbol: Symbol) -> int:
         missing = [] if top in entered else [s for s in calls if s not in known]
         if missing:
             entered.add(top)
-            # What has been entered already calls itself, which is reported where it is called.
+            # A function that was entered already is recursive, which is reported at its call.
             pending += [s for s in missing if s not in entered]
             continue
         pending.pop()

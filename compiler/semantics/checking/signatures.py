@@ -61,7 +61,7 @@ def shared_call(
     """A call by its signature; ``None`` if there is none that says enough of the arguments."""
     repeated = bodies_of(ctx, symbol) <= MOST_BODIES
     if repeated and surface is not None:
-        return None  # What a term reads of a surface is not known before its body is checked.
+        return None  # The slots that a term reads are unknown before its body is checked.
     base, slots = (None, {}) if surface is None else slots_given(ctx, surface)
     values = tuple(value for value in slots.values() if isinstance(value, Node))
     kinds = kinds_of(ctx, (*arguments, *values))
@@ -102,7 +102,7 @@ def failed(ctx: Context, signature: Signature, before: int) -> None:
     ctx.bodies[signature] = FAILURE
 
 
-# --- what a signature says of an argument --------------------------------------------------------
+# --- arguments in a signature --------------------------------------------------------------------
 
 
 def _literal(part: Node) -> tuple[str, bool] | None:
@@ -224,7 +224,7 @@ def _finish(
     before, deferred, ctx.progress.unproven, unproven = *around, ctx.progress.unproven
     value = fit_result(ctx, symbol, result, arguments)
     if ctx.report.count > before or isinstance(value, Failure):
-        # The arguments of a call may tell what is missing here. If not, it is reported then. But
+        # The arguments of a call may supply the missing facts. If not, it is reported then. But
         # a function that calls itself does so for all arguments.
         found = ctx.report.since(before)
         ctx.report.forget(before)

@@ -163,7 +163,7 @@ def _struct(ctx: Context, symbol: Symbol) -> Declared | None:
         ctx.types.structs[symbol] = None
         return None
     if not declaration.members:
-        # What could not be read of the file may have been its members.
+        # Unreadable text of the file may have been its members.
         if not ctx.report.unread_names:
             ctx.report.add(rules.EMPTY_STRUCT, declaration.name.span, name=symbol.name)
         return None

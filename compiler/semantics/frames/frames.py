@@ -124,7 +124,7 @@ class _Checking:
             outputs=tuple(outputs),
         )  # fmt: skip
 
-    # --- what the frame draws, and under which lights ---
+    # --- the draws of the frame, and their lights ---
 
     def _single_lights(self) -> Iterator[tuple[str, Owner]]:
         for entry, leaves in self._entries:

@@ -310,7 +310,7 @@ def _belong_together(later: ast.ReadMember, first: Definition) -> bool:
     """True if a mixin's definition means to continue, or to share, another one's declaration."""
     if isinstance(later, ast.Slot) and later.value is not None:
         return later.name.text in inherited_names(later.value)
-    # What a vertex brings along is the mesh's: both mean the same.
+    # Vertex inputs are the mesh's: both mean the same.
     return isinstance(later, ast.Attribute) and isinstance(first.member, ast.Attribute)
 
 

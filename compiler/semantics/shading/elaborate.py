@@ -185,7 +185,7 @@ def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Ite
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
     is_empty = not written and not drawn.baseless and is_whole and not captures(drawn)
-    if is_empty and not ctx.report.unread_names:  # What could not be read may have been a target.
+    if is_empty and not ctx.report.unread_names:  # Unreadable text may have been a target.
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     cleared = clears_of(ctx, drawn).targets
     for row in written:

@@ -194,7 +194,7 @@ class _Expanding:
             is_own = self._is_of_pass and self._below.has(name)
             if is_own:
                 of_pass.append(name)
-            # What the pass overrides is one slot of both.
+            # A slot that the pass overrides is one slot of both.
             if not is_own or name in base.replaced:
                 of_surface.append(name)
         made = changed(self._above, made=self._slots).with_replaced(by_vertices(of_surface))

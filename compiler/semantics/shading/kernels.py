@@ -129,7 +129,7 @@ def _writes_something(ctx: Context, record: Record, declaration: ast.Record) -> 
     scatters = [member for member, _, _ in record.every(ast.Scatter)]
     name = declaration.name
     is_empty = not results and not scatters and not record.baseless
-    if is_empty and not ctx.report.unread_names:  # What could not be read may have been a result.
+    if is_empty and not ctx.report.unread_names:  # Unreadable text may have been a result.
         ctx.report.add(rules.NO_RESULT, name.span, name=name.text)
     for member in scatters:
         if (other := results.get(member.name.text)) is not None:
@@ -192,7 +192,7 @@ def _lowered(
     return None if differ else (found, graph, notes)
 
 
-# --- what is written -----------------------------------------------------------------------------
+# --- results -------------------------------------------------------------------------------------
 
 
 def _all_written(

@@ -88,7 +88,7 @@ class Deferred:
             return
         first = 1 + max(node.id for node in evaluated) if first is None else first
         seen, pending = {value}, [value]
-        for node in pending:  # It grows on the way.
+        for node in pending:  # The list grows on the way.
             if node.id >= first:
                 new = [operand for operand in node.operands if operand not in seen]
                 seen.update(new)

@@ -52,7 +52,7 @@ def side(node: Node, meaning: Meaning | None) -> Side:
     return Side(node.type, meaning, alike and meaning is None)
 
 
-# --- what several rules share --------------------------------------------------------------------
+# --- shared by several rules ---------------------------------------------------------------------
 
 
 def family(meaning: Meaning) -> str:
