@@ -49,7 +49,7 @@ class Records:
         return self._known[symbol]
 
     def alone(self, mixin: Symbol) -> Record:
-        """A mixin in front of a record that stands for every record of its kind.
+        """A mixin in front of the root, which every record of its kind extends.
 
         Names that the mixin needs beyond that, or builds on, are declared there without a value.
         """

@@ -79,7 +79,10 @@ class Levels:
         return found
 
     def _lines(self) -> Node | Failure:
-        """The number of lines of a patch: like an edge, it is the same for all patches."""
+        """The number of lines of a patch, which is delivered as the level of an edge.
+
+        It decides for all patches alike.
+        """
         written = self._member.lines
         if written is None:
             return build.floating(self._ctx.tree, 1.0)
