@@ -1,9 +1,9 @@
-"""How much of this machine received data may take, and how a user raises these limits.
+"""Limits of what received data may take of this machine, and how a user raises them.
 
-Scenes, pictures, plans and the values of a frame may come from anybody. What reads or draws them
-counts what that will take before it allocates anything, and calls ``check``. The commands that draw
-have the option ``--budget``, which raises a limit for as long as the command runs; a program that
-uses Burnish as a library writes ``with raised({"memory": 4 * 10**9}):``.
+Scenes, pictures, plans and the values of a frame may come from anybody. Code that reads or draws
+them counts what that will take before it allocates anything, and calls ``check``. The commands that
+draw have the option ``--budget``, which raises a limit for as long as the command runs; a program
+that uses Burnish as a library writes ``with raised({"memory": 4 * 10**9}):``.
 
 Limits hold for the whole process, as those of the operating system do. So nothing hands them on,
 but for a command that starts processes which read files of the user: it gives them ``current``.
@@ -19,7 +19,7 @@ from dataclasses import dataclass
 
 
 class BudgetError(ValueError):
-    """Something would take more than its limit; the text says what, and how to raise the limit."""
+    """An amount is larger than its limit; the text says which, and how to raise the limit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,17 +27,17 @@ class Limit:
     """One row: something that is counted."""
 
     name: str
-    """What ``--budget`` calls it."""
+    """The name of the limit for ``--budget``."""
     most: int
-    """How much is allowed unless somebody raises it."""
+    """The amount that is allowed unless somebody raises it."""
     unit: str
-    """What is counted, as a message says it behind a number."""
+    """The unit, as a message says it behind a number."""
     of: str
-    """What has that many, for the help and the manual."""
+    """The thing that has that many, for the help and the manual."""
 
     @property
     def in_bytes(self) -> bool:
-        """Whether bytes are counted, of which there are kB, MB and GB."""
+        """True if bytes are counted, of which there are kB, MB and GB."""
         return self.unit == "bytes"
 
 
@@ -66,17 +66,17 @@ LIMITS: Mapping[str, Limit] = {
 """All limits, by name."""
 
 _SCALES: Mapping[str, int] = {"": 1, "k": 10**3, "M": 10**6, "G": 10**9}
-"""What a letter behind a number multiplies it by."""
+"""The factor for a letter behind a number."""
 _AMOUNT = re.compile(r"([0-9]{1,15})([kMG]?)")
 
 _raised: dict[str, int] = {}
 """The limits that were raised, by name."""
 _held: ContextVar[int] = ContextVar("held", default=0)
-"""How much memory this thread has counted for what it still has."""
+"""The memory in bytes that this thread has counted for objects that it still has."""
 
 
 def allowed(name: str) -> int:
-    """How much there may be of what the row called ``name`` counts."""
+    """The amount that is allowed by the row called ``name``."""
     return _raised.get(name, LIMITS[name].most)
 
 
@@ -102,8 +102,10 @@ def check(name: str, amount: int, what: str) -> None:
 
 @contextmanager
 def holding(amount: int, what: str) -> Iterator[None]:
-    """Count memory for as long as the ``with`` block runs, on top of what this thread has; raises
-    as ``check`` does."""
+    """Counts memory while the ``with`` block runs, on top of what this thread has.
+
+    Raises as ``check`` does.
+    """
     before = _held.get()
     check("memory", before + amount, what)
     token = _held.set(before + amount)
@@ -127,7 +129,7 @@ def raised(limits: Mapping[str, int]) -> Iterator[None]:
 
 
 class Tally:
-    """What something takes of one limit, piece by piece: the vertices of one mesh after another."""
+    """The amount that something takes of one limit, piece by piece, such as mesh after mesh."""
 
     def __init__(self, name: str, what: str) -> None:
         """``name`` and ``what`` are those of ``check``."""
@@ -136,11 +138,11 @@ class Tally:
         self._total = 0
 
     def begin(self) -> None:
-        """Forget what was counted."""
+        """Forgets all amounts that were counted."""
         self._total = 0
 
     def add(self, amount: int, *, passing: int = 0) -> None:
-        """Count a piece before it is there, and what is needed beside it while it is made.
+        """Counts a piece before it is there, and the memory that is needed while it is made.
 
         Raises ``BudgetError`` if that is more than there may be.
         """
@@ -174,7 +176,7 @@ def amount_with_unit(amount: int, row: Limit) -> str:
 
 
 def _largest_scale(amount: int) -> tuple[str, int]:
-    """The letter of the largest scale that is no more than an amount, and what it stands for."""
+    """The letter of the largest scale that is no more than an amount, and its factor."""
     found = "", 1
     for letter, scale in _SCALES.items():
         if scale <= amount:

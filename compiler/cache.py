@@ -19,14 +19,14 @@ import stat
 import sys
 
 KEPT = 256
-"""How many values of each name stay when one is written."""
+"""The number of values of each name that stay when one is written."""
 ROOM = 64 << 20
 """Bytes that the values of each name may take together."""
 
 _DIGEST_SIZE = 8
 _BINARY = getattr(os, "O_BINARY", 0)
 _OLD = os.O_RDONLY | _BINARY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
-"""How files are opened: neither following a link nor waiting for the other end of a pipe."""
+"""The flags that open files: neither follow a link nor wait for the other end of a pipe."""
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY
 
 
@@ -37,7 +37,7 @@ def folder() -> str:
     """
     platform: str = sys.platform
     if platform == "linux":
-        # What platformdirs says of Linux, without the time that it takes to import.
+        # As platformdirs does on Linux, without the time that it takes to import.
         caches = os.environ.get("XDG_CACHE_HOME", "").strip()
         if not os.path.isabs(caches) and os.environ.get("HOME") != "":  # noqa: PTH117
             caches = os.path.expanduser("~/.cache")  # noqa: PTH111
@@ -68,7 +68,7 @@ def digest(data: bytes) -> str:
 
 
 def load(name: str, key: str) -> bytes | None:
-    """What was stored under a name and a key, if it is there, whole and undamaged.
+    """The value stored under a name and a key, if it is there, whole and undamaged.
 
     Names are of lower-case letters, keys are digests.
     """
@@ -80,7 +80,7 @@ def load(name: str, key: str) -> bytes | None:
 
 
 def store(name: str, key: str, payload: bytes) -> None:
-    """Keep ``payload`` under a name and a key, in place of what was there before, if possible."""
+    """Keeps ``payload`` under a name and a key, in place of an earlier value, if possible."""
     path = _path(name, key)
     try:
         write_private(path, bytes.fromhex(digest(payload)) + payload)
@@ -101,7 +101,7 @@ def read_private(path: str) -> bytes | None:
 
 
 def private_files(place: str) -> list[tuple[str, os.stat_result]]:
-    """The paths of what a folder below ``private_folder`` holds, and what is known of each.
+    """The paths of all files below ``private_folder``, with their properties.
 
     Raises ``OSError`` if the folder is not there or not ours, such as a link to another one.
     """

@@ -22,7 +22,7 @@ class Range:
 
 @frozen
 class Length:
-    """How many elements a list has at least."""
+    """The least number of elements of a list."""
 
     least: int
 
@@ -36,18 +36,20 @@ class Pattern:
 
 @frozen
 class TypeScript:
-    """What pages call a type, where it is one of the browser's own."""
+    """The name of a type in pages, where it is one of the browser's own."""
 
     text: str
 
 
 @frozen
 class Nested:
-    """A value of any shape: a scalar of JSON, or lists of such values, and with ``objects`` also
-    objects of them."""
+    """A value of any shape: a scalar of JSON, or lists of such values.
+
+    With ``objects``, it may also be objects of them.
+    """
 
     name: str
-    """What schemas and pages call it."""
+    """The name of the type in schemas and pages."""
     doc: str
     objects: bool = False
 

@@ -68,7 +68,7 @@ def template(name: str, types: tuple[Type, ...]) -> Template:
 
 @cache
 def definition(name: str, types: tuple[Type, ...]) -> Template:
-    """What builtin ``name`` is in other operations, for operands of these types."""
+    """The definition of builtin ``name`` in other operations, for operands of these types."""
     return _template_of(BUILTINS[name].definition, types)
 
 

@@ -15,7 +15,7 @@ from .ir.shader import Notes
 from .ir.types import Scalar
 
 DEEPEST = 5
-"""How many levels of a formula are printed; deeper ones are ``…``."""
+"""The number of levels of a formula that are printed; deeper ones are ``…``."""
 LONGEST = 60
 """The approximate number of characters of a formula."""
 
@@ -128,7 +128,7 @@ class Formulas:
 
 
 def _leaf_name(node: Node) -> str | None:
-    """What is declared with a name, or ``None`` for any other node."""
+    """The declared name of a leaf, or ``None`` for any other node."""
     match node.data:
         case Parameter() | Attribute() | Resource() | Buffer():
             return node.data.name

@@ -1,4 +1,4 @@
-"""From a file to the shaders it stands for: one for each concrete material."""
+"""Compiles a file to its shaders: one for each concrete material."""
 
 from __future__ import annotations
 
@@ -36,11 +36,15 @@ _NOT_OWN = {
     for kind in ("rig", "pass")
 }
 MOST_PROGRAMS = 256
-"""Materials, kernels and frames of a file, which take up to 0.03 s each to compile for all
-targets."""
+"""The largest number of materials, kernels and frames of a file.
+
+Each takes up to 0.03 s to compile for all targets.
+"""
 MOST_RECORDS = 1024
-"""All of a file that extend something or are extended, each of which is put together with all that
-it extends."""
+"""The largest number of a file's records that extend others or are extended.
+
+Each of them is put together with all that it extends.
+"""
 
 
 class Frontend:
@@ -58,7 +62,7 @@ class Frontend:
         self._base = _without_links(folders[0]) if folders else ""
         """The folder from which outputs count the names of files."""
         self._size = 0
-        """How many characters have been read, of all files."""
+        """The number of characters that have been read, of all files."""
         self._compared = Compared()
         self._report = report
         self._records = Records(report)
@@ -91,7 +95,7 @@ class Frontend:
         return source
 
     def _portable(self, path: Path) -> str:
-        """What outputs call a file: the same, whatever folder the compiler runs in."""
+        """The name of a file in outputs: the same, whatever folder the compiler runs in."""
         place = os.path.join(_without_links(path.parent), path.name)  # noqa: PTH118
         try:
             return readable(os.path.relpath(place, self._base).replace(os.sep, "/"))
@@ -108,8 +112,7 @@ class Frontend:
         return self._limited(self._loader.main(Source(name, text, compared=self._compared), None))
 
     def _limited(self, module: Module) -> Module | None:
-        """A module that is to be compiled, or ``None`` after reporting that it makes too much of
-        it."""
+        """A module to compile, or ``None`` after reporting that it makes too much of it."""
         kinds = ("material", "kernel", "frame")
         programs = [each for kind in kinds for each in records_of(module, kind, abstract=False)]
         found = (each for symbols in module.declared.values() for each in symbols)
@@ -120,7 +123,7 @@ class Frontend:
         return module if are_few else None
 
     def _are_few(self, module: Module, symbols: Sequence[Symbol], kinds: str, most: int) -> bool:
-        """Whether a module declares no more of something than is possible; reported if not."""
+        """True if a module declares no more of something than is possible; reported if not."""
         if len(symbols) <= most:
             return True
         names = sorted((each.declaration.name.span for each in symbols), key=lambda at: at.start)
@@ -138,10 +141,10 @@ class Frontend:
     def shaders(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None
     ) -> list[Shader]:
-        """The shaders of all concrete materials, or of the one named; errors are in the report.
+        """The shaders of all concrete materials, or of the named one; errors are in the report.
 
-        One that is named is compiled alone: only what it uses is checked. Otherwise everything that
-        the file declares is.
+        A named one is compiled alone: only the declarations that it uses are checked. Otherwise all
+        declarations of the file are.
         """
         kernels = records_of(module, "kernel", abstract=False)
         if material is not None:
@@ -175,7 +178,7 @@ class Frontend:
         return [*drawn_shaders, *self._kernels(module, kernels)]
 
     def has_frames(self, module: Module, wanted: str | None) -> bool:
-        """Whether a file is compiled to its frames: it has some, and no material is asked for."""
+        """True if a file is compiled to its frames: it has some, and no material is asked for."""
         return bool(_wanted_frames(module, wanted))
 
     def frames(self, module: Module, wanted: str | None, rig: str | None) -> list[Frame]:
@@ -194,7 +197,7 @@ class Frontend:
         return [frame for frame in found if frame is not None]
 
     def _check_beside(self, module: Module, rig: Symbol, reached: set[Symbol]) -> None:
-        """Check what a file declares and no frame of it uses."""
+        """Checks the declarations of a file that no frame of it uses."""
         rigs = dict.fromkeys([rig, *self._rigs_of(module)])
         drawn = list(product(rigs, [self._forward()]))
         self._check_unused(module, drawn, (), reached)
@@ -212,8 +215,7 @@ class Frontend:
         return found
 
     def declared(self, module: Module, kind: str) -> tuple[str, ...]:
-        """The names of what a file declares of a kind, such as ``frame``; abstract ones are left
-        out."""
+        """The names of a file's declarations of a kind, such as ``frame``; not of abstract ones."""
         found = _rigs(module) if kind == "rig" else records_of(module, kind, abstract=False)
         return tuple(symbol.name for symbol in found)
 
@@ -227,10 +229,10 @@ class Frontend:
         yield from product(rigs or (None,), (None, *passes))
 
     def check(self, module: Module, rig: str | None, pass_: str | None) -> list[Frame]:
-        """Report what is wrong with a file, which needs no materials: it may be for importing.
-        Returns its frames, of which ``api.py`` reports what only their programs tell.
+        """Reports the errors of a file, which needs no materials: it may be for importing.
 
-        Its materials need not agree with each of its rigs, unless one is named.
+        Returns its frames: ``api.py`` reports errors that only their programs show. Its materials
+        need not agree with each of its rigs, unless one is named.
         """
         if not module.declared:
             self._materials(module, None)
@@ -254,7 +256,10 @@ class Frontend:
         settings: Iterable[Setting],
         reached: set[Symbol],
     ) -> None:
-        """Check what has not been reached, if possible with the rigs and passes in ``drawn``."""
+        """Checks declarations that have not been reached, if possible with the pairs in ``drawn``.
+
+        These are rigs and passes.
+        """
         prelude = self._library.prelude
         materials = _materials_of(module)
         rigs = [*(rig for rig, _ in drawn), *self._rigs_of(module)]
@@ -319,7 +324,7 @@ class Frontend:
         return found[0] if self._is_concrete(found[0]) else None
 
     def _is_concrete(self, named: Symbol) -> bool:
-        """Whether a material or pass that was asked for can be drawn; reported if not."""
+        """True if a material or pass that was asked for can be drawn; reported if not."""
         declaration = named.declaration
         abstract = isinstance(declaration, ast.Record) and declaration.abstract
         if abstract:
@@ -359,7 +364,7 @@ def _wanted_frames(module: Module, wanted: str | None) -> list[Symbol]:
 
 
 def _shines(symbol: Symbol) -> bool:
-    """Whether a rig has lights; a light is one."""
+    """True if a rig has lights; a light counts as a rig of one."""
     return not isinstance(symbol.declaration, ast.Rig) or bool(symbol.declaration.entries)
 
 

@@ -1,4 +1,4 @@
-"""Records what a compile has read, and where it has looked for files in vain.
+"""Records all files that a compile has read, and the paths where it has looked in vain.
 
 The front end fills this record while it reads. As long as all of it is unchanged, compiling the
 same file with the same options gives the same result, which ``commands/results.py`` relies on.
@@ -19,14 +19,14 @@ class Inputs:
 
     def __init__(self) -> None:
         self.contents: dict[str, bytes | None] = {}
-        """What files hold that were read; ``None`` where a file was looked for and is none."""
+        """The content of files that were read; ``None`` where a file was looked for and is none."""
         self.links: dict[str, str] = {}
-        """What each path stands for, after following links."""
+        """The target of each path, after following links."""
         self.folders: list[str] = []
         """The folders of the search path; each of them is there."""
 
     def read(self, path: Path, content: bytes) -> None:
-        """Note that the file at ``path`` was read, and what it holds."""
+        """Notes that the file at ``path`` was read, and its content."""
         self.contents.setdefault(self._real(path), content)
 
     def looked(self, root: Path, path: Path, *, found: bool) -> None:

@@ -39,8 +39,7 @@ _MAKING = RLock()
 
 
 def once(make: Callable[[], T]) -> Callable[[], T]:
-    """A function that returns what ``make`` returned to the first caller; other threads wait for
-    it.
+    """A function that keeps the result of the first call of ``make``; other threads wait for it.
 
     Modules and their symbols are compared by identity, so no compile may see two of the same.
     """

@@ -26,7 +26,7 @@ from .syntax.parser import parse
 
 _FOLDERS = ("compiler/syntax", "compiler/syntax/ast")
 _FILES = ("compiler/library_trees.py", "compiler/diagnostics/source.py", "frozen.py")
-"""The folders and further files of the package that decide what a tree looks like."""
+"""The folders and further files of the package that decide how a tree looks."""
 
 
 def parse_library(source: Source, report: Report) -> ast.File:
@@ -89,7 +89,7 @@ def _key_of_declarations(source: Source) -> str:
 
 @cache
 def _parser_digest() -> str:
-    """A digest of all code that decides what a tree looks like: a part of each key."""
+    """A digest of all code that decides how a tree looks: a part of each key."""
     package = os.path.dirname(os.path.dirname(__file__))  # noqa: PTH120 - objects are slower
     paths = [f"{package}/{name}" for name in _FILES]
     for folder in _FOLDERS:

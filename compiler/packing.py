@@ -23,7 +23,7 @@ from .ir.storage import (
 from .ir.types import Array, Matrix, Scalar, Struct, Type, Vector, width
 
 LaneKind = Literal["float", "int", "uint"]
-"""What a lane is written as; bools are uints 0 and 1."""
+"""The kind of number in a lane; bools are uints 0 and 1."""
 
 
 @frozen
@@ -60,7 +60,7 @@ class PackedMember:
 
 
 def packing(type_: Type) -> Packing:
-    """Where the lanes of a value of ``type_`` are in its stored form."""
+    """The places of the lanes of a value of ``type_`` in its stored form."""
     stored = stored_type(type_)
     size = byte_size(stored)
     match type_:
@@ -77,7 +77,7 @@ def packing(type_: Type) -> Packing:
 
 
 def element_packing(type_: Type) -> Packing:
-    """Where the lanes of an element of a storage buffer are, and how far the next one is."""
+    """The places of the lanes of an element of a storage buffer, and the stride of elements."""
     return changed(packing(type_), stored=stored_element(type_), stride=element_stride(type_))
 
 

@@ -44,14 +44,16 @@ def promises(shader: Shader) -> Iterator[Promise]:
 
 
 class _Bodies:
-    """Which bodies of functions and loops contain a promise, and what their variables are."""
+    """The bodies of functions and loops that contain a promise, and their variables' values."""
 
     def __init__(self, shader: Shader) -> None:
         self._notes = shader.notes
         self._graph = shader.graph
         self._body: dict[Node, Node | None] = {}
-        """The innermost body around a node, the first one if it stands in several. A node without
-        bound variables stands in none."""
+        """The innermost body around a node, the first one if it stands in several.
+
+        A node without bound variables stands in none.
+        """
         self._binders: dict[Node, list[Node]] = {}
         """For each body, the calls or loops that have it."""
         pending: list[tuple[Node, Node | None]] = [(root, None) for root in shader.roots]
@@ -107,7 +109,7 @@ class _Bodies:
 
 
 def _sources(binder: Node) -> tuple[Node, ...]:
-    """What the variables of a call or a loop are computed from. A fold's is a number."""
+    """The values from which the variables of a call or a loop are computed; a fold has none."""
     match binder.op:
         case "apply":
             return binder.operands[1:]

@@ -52,11 +52,11 @@ class SourceMap(Mapping[int, Span]):
         return len(self._spans)
 
     def items(self) -> ItemsView[int, Span]:
-        """Those of the dictionary itself: ``Mapping`` would look each line up."""
+        """The items of the dictionary itself: ``Mapping`` would look each line up."""
         return self._spans.items()
 
     def values(self) -> ValuesView[Span]:
-        """Likewise."""
+        """The values of the dictionary itself, likewise."""
         return self._spans.values()
 
     def __repr__(self) -> str:
@@ -64,8 +64,7 @@ class SourceMap(Mapping[int, Span]):
 
 
 class _Places:
-    """Looks up places of nodes: their own, or that of the nearest value that they are computed
-    from."""
+    """Looks up places of nodes: a node's own, or that of the nearest value it is computed from."""
 
     def __init__(self, shader: Shader, notes: Notes) -> None:
         self._shader = shader
@@ -93,8 +92,10 @@ class _Places:
 
     @cached_property
     def _users(self) -> dict[int, Span]:
-        """For each value, the place of one of its users. Pipeline inputs have no place of their
-        own."""
+        """For each value, the place of one of its users.
+
+        Pipeline inputs have no place of their own.
+        """
         found: dict[int, Span] = {}
         for node in reachable(self._shader.roots):
             if (span := self._spans.get(node.id)) is not None:

@@ -19,16 +19,16 @@ Severity = Literal["error", "warning", "note"]
 
 @frozen
 class Rule:
-    """One row of ``rules``: what all diagnostics of one kind have in common."""
+    """One row of ``rules``: the properties that all diagnostics of one kind share."""
 
     code: str
     severity: Severity
     message: str
     """``str.format`` template over the arguments given where the rule is reported."""
     help: str
-    """What the rule means and how to satisfy it; shown by ``burnish explain``."""
+    """The meaning of the rule and how to satisfy it; shown by ``burnish explain``."""
     of_absence: bool = False
-    """Whether it reports an undefined name.
+    """True if it reports an undefined name.
 
     It is suppressed for names that text declares which could not be parsed.
     """
@@ -54,7 +54,7 @@ class Diagnostic:
     """Printed beside the carets."""
     labels: tuple[Label, ...] = ()
     hint: str = ""
-    """How to mend this very case, where that is known."""
+    """A hint how to mend this very case, where that is known."""
     fixes: tuple[Fix, ...] = ()
     """The changes to the text that ``hint`` speaks of; each one alone is enough."""
 
@@ -135,7 +135,7 @@ class Report:
             self._found.setdefault(_key(other), other)
 
     def lacks(self, others: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-        """Those of another report's findings that this one does not have yet."""
+        """The findings of another report that this one does not have yet."""
         return tuple(other for other in others if _key(other) not in self._found)
 
     def apart(self) -> Report:
@@ -151,7 +151,7 @@ class Report:
 
     @property
     def count(self) -> int:
-        """How many findings there are by now."""
+        """The number of findings by now."""
         return len(self._found)
 
     def explain(self, since: int, label: Label) -> None:
@@ -182,7 +182,7 @@ class Report:
 
     @property
     def failed(self) -> bool:
-        """Whether any finding is an error."""
+        """True if any finding is an error."""
         return any(found.severity == "error" for found in self._found.values())
 
 

@@ -1,4 +1,4 @@
-"""How a terminal shows a text: characters may be wide, combine, or have to be escaped."""
+"""Prepares texts for a terminal: characters may be wide, combine, or have to be escaped."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ def harmless(text: str) -> str:
 
 
 def harmless_lines(text: str) -> str:
-    """As ``harmless``, for a text of several lines: their ends and tabs stay what they are."""
+    """Like ``harmless``, for a text of several lines: their ends and tabs are kept."""
     pieces = _LINES_AND_TABS.split(text)
     pieces[::2] = map(harmless, pieces[::2])
     return "".join(pieces)
 
 
 def harmless_message(text: str) -> str:
-    """As ``harmless``, for a message whose further lines are indented.
+    """Like ``harmless``, for a message whose further lines are indented.
 
-    An end of a line that nothing is indented behind comes from a name. It is shown, as what follows
+    The end of a line without an indented line behind it comes from a name. It is shown, as the rest
     would look like another message.
     """
     return "\n  ".join(map(harmless, text.split("\n  ")))
 
 
 def cells(text: str) -> list[str]:
-    """How each character of a line is shown; a tab extends to the next tab stop."""
+    """The characters of a line as they are shown; a tab extends to the next tab stop."""
     shown: list[str] = []
     column = 0
     for character in text:
@@ -50,7 +50,7 @@ def cells(text: str) -> list[str]:
 
 
 def width(text: str) -> int:
-    """How many columns ``text`` takes."""
+    """The number of columns that ``text`` takes."""
     if text.isascii():
         return len(text)
     return sum(map(_columns, text))

@@ -12,7 +12,7 @@ from .style import Style
 
 _WIDEST = 100
 _LEAD = 30
-"""How much of a long line is shown before its mark."""
+"""The number of columns of a long line that are shown before its mark."""
 
 
 class Mark(NamedTuple):

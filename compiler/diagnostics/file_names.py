@@ -17,7 +17,7 @@ def readable(name: str) -> str:
 
 
 def why_unreadable(error: OSError | ValueError) -> str:
-    """What kept the system from finding or reading a file."""
+    """The reason why the system could not find or read a file."""
     if isinstance(error, OSError):
         return error.strerror or str(error)
     return "no file has a name like this"  # It contains NUL, or a surrogate that is no byte.

@@ -12,7 +12,7 @@ from ...frozen import frozen
 from .source import Span
 
 Applicability = Literal["machine-applicable", "maybe-incorrect"]
-"""Whether a tool may make a change without asking.
+"""The confidence in a change: may a tool make it without asking?
 
 ``machine-applicable`` means that the change is certainly what was meant: another spelling of the
 same thing. ``maybe-incorrect`` means that the finding is gone after the change, but that a person
@@ -22,7 +22,7 @@ has to say whether the text then means what was intended.
 
 @frozen
 class Edit:
-    """``text`` replaces what stands at ``span``; an empty span inserts, an empty text removes."""
+    """``text`` replaces that of ``span``; an empty span inserts, an empty text removes."""
 
     span: Span
     text: str
@@ -38,7 +38,7 @@ class Fix:
 
 @frozen
 class FixIt:
-    """A hint that says what to write."""
+    """A hint that says how to write it, with the edits that do so."""
 
     text: str
     """The sentence, in which a long edit may be abbreviated."""
@@ -47,7 +47,7 @@ class FixIt:
 
 
 Hint = str | FixIt
-"""How to mend one finding: only a sentence, empty for none, or a sentence with edits."""
+"""A hint how to mend one finding: a sentence, empty for none, or a sentence with edits."""
 
 
 def fix_it(text: str, *edits: tuple[Span, str], sure: bool = False) -> FixIt:
@@ -57,7 +57,7 @@ def fix_it(text: str, *edits: tuple[Span, str], sure: bool = False) -> FixIt:
 
 
 def write(span: Span, text: str, *, sure: bool = False) -> FixIt:
-    """``write …`` in place of what stands at ``span``."""
+    """The hint ``write …``, in place of the text at ``span``."""
     return fix_it(f"write `{text}`", (span, text), sure=sure)
 
 
@@ -67,5 +67,5 @@ def either(text: str, span: Span, *instead: str) -> FixIt:
 
 
 def sentence(hint: Hint) -> str:
-    """What a hint says to people."""
+    """The sentence of a hint, for people."""
     return hint if isinstance(hint, str) else hint.text

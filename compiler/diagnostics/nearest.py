@@ -8,14 +8,17 @@ from .fixes import Hint, fix_it
 from .source import Source, Span
 
 _ALIKE = 0.62
-"""How similar two names have to be, as ``difflib`` measures it."""
+"""The least similarity of two names, as ``difflib`` measures it."""
 _SHORT, _ALIKE_IF_SHORT = 4, 0.7
 """Names of up to four letters are similar by chance, as `i` and `pi` or `key` and `eye` are."""
 _LONGEST = 60
 """Names with more letters are like no other: comparing takes the product of two lengths."""
 _MOST_COMPARED = 10**7
-"""How many letters are compared with letters in all texts of a compile. Nobody reads so many
-suggestions, and the work would grow with the number of unknown names times that of known ones."""
+"""The largest number of pairs of letters that are compared in all texts of a compile.
+
+Nobody reads so many suggestions, and the work would grow with the number of unknown names times
+that of known ones.
+"""
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
@@ -45,18 +48,20 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 
 
 def _continues(name: str, other: str) -> bool:
-    """Whether one of two names is the other with one more letter at its end: `tt` for `t`."""
+    """True if one of two names is the other with one more letter at its end: `tt` for `t`."""
     return abs(len(name) - len(other)) == 1 and (name.startswith(other) or other.startswith(name))
 
 
 def is_searched_out(source: Source) -> bool:
-    """Whether so much was compared that no nearest name is looked for in this text any more."""
+    """True if so much was compared that no nearest names are looked for in this text any more."""
     return source.compared.letters > _MOST_COMPARED
 
 
 def nearest_in(source: Source, name: str, known: Iterable[str]) -> str | None:
-    """The nearest name for one of which a text may have very many; ``None`` when too much was
-    compared: see ``_MOST_COMPARED``."""
+    """The nearest name for a name of which a text may have very many.
+
+    ``None`` when too much was compared: see ``_MOST_COMPARED``.
+    """
     if is_searched_out(source):
         return None
     candidates = set(known)

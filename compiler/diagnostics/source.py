@@ -9,7 +9,7 @@ from ...frozen import fresh, frozen, record
 
 @record
 class Compared:
-    """How much was compared to find what unknown names were meant to be."""
+    """A count of the comparisons that looked for the nearest names of unknown ones."""
 
     letters: int = 0
     """Pairs of letters, of which one is in the unknown name."""
@@ -19,21 +19,23 @@ class Compared:
 class Source:
     """One file (or string) of Burnish text; compared by identity.
 
-    ``name`` is what messages show: a path as the user wrote it, or ``<text>``.
+    ``name`` is that in messages: a path as the user wrote it, or ``<text>``.
     """
 
     name: str
     text: str
     portable: str = ""
-    """What outputs call it, whatever folder the compiler runs in: the path from the folder of the
-    file that is compiled. Empty where that is ``name``."""
+    """The name in outputs, whatever folder the compiler runs in.
+
+    It is the path from the folder of the file that is compiled. Empty where that is ``name``.
+    """
     compared: Compared = fresh(factory=Compared)
     """``nearest.py`` keeps count; all texts of a compile have the same one."""
     _line_starts: list[int] | None = None
 
     @property
     def name_in_outputs(self) -> str:
-        """What source maps and line directives call it."""
+        """The name in source maps and line directives."""
         return self.portable or self.name
 
     @property
@@ -67,15 +69,15 @@ class Span:
 
     @property
     def text(self) -> str:
-        """What stands there."""
+        """The text of the span."""
         return self.source.text[self.start : self.end]
 
     def is_before(self, other: Span) -> bool:
-        """Whether this begins before ``other``, in the same text."""
+        """True if this begins before ``other``, in the same text."""
         return self.source is other.source and self.start < other.start
 
     def to(self, other: Span) -> Span:
-        """From the start of this span to the end of ``other``."""
+        """The span from the start of this one to the end of ``other``."""
         return Span(self.source, self.start, other.end)
 
     def __str__(self) -> str:

@@ -14,11 +14,11 @@ class Style:
         self._color = color
 
     def severity(self, severity: Severity, text: str) -> str:
-        """In the colour of a severity."""
+        """``text`` in the colour of a severity."""
         return self._wrapped(_CODES[severity], text)
 
     def strong(self, text: str) -> str:
-        """What the eye should catch first."""
+        """Text that the eye should catch first."""
         return self._wrapped("1", text)
 
     def gutter(self, text: str) -> str:

@@ -1,4 +1,4 @@
-"""What a host has to know of one profile's texts."""
+"""The properties of one profile's texts that a host has to know."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..constraints import Count
 
 @frozen(kw_only=True)
 class BindingRow:
-    """Where a texture or sampler is bound."""
+    """The binding of a texture or sampler."""
 
     identifier: str
     """Name in the text."""
@@ -20,13 +20,12 @@ class BindingRow:
     binding: Count | None
     """Number within the group; null where the host binds by name."""
     register: str | None
-    """What the language itself calls the binding, ``b0`` in HLSL; null where it has no word for
-    it."""
+    """Name of the binding in the language itself, ``b0`` in HLSL; null where it has none."""
 
 
 @frozen(kw_only=True)
 class BlockBindingRow:
-    """Where a block is bound."""
+    """The binding of a block."""
 
     identifier: str
     """Name in the text."""
@@ -35,15 +34,14 @@ class BlockBindingRow:
     binding: Count | None
     """Number within the group; null where the host binds by name."""
     register: str | None
-    """What the language itself calls the binding, ``b0`` in HLSL; null where it has no word for
-    it."""
+    """Name of the binding in the language itself, ``b0`` in HLSL; null where it has none."""
     members: Mapping[str, str]
     """Identifiers in the text by member name in the block."""
 
 
 @frozen(kw_only=True)
 class VertexInputNameRow:
-    """How a vertex input is called."""
+    """The name of a vertex input."""
 
     identifier: str
     """Name in the text."""
@@ -65,41 +63,48 @@ class FileRow:
 
 @frozen(kw_only=True)
 class SourceMapRow:
-    """What in Burnish text each statement of an emitted file computes, or is there for."""
+    """The text in Burnish that each statement of an emitted file computes, or is there for."""
 
     sources: tuple[str, ...]
     """Burnish files by name, as given to the compiler; those of the library begin with ``std/``."""
     lines: tuple[tuple[Count, Count, Count, Count, Count], ...]
-    """Rows of five numbers, in the order of the text: a line of it, then the number of a source
-    counted from 0, the line and the column in it, and how many characters it is."""
+    """Rows of five numbers, in the order of the text.
+
+    They are a line of the text, then the number of a source counted from 0, the line and the column
+    in it, and the number of characters.
+    """
 
 
 @frozen(kw_only=True)
 class BackendRow:
-    """What one profile's text says."""
+    """One profile's texts."""
 
     source_maps: Mapping[str, SourceMapRow]
-    """Where the statements of each file come from, by file name."""
+    """The origin of the statements of each file, by file name."""
     language: str
     """Language of the text: ``hlsl``, ``glsl``, ``wgsl`` …"""
     clip_depth: Literal["0..1", "-1..1"]
     """Depth range of clip space that the text writes."""
     clip_control: tuple[str, ...]
-    """What a host gives to OpenGL's ``glClipControl``: its origin and its depth mode. Empty where a
-    host does not call it."""
+    """The arguments that a host gives to OpenGL's ``glClipControl``: its origin and its depth mode.
+
+    Empty where a host does not call it.
+    """
     flip_y: bool
-    """Whether the text negates clip y."""
+    """True if the text negates clip y."""
     front_face: Literal["ccw", "cw"]
     """Winding that a host has to set as front, in the API's own terms."""
     first_row: Literal["top", "bottom"]
-    """Which row of the picture comes first in the framebuffer's memory."""
+    """The row of the picture that comes first in the framebuffer's memory."""
     files: tuple[FileRow, ...]
     """Emitted files."""
     blocks: Mapping[str, BlockBindingRow]
     """Blocks by name."""
     images: Mapping[str, BindingRow]
-    """Images that a kernel writes, by name; none where it is a full-screen pass, of which they are
-    the render targets."""
+    """Images that a kernel writes, by name.
+
+    There are none where the kernel is a full-screen pass, whose render targets they are.
+    """
     buffers: Mapping[str, BindingRow]
     """Storage buffers by name."""
     textures: Mapping[str, BindingRow]
@@ -109,11 +114,16 @@ class BackendRow:
     vertex_inputs: Mapping[str, VertexInputNameRow]
     """Vertex inputs by name."""
     stream_output: Literal["text", "names", "semantics", None]
-    """How a host captures vertices: as the text says, by the names of outputs that it gives before
-    linking, by their semantics; null where the profile has no stream output."""
+    """The way in which a host captures vertices.
+
+    ``text``: as the text says. ``names``: by the names of outputs that it gives before linking.
+    ``semantics``: by their semantics. Null where the profile has no stream output.
+    """
     captures: Mapping[str, VertexInputNameRow]
-    """The outputs that hold captured values, by name of the value: those that OpenGL is told before
-    it links, or whose semantics Direct3D's stream output names. Empty where the profile has no
-    stream output, or a kernel captures."""
+    """The outputs that hold captured values, by name of the value.
+
+    OpenGL is told them before it links, or Direct3D's stream output names their semantics. Empty
+    where the profile has no stream output, or a kernel captures.
+    """
     host_uniforms: tuple[str, ...]
     """Loose float uniforms that the host sets besides the blocks."""

@@ -1,4 +1,4 @@
-"""What the source says of records and of their fields.
+"""Docstrings of records and of their fields, from the source.
 
 Python keeps the docstrings of classes, but not those of fields. Only schemas and pages need them,
 so they are read from the source then.
@@ -18,11 +18,11 @@ class Docs(NamedTuple):
 
     whole: str
     fields: dict[str, str]
-    """By the names of the fields."""
+    """The texts of the fields, by the fields' names."""
 
 
 def docs_of(kind: type) -> Docs:
-    """What the source says of a kind of record, in the form of Markdown."""
+    """The docstrings of a kind of record, in the form of Markdown."""
     return _module_docs(kind.__module__)[kind.__name__]
 
 

@@ -1,4 +1,4 @@
-"""What a host draws: vertex inputs, textures, targets, and the state of the pipeline."""
+"""The parts of a draw: vertex inputs, textures, targets, and the state of the pipeline."""
 
 from __future__ import annotations
 
@@ -13,20 +13,22 @@ from ..ir.types import Dimension, Sample
 from .steps import StepRow
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
-"""What vertices are, in turn."""
+"""The primitive that vertices form, in turn."""
 
 
 @frozen(kw_only=True)
 class TextureLayout:
-    """What a WebGPU bind group layout says of it, in WebGPU's words."""
+    """The entry of a WebGPU bind group layout for the texture, in WebGPU's words."""
 
     KEYS: ClassVar = {"view_dimension": "viewDimension", "sample_type": "sampleType"}
 
     view_dimension: Literal["2d", "2d-array", "3d", "cube"]
     """GPUTextureViewDimension."""
     sample_type: Literal["float", "unfilterable-float", "depth", "sint", "uint"]
-    """GPUTextureSampleType; ``unfilterable-float`` where nothing filters, so that formats fit that
-    cannot be filtered."""
+    """GPUTextureSampleType.
+
+    It is ``unfilterable-float`` where nothing filters, so that formats fit that cannot be filtered.
+    """
     sampler: Literal["filtering", "non-filtering", "comparison", None]
     """GPUSamplerBindingType; null where no sampler reads it."""
 
@@ -42,38 +44,44 @@ class TextureRow:
     dimension: Dimension
     """Dimension."""
     sample: Sample
-    """What it holds: colours, depths to compare with, or whole numbers. Whether colours are stored
-    as sRGB is the format's business, and so the host's."""
+    """Content: colours, depths to compare with, or whole numbers.
+
+    The format says whether colours are stored as sRGB, which is the host's affair.
+    """
     layout: TextureLayout
-    """What a WebGPU bind group layout says of it, in WebGPU's words."""
+    """The entry of a WebGPU bind group layout for the texture, in WebGPU's words."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     default: str
-    """What to bind before a host sets one, such as ``white``."""
+    """Texture to bind before a host sets one, such as ``white``."""
     stages: tuple[str, ...]
     """Stages that read it."""
     doc: str
     """Doc comment; empty where there is none."""
     library: str | None
-    """Which declaration of the library it is, as for parameters; null where it is none of them."""
+    """Declaration of the library that it is, as for parameters; null where it is none of them."""
     brought: bool
-    """Whether it is made by steps that a light brings to frames, such as its shadow map. Where
-    there is no frame, a host that wants to see what they make binds a texture of its own."""
+    """True if it is made by steps that a light brings to frames, such as its shadow map.
+
+    Where there is no frame, a host that wants to see the result binds a texture of its own.
+    """
 
 
 @frozen(kw_only=True)
 class SamplerState:
-    """Its state: what is filtered and compared, and what lies beyond the edges."""
+    """The state of a sampler: its filters, its comparison, and the texels beyond the edges."""
 
     filter: Literal["linear", "nearest"]
-    """How texels of a level are joined."""
+    """Filter between the texels of a level."""
     mip: Literal["linear", "nearest", "none"]
-    """How levels are joined; ``none``: only the first one is read."""
+    """Filter between levels; ``none``: only the first one is read."""
     wrap: Literal["repeat", "clamp", "mirror"]
-    """What lies beyond the edges."""
+    """Texels beyond the edges."""
     compare: Literal["less", "less_equal", "greater", "greater_equal"] | None
-    """How a reference, on the left, has to compare with a depth; null where none is compared."""
+    """Comparison of a reference, on the left, with a depth; null where none is compared."""
 
 
 @frozen(kw_only=True)
@@ -83,13 +91,16 @@ class SamplerRow:
     texture: str
     """The texture."""
     state: SamplerState
-    """Its state: what is filtered and compared, and what lies beyond the edges."""
+    """The state: filters, comparison, and the texels beyond the edges."""
 
 
 @frozen(kw_only=True)
 class InBuffer:
-    """Where a kernel captures vertices, or corners need more than 16 vertex inputs, the storage
-    buffer whose elements have its values, and the member that does; else null."""
+    """The storage buffer whose elements have its values, and their member that has them.
+
+    There is one where a kernel captures vertices, or corners need more than 16 vertex inputs;
+    otherwise null.
+    """
 
     name: str
     """The buffer."""
@@ -104,23 +115,25 @@ class MatrixColumn:
     of: str
     """The matrix."""
     index: Count
-    """From 0."""
+    """Number of the column, from 0."""
 
 
 @frozen(kw_only=True)
 class MeshInputRow:
-    """Where each primitive of a mesh is drawn as an instance, what this is in the mesh; null
-    elsewhere."""
+    """The meaning of this in the mesh, if each primitive is drawn as an instance; else null."""
 
     name: str
     """The vertex input as declared, or the number that the host counts."""
     corner: Count | None
-    """The corner of the primitive whose value it is, from 0, or of the pattern's triangle or line;
-    null where a whole instance of the mesh has one value, or a point of the pattern."""
+    """Number of the corner whose value it is, from 0.
+
+    It is a corner of the primitive, or of the pattern's triangle or line. Null where a whole
+    instance of the mesh has one value, or a point of the pattern.
+    """
     is_number: bool
-    """Whether it is the number of a vertex, an instance or a primitive of the mesh."""
+    """True if it is the number of a vertex, an instance or a primitive of the mesh."""
     is_of_pattern: bool
-    """Whether it is where a point of the pattern lies in a patch."""
+    """True if it is the place of a point of the pattern in a patch."""
 
 
 @frozen(kw_only=True)
@@ -136,15 +149,17 @@ class VertexInputRow:
     location: Count | None
     """Location; null where a buffer has its values."""
     buffer: InBuffer | None
-    """Where a kernel captures vertices, or corners need more than 16 vertex inputs, the storage
-    buffer whose elements have its values, and the member that does; else null."""
+    """The storage buffer whose elements have its values, and their member that has them.
+
+    There is one where a kernel captures vertices, or corners need more than 16 vertex inputs;
+    otherwise null.
+    """
     step: Literal["vertex", "instance"]
-    """Whether each vertex has a value of its own, or each instance."""
+    """The step of its values: one for each vertex, or one for each instance."""
     column: MatrixColumn | None
     """The declared matrix that this is a column of, and which; null for others."""
     mesh: MeshInputRow | None
-    """Where each primitive of a mesh is drawn as an instance, what this is in the mesh; null
-    elsewhere."""
+    """The meaning of this in the mesh, if each primitive is drawn as an instance; else null."""
     doc: str
     """Doc comment; empty where there is none."""
 
@@ -154,15 +169,15 @@ class CapturedRow:
     """A captured value."""
 
     name: str
-    """Its name."""
+    """Name of the value."""
     type: str
-    """As declared."""
+    """Type as declared."""
     representation: str
-    """Its type without meaning: a number of 32 bits, or a vector of these."""
+    """Type without meaning: a number of 32 bits, or a vector of these."""
     offset: Count
     """Bytes from where the vertex begins."""
     doc: str
-    """Its doc comment; empty where there is none."""
+    """Doc comment; empty where there is none."""
 
 
 @frozen(kw_only=True)
@@ -170,17 +185,19 @@ class CaptureRow:
     """Captured vertices: all values of a vertex without gaps, one vertex behind the other."""
 
     primitive: DrawnPrimitive
-    """What the captured vertices are: points, lines of two each, or triangles of three each."""
+    """Captured primitives: points, lines of two vertices each, or triangles of three each."""
     vertices: Positive
-    """How many vertices come of each primitive that is drawn, at most."""
+    """Largest number of vertices for each primitive that is drawn."""
     stride: Annotated[int, Range(least=4)]
     """Bytes of each vertex."""
     buffer: str | None
     """The result that has the vertices, where a kernel captures; null for a stream output."""
     there: int | None
-    """Where a kernel writes of each vertex, behind its values, whether it is there, 1 or 0: in
-    bytes from where the vertex begins, which then has 4 bytes more. Null where all vertices are
-    there, and for a stream output."""
+    """Offset of a flag behind the values of a vertex, in bytes from where the vertex begins.
+
+    The flag is 1 if the vertex is there, and 0 if not; the vertex then has 4 bytes more. A kernel
+    writes it. Null where all vertices are there, and for a stream output.
+    """
     members: Annotated[tuple[CapturedRow, ...], Length(1)]
     """The values, in order."""
 
@@ -190,10 +207,12 @@ class LayersRow:
     """The layers of the render targets; null where these are single pictures."""
 
     count: Positive
-    """How many there are."""
+    """Number of layers."""
     parameter: str | None
-    """The parameter that says to which layer a draw belongs: there is one draw for each. Null where
-    a single draw reaches all layers."""
+    """Parameter that says to which layer a draw belongs: there is one draw for each.
+
+    Null where a single draw reaches all layers.
+    """
 
 
 @frozen(kw_only=True)
@@ -201,55 +220,65 @@ class PatchLevels:
     """The levels of that pattern; null where the texts compute them."""
 
     edges: tuple[tuple[StepRow, ...], ...]
-    """For each edge the steps that compute its level: of a triangle those across from its ends, of
-    a quad those at u = 0, v = 0, u = 1 and v = 1."""
+    """For each edge, the steps that compute its level.
+
+    The edges of a triangle are those across from its ends; those of a quad are at u = 0, v = 0, u =
+    1 and v = 1.
+    """
     inside: tuple[tuple[StepRow, ...], ...]
-    """Likewise for the inside; of a quad along u, and along v."""
+    """The steps that compute the levels of the inside; of a quad along u, and along v."""
 
 
 @frozen(kw_only=True)
 class TessellationRow:
-    """How each patch of a mesh is divided."""
+    """The division of each patch of a mesh."""
 
     kind: Literal["triangle", "quad", "isoline"]
-    """What is divided."""
+    """Kind of patch."""
     ends: tuple[Count, ...]
-    """Which of a patch's control points are its corners. Those of a triangle have the weights x, y
-    and z; those of a quad lie at (0, 0), (1, 0), (1, 1) and (0, 1); a line begins at the first
-    one."""
+    """The control points of a patch that are its corners.
+
+    Those of a triangle have the weights x, y and z; those of a quad lie at (0, 0), (1, 0), (1, 1)
+    and (0, 1); a line begins at the first one.
+    """
     spacing: Literal["equal", "fractional_even", "fractional_odd"]
-    """How edges are divided: equally, or so that two of an even or odd number of steps are
-    shorter."""
+    """Spacing of the steps of edges: equal, or with two shorter ones of an even or odd number."""
     divided_by: Literal["evaluation", "instances"]
-    """What divides them: the tessellation stages, or a draw of one instance for each: its vertices
-    are the points of a pattern that the host makes, or they find out by their numbers where they
-    lie."""
+    """The means of division: the tessellation stages, or a draw of one instance for each patch.
+
+    The vertices of an instance are the points of a pattern that the host makes, or they compute
+    their places from their numbers.
+    """
     levels: PatchLevels | None
     """The levels of that pattern; null where the texts compute them."""
 
 
 @frozen(kw_only=True)
 class DrawRow:
-    """What is drawn, and how."""
+    """The draw call, and the primitives that it draws."""
 
     primitive: Primitive
-    """What the mesh consists of."""
+    """Primitives of the mesh."""
     corners: Positive
-    """How many vertices each of these has."""
+    """Number of vertices of each of these primitives."""
     expanded_by: Literal["geometry", "instances", None]
-    """What turns each primitive into others: the geometry stage, or a draw of one instance for
-    each; null where they are drawn as they are."""
+    """The means of expansion: the geometry stage, or a draw of one instance for each primitive.
+
+    Null where primitives are drawn as they are.
+    """
     vertices: Annotated[int, Range(least=2)] | None
-    """How many vertices a primitive, or a patch, turns into at most: of each instance, a list of
-    triangles or lines; null where they are drawn as they are, or where the host makes the pattern.
-    Where it makes the pattern and all parts of that are expanded, how many vertices each of these
-    turns into."""
+    """Largest number of vertices that a primitive, or a patch, turns into.
+
+    For each instance, this is a list of triangles or lines. Null where they are drawn as they are,
+    or where the host makes the pattern. Where it makes the pattern and all parts of that are
+    expanded, it is the number for each of these parts.
+    """
     topology: Primitive
-    """What the vertices of a draw call are, in turn: what the host tells the API."""
+    """Primitives of a draw call's vertices, in turn, for the host to tell the API."""
     layers: LayersRow | None
     """The layers of the render targets; null where these are single pictures."""
     tessellation: TessellationRow | None
-    """How each patch is divided; null where there are none."""
+    """Division of each patch; null where there are none."""
 
 
 @frozen(kw_only=True)
@@ -283,37 +312,47 @@ class TargetRow:
     format: str
     """Pixel format, ``rgba8``."""
     encoding: Literal["linear", "srgb"]
-    """How colours are stored. The shader writes linear light. ``srgb``: the hardware encodes it,
-    and who shows the bytes as a picture shows them as they are. ``linear``: nobody has encoded it,
-    and who shows or saves it as a picture encodes it first, or it looks too dark."""
+    """Encoding of colours. The shader writes linear light.
+
+    ``srgb``: the hardware encodes it, and who shows the bytes as a picture shows them as they are.
+    ``linear``: nobody has encoded it, and who shows or saves it as a picture encodes it first, or
+    it looks too dark.
+    """
     blend: Blend | None
-    """How what is drawn is blended with what is there; null where it takes its place."""
+    """Blending with the colour in the target; null where the new one takes its place."""
     mask: Annotated[str, Pattern("r?g?b?a?|none")]
-    """Which lanes are written of those that the format has: some of ``rgba``, in this order, or
-    ``none``."""
+    """Lanes that are written of those that the format has.
+
+    Some of ``rgba``, in this order, or ``none``.
+    """
     clear: tuple[float, float, float, float] | None
-    """What is there before anything is drawn, in four lanes; null where that is the host's
-    affair."""
+    """Value before anything is drawn, in four lanes; null where that is the host's affair."""
     doc: str
     """Doc comment; empty where there is none."""
 
 
 @frozen(kw_only=True)
 class RenderStateRow:
-    """What the host sets of the pipeline, as the pass asks for it."""
+    """The state of the pipeline that the host sets, as the pass asks for it."""
 
     cull: Cull
-    """Which triangles are not drawn, by the side that is seen of them."""
+    """Triangles that are not drawn, by the side that is seen of them."""
     front: Winding
-    """How the corners of a triangle go around if its front is seen. What an API has to be told is
-    the backend's ``front_face``."""
+    """Order of the corners of a triangle whose front is seen.
+
+    An API has to be told the backend's ``front_face``.
+    """
     fill: Fill
-    """What is drawn of a triangle: all of it, or its edges as lines."""
+    """Part of a triangle that is drawn: all of it, or its edges as lines."""
     samples: Samples
-    """How many samples each pixel of the targets and of the depths has. With several, the targets
-    are resolved at the end: each pixel becomes the mean of its samples."""
+    """Number of samples of each pixel of the targets and of the depths.
+
+    With several, the targets are resolved at the end: each pixel becomes the mean of its samples.
+    """
     depth: DepthState
     """The depth test."""
     stencil: StencilState | None
-    """The stencil test; null: there is none, and nothing is written. A host clears stencil values
-    to 0."""
+    """The stencil test; null: there is none, and nothing is written.
+
+    A host clears stencil values to 0.
+    """

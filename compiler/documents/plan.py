@@ -1,4 +1,4 @@
-"""The plan of a frame: which textures a host makes, and which steps it draws them by."""
+"""The plan of a frame: the textures that a host makes, and the steps that draw them."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from .steps import StepRow
 from .values import BufferRow, LightRow, ParameterRow
 
 TextureUse = Literal["target", "depth", "image", "sampled", "copied_from", "copied_to"]
-"""What a texture is used as: drawn to, written by a kernel, read, copied."""
+"""A use of a texture: drawn to, written by a kernel, read, copied."""
 TextureState = Literal[
     "undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"
 ]
-"""What it was used as; at first it has no contents."""
+"""The use of a texture so far; at first it has no contents."""
 BufferUse = Literal["written", "read"]
-"""What a buffer is used as: written by a kernel, or read by one or by a pass."""
+"""A use of a buffer: written by a kernel, or read by one or by a pass."""
 BufferState = Literal["undefined", "written", "read"]
-"""What it was used as, likewise."""
+"""The use of a buffer so far, likewise."""
 
 
 @frozen(kw_only=True)
 class PlaceRow:
-    """Where something is written; lines and columns count from 1."""
+    """The place in a file where something is written; lines and columns count from 1."""
 
     file: str
     """The file, from the folder of the compiled one; the library's files begin with ``std/``."""
@@ -43,19 +43,19 @@ class HostTextureRow:
     """A texture of the host."""
 
     name: str
-    """Its name."""
+    """Name of the texture."""
     type: str
-    """As it is declared."""
+    """Type as declared."""
     dimension: Dimension
-    """Its dimension."""
+    """Dimension."""
     sample: Sample
-    """What it holds."""
+    """Kind of its values."""
     default: str
-    """What it is until the host binds one."""
+    """Texture until the host binds one."""
     doc: str
-    """Its doc comment."""
+    """Doc comment."""
     group: str
-    """How often the host changes it."""
+    """Parameter group, which says how often the host changes it."""
 
 
 @frozen(kw_only=True)
@@ -63,8 +63,7 @@ class ModelsRow:
     """Models of the host's scene."""
 
     name: str
-    """Their name, which is a tag in the host's scene; all models of the scene are called
-    ``scene``."""
+    """Tag of these models in the host's scene; all models of the scene are called ``scene``."""
     materials: tuple[str, ...]
     """The materials that they may have. Every ``uses`` for them has a shader for each."""
     doc: str
@@ -77,7 +76,7 @@ class ShaderRow:
     """A shader."""
 
     name: str
-    """Its name."""
+    """Name of the shader."""
     reflection: str
     """The file with its reflection."""
     pass_: str | None
@@ -91,22 +90,24 @@ class ValueRow:
     """A number, vector or matrix."""
 
     representation: str
-    """Which numbers it consists of."""
+    """Type without meaning: the numbers of the value."""
     steps: Annotated[tuple[StepRow, ...], Length(1)]
     """Steps that compute it, operands before users; the last one is the value."""
 
 
 @frozen(kw_only=True)
 class SizeRow:
-    """How large a texture is."""
+    """The size of a texture."""
 
     value: int | None
     """The number of the value that says it, an ``ivec2``; null where ``extent_of`` says it."""
     extent_of: str | None
-    """The name of the step whose kernel says it instead, by the ``extent`` of its reflection; null
-    where ``value`` says it."""
+    """Name of the step whose kernel says the size, by the ``extent`` of its reflection.
+
+    Null where ``value`` says it.
+    """
     level: Count
-    """How often both sides are halved then, rounded down, but not below 1."""
+    """Number of times that both sides are halved then, rounded down, but not below 1."""
 
 
 @frozen(kw_only=True)
@@ -114,136 +115,156 @@ class FrameTextureRow:
     """A texture."""
 
     format: str
-    """A format of render targets or of depths, as passes name them: ``rgba16f`` are floats,
-    ``rgba8`` numbers from 0 to 1."""
+    """A format of render targets or of depths, as passes name them.
+
+    ``rgba16f`` are floats, ``rgba8`` numbers from 0 to 1.
+    """
     dimension: Literal["2d", "2d_array", "cube"]
-    """Its dimension."""
+    """Dimension."""
     size: SizeRow
     layers: Positive
     """Layers, 6 of a cube."""
     levels: Positive
     """Mip levels."""
     samples: Samples
-    """How many samples each texel has. A texture with several has one layer and one level, is drawn
-    to, and is not read."""
+    """Number of samples of each texel.
+
+    A texture with several has one layer and one level, is drawn to, and is not read.
+    """
     uses: tuple[TextureUse, ...]
-    """What steps use it as, and the host or the next frame behind them; of the two textures of a
-    row of ``kept``, what either is used as."""
+    """Uses of the texture by steps, and by the host or the next frame behind them.
+
+    For the two textures of a row of ``kept``, these are the uses of either.
+    """
     kept: bool
-    """Whether a row of ``kept`` names it. Contents of others are needed in the next frame only
-    where a step with ``only_first`` drew them."""
+    """True if a row of ``kept`` names it.
+
+    Contents of others are needed in the next frame only where a step with ``only_first`` drew them.
+    """
     results: tuple[str, ...]
     """The results that it holds, one after the other."""
 
 
 @frozen(kw_only=True)
 class FrameResultRow:
-    """What a step leaves."""
+    """A result of a step."""
 
     name: str
     """The step's name and that of its target."""
     kind: Literal["texture", "buffer"]
-    """What it is."""
+    """Kind of the result."""
     texture: int | None
-    """The number of the texture that holds it; null of a buffer, which is the result's own, and of
-    samples that are not resolved."""
+    """Number of the texture that holds it.
+
+    Null for a buffer, which is the result's own, and for samples that are not resolved.
+    """
     first: Count
     """The step that makes it first."""
     last: Count
-    """The last step of the frame that needs it. An output, what is kept, and what a step with
-    ``only_first`` left are needed after the frame, too."""
+    """The last step of the frame that needs it.
+
+    An output, a kept result, and a result of a step with ``only_first`` are needed after the frame,
+    too.
+    """
     doc: str
-    """Its doc comment."""
+    """Doc comment."""
     source: PlaceRow
 
 
 @frozen(kw_only=True)
 class BarrierRow:
-    """From here on, a texture is used in another way. What was written before has to be there;
-    ``undefined`` means that it has no contents yet."""
+    """A change of a texture's use from here on.
+
+    Earlier writes have to be complete; ``undefined`` means that the texture has no contents yet.
+    """
 
     only_first: bool
-    """Whether the barrier stands in the first frame only."""
+    """True if the barrier stands in the first frame only."""
     texture: Count
     """The texture."""
     before: TextureState
-    """How it was used."""
+    """Use before."""
     after: TextureUse
-    """How it is used."""
+    """Use from here on."""
 
 
 @frozen(kw_only=True)
 class BufferBarrierRow:
-    """From here on, the buffer of a result is used in another way. What was written before has to
-    be there, and what was read before has been read."""
+    """A change of a result's buffer's use from here on.
+
+    Earlier writes and reads have to be complete.
+    """
 
     result: str
     """The result."""
     before: BufferState
-    """How it was used; ``undefined`` means that its contents do not matter."""
+    """Use before; ``undefined`` means that its contents do not matter."""
     after: BufferUse
-    """How it is used."""
+    """Use from here on."""
     only_first: bool
-    """Whether the barrier stands in the first frame only."""
+    """True if the barrier stands in the first frame only."""
 
 
 @frozen(kw_only=True)
 class ResolveRow:
-    """Where the mean of each texel's samples is written behind the step."""
+    """The texture to which the mean of each texel's samples is written behind the step."""
 
     texture: Count
     """A texture with one sample, in which others find the result."""
     layer: Count
-    """Its layer."""
+    """Layer."""
     level: Count
-    """Its mip level."""
+    """Mip level."""
 
 
 @frozen(kw_only=True)
 class StencilLoad:
-    """What becomes of the stencil values beside depths, if there are any."""
+    """The handling of the stencil values beside depths, if there are any."""
 
     load: Literal["load", "clear"]
-    """Whether what is there is kept or cleared."""
+    """Start of the step: keep the values, or clear them."""
     store: bool
-    """Whether a later step finds them."""
+    """True if a later step reads them."""
     clear: Literal[0]
-    """What they are cleared to."""
+    """Value that they are cleared to."""
 
 
 @frozen(kw_only=True)
 class AttachmentRow:
-    """What a target of the pass, or its depths, is drawn to."""
+    """An attachment: a texture that a target of the pass, or its depths, is drawn to."""
 
     name: str
     """The target of the pass, or ``depth``."""
     result: str
     """The result."""
     texture: Count
-    """Its texture."""
+    """Texture."""
     layer: int | None
-    """The layer that is drawn to; null for all of them, as the reflection's ``draw.layers``
-    says."""
+    """The layer that is drawn to; null for all, as the reflection's ``draw.layers`` says."""
     level: Count
     """The mip level."""
     load: Literal["load", "clear"]
-    """Whether what is there is kept or cleared."""
+    """Start of the step: keep the contents, or clear them."""
     clear: Count | None
-    """The number of the value that it is cleared to: a ``vec4``, or a ``float`` of depths; null for
-    transparent black, or a depth of 1. What the pass itself says is contained in it."""
+    """Number of the value that it is cleared to: a ``vec4``, or a ``float`` of depths.
+
+    Null for transparent black, or a depth of 1. The value of the pass itself is contained in it.
+    """
     store: bool
-    """Whether anybody needs what is drawn."""
+    """True if anybody reads the result."""
     resolve: ResolveRow | None
-    """Where the mean of each texel's samples is written behind the step, of a texture with several;
-    null if nobody reads it."""
+    """Texture to which the mean of each texel's samples is written behind the step.
+
+    It is that of an attachment with several samples; null if nobody reads it.
+    """
     over: str | None
     """The result that is there before and is drawn over."""
     stencil: StencilLoad | None
-    """What becomes of the stencil values beside depths; null if there are none."""
+    """Handling of the stencil values beside depths; null if there are none."""
 
     @property
     def places(self) -> tuple[AttachmentRow | ResolveRow, ...]:
-        """Where it is kept: its samples and, where there are any, their means."""
+        """The textures that keep it: its samples and, where there are any, their means."""
         return (self,) if self.resolve is None else (self, self.resolve)
 
 
@@ -258,7 +279,7 @@ class ValueSource:
 
 @frozen(kw_only=True)
 class ResultSource:
-    """What a step of this frame has left."""
+    """A result of a step of this frame."""
 
     kind: Literal["result"]
     result: str
@@ -273,12 +294,12 @@ class HostSource:
 
     kind: Literal["host"]
     host: str
-    """Its name."""
+    """Name of the texture or buffer."""
 
 
 @frozen(kw_only=True)
 class PreviousSource:
-    """What a step of the last frame has left."""
+    """A result of a step of the last frame."""
 
     kind: Literal["previous"]
     previous: str
@@ -286,11 +307,11 @@ class PreviousSource:
     texture: int | None
     """The number of the texture that has it now; null of a buffer."""
     initially: ResultSource | HostSource | None
-    """What is read in the first frame instead; null for a texture without contents."""
+    """Source in the first frame; null for a texture without contents."""
 
 
 Source = ValueSource | ResultSource | HostSource | PreviousSource
-"""What an input is set to."""
+"""The source of an input's value."""
 
 
 @frozen(kw_only=True)
@@ -300,7 +321,7 @@ class InputRow:
     name: str
     """The parameter, texture or buffer, as the shader's reflection calls it."""
     source: Source
-    """What it is set to."""
+    """Source of its value."""
 
 
 @frozen(kw_only=True)
@@ -312,21 +333,24 @@ class UseRow:
     shader: Count
     """The number of the shader."""
     inputs: tuple[InputRow, ...]
-    """What the frame sets."""
+    """Inputs that the frame sets."""
 
 
 @frozen(kw_only=True)
 class DrawnRow:
-    """What is drawn, one draw behind the other."""
+    """The draws, one behind the other."""
 
     models: str | None
     """Models, in the order of the scene; null for vertices without vertex inputs."""
     vertices: int | None
     """The number of the value that says how many vertices are drawn; null for models."""
     light: str | None
-    """The entry of the rig for each of whose lights all of this is drawn once: of an array, for as
-    many as its ``count`` says. The shader has the parameters of a single light of this name, which
-    both documents may call by the name of the rig, too: ``Studio.lamps``."""
+    """The entry of the rig for each of whose lights all of this is drawn once.
+
+    For an array, it is drawn for as many lights as its ``count`` says. The shader has the
+    parameters of a single light of this name, which both documents may call by the name of the rig,
+    too: ``Studio.lamps``.
+    """
     uses: tuple[UseRow, ...]
     """The shaders."""
 
@@ -349,30 +373,38 @@ class DrawStep:
     buffer_barriers: tuple[BufferBarrierRow, ...]
     """The buffers of results that are waited for."""
     only_first: bool
-    """Whether it is needed in the first frame only."""
+    """True if it is needed in the first frame only."""
     targets: tuple[AttachmentRow, ...]
     """The targets, in the order of their locations."""
     depth: AttachmentRow | None
-    """The depths; null where the pass has none. Then there is no depth test, whatever
-    ``render_state`` of its reflection says."""
+    """The depths; null where the pass has none.
+
+    Then there is no depth test, whatever ``render_state`` of its reflection says.
+    """
     viewport: Count | None
-    """The number of the value that says into which part of the targets the clip volume is drawn, in
-    texels: an ``ivec4`` of left, top, width and height; null for all of it."""
+    """Number of the value that says into which part of the targets the clip volume is drawn.
+
+    It is an ``ivec4`` of left, top, width and height, in texels; null for all of the targets.
+    """
     scissor: Count | None
-    """The number of the value that says to which part of the targets is drawn, likewise; what lies
-    outside of the targets is cut off."""
+    """Number of the value that says which part of the targets is drawn to, likewise.
+
+    A part outside of the targets is cut off.
+    """
     blend_constant: Count | None
     """The number of the value, a ``vec4``, that the factor ``constant`` means in all targets."""
     draws: tuple[DrawnRow, ...]
-    """What is drawn."""
+    """The draws."""
     source: PlaceRow
     continues: bool
-    """Whether it draws on to all that the step before has drawn to, and waits for nothing else, so
-    that a host can draw both in one render pass, without storing and loading in between."""
+    """True if it draws on to all attachments of the step before, and waits for nothing else.
+
+    A host can then draw both in one render pass, without storing and loading in between.
+    """
 
     @property
     def attachments(self) -> tuple[AttachmentRow, ...]:
-        """All that it draws to, its depths last."""
+        """All attachments that it draws to, its depths last."""
         return self.targets if self.depth is None else (*self.targets, self.depth)
 
     @property
@@ -390,7 +422,7 @@ class WrittenImage:
     result: str
     """The result."""
     texture: Count
-    """Its texture."""
+    """Texture."""
 
 
 @frozen(kw_only=True)
@@ -418,9 +450,9 @@ class RunStep:
     buffer_barriers: tuple[BufferBarrierRow, ...]
     """The buffers of results that are waited for."""
     only_first: bool
-    """Whether it is needed in the first frame only."""
+    """True if it is needed in the first frame only."""
     use: UseRow
-    """The kernel, and what the frame sets of it."""
+    """The kernel, and its inputs that the frame sets."""
     images: tuple[WrittenImage, ...]
     """The images that it writes."""
     buffers: tuple[WrittenBuffer, ...]
@@ -429,12 +461,12 @@ class RunStep:
 
     @property
     def uses(self) -> tuple[UseRow, ...]:
-        """Its kernel."""
+        """The use of the kernel, alone."""
         return (self.use,)
 
     @property
     def written(self) -> tuple[WrittenImage | WrittenBuffer, ...]:
-        """All that it writes."""
+        """All images and buffers that it writes."""
         return *self.images, *self.buffers
 
 
@@ -450,8 +482,7 @@ class CopyEnd:
 
 @frozen(kw_only=True)
 class CopyStep:
-    """A copy of a whole texture, where a step draws over something that others still need as it
-    was."""
+    """A copy of a whole texture, before a step draws over a result that others need as it was."""
 
     name: ClassVar[str] = "a copy"
     draws: ClassVar[tuple[DrawnRow, ...]] = ()
@@ -467,21 +498,23 @@ class CopyStep:
     buffer_barriers: tuple[BufferBarrierRow, ...]
     """The buffers of results that are waited for."""
     copied: CopyEnd
-    """What is copied."""
+    """Source of the copy."""
     into: CopyEnd
-    """Where it is copied to."""
+    """Destination of the copy."""
     only_first: bool
-    """Whether the first frame is enough."""
+    """True if the first frame is enough."""
 
 
 PlanStep = DrawStep | RunStep | CopyStep
-"""Something that a host does."""
+"""A step of a host."""
 
 
 @frozen(kw_only=True)
 class WaitingRow:
-    """What is waited for behind the last step and before the exchange of ``kept``, so that the host
-    can read the outputs and the next frame what is kept."""
+    """The barriers behind the last step and before the exchange of ``kept``.
+
+    The host can then read the outputs, and the next frame the kept textures and buffers.
+    """
 
     barriers: tuple[BarrierRow, ...]
     """The textures that are waited for."""
@@ -491,35 +524,37 @@ class WaitingRow:
 
 @frozen(kw_only=True)
 class KeptRow:
-    """Something that the next frame reads."""
+    """A texture or a buffer that the next frame reads."""
 
     result: str
     """The result."""
     texture: int | None
-    """Its texture; null of a buffer."""
+    """Texture; null of a buffer."""
     previous: int | None
-    """The texture that has what the last frame left; null of a buffer."""
+    """Number of the texture that has the result of the last frame; null for a buffer."""
 
 
 @frozen(kw_only=True)
 class OutputRow:
-    """What the frame gives."""
+    """An output of the frame."""
 
     name: str
-    """Its name."""
+    """Name of the output."""
     result: str
     """The result."""
     texture: int | None
-    """Its texture; null of a buffer."""
+    """Texture; null of a buffer."""
     doc: str
-    """Its doc comment."""
+    """Doc comment."""
     source: PlaceRow
 
 
 @frozen(kw_only=True)
 class FramePlan:
-    """What a host does to draw a frame: which textures it makes, and which steps it executes in
-    which order. Each shader has a reflection of its own."""
+    """All that a host does to draw a frame: its textures, and the steps that it executes in order.
+
+    Each shader has a reflection of its own.
+    """
 
     VERSION: ClassVar = "plan"
 
@@ -533,9 +568,11 @@ class FramePlan:
     rig: str
     """The rig of lights under which models are drawn."""
     parameters: tuple[ParameterRow, ...]
-    """What the host sets for the whole frame, as in reflections. No block holds them. Those of the
-    lights are among them, and are those of the same name in each shader, with or without the name
-    of the rig before it; shaders get others through the values of inputs alone."""
+    """Parameters that the host sets for the whole frame, as in reflections. No block holds them.
+
+    Those of the lights are among them, and are those of the same name in each shader, with or
+    without the name of the rig before it; shaders get others through the values of inputs alone.
+    """
     lights: tuple[LightRow, ...]
     """The lights of the rig, as in reflections."""
     host_textures: tuple[HostTextureRow, ...]
@@ -543,34 +580,40 @@ class FramePlan:
     host_buffers: tuple[BufferRow, ...]
     """Storage buffers that the host binds for the whole frame."""
     sources: Mapping[str, PlaceRow]
-    """Where everything is declared that the host sets, by name."""
+    """Declarations of everything that the host sets, by name."""
     models: tuple[ModelsRow, ...]
     """Models of the host's scene that passes draw."""
     shaders: tuple[ShaderRow, ...]
     """The shaders; steps name them by their numbers here."""
     values: tuple[ValueRow, ...]
-    """Numbers that the host computes once for each frame, before the first step, of the parameters,
-    of those of the lights, and of the sizes of its textures; steps and textures name them by their
-    numbers here."""
+    """Numbers that the host computes once for each frame, before the first step.
+
+    It computes them from the parameters, from those of the lights, and from the sizes of its
+    textures. Steps and textures name them by their numbers here.
+    """
     textures: tuple[FrameTextureRow, ...]
     """The textures that the host makes, by number. Each serves one result after the other."""
     results: tuple[FrameResultRow, ...]
-    """What the steps leave."""
+    """Results of the steps."""
     steps: tuple[PlanStep, ...]
-    """What the host does, in this order."""
+    """The steps of the host, in this order."""
     end: WaitingRow
-    """What is waited for behind the last step and before the exchange of ``kept``, so that the host
-    can read the outputs and the next frame what is kept."""
+    """The barriers behind the last step and before the exchange of ``kept``.
+
+    The host can then read the outputs, and the next frame the kept textures and buffers.
+    """
     kept: tuple[KeptRow, ...]
-    """What the next frame reads. Behind the last step the host exchanges each texture (or, where
-    the numbers are null, the result's buffer) with the previous one. Before the first frame, these
-    textures are transparent black, or depths of 1."""
+    """Results that the next frame reads.
+
+    Behind the last step the host exchanges each texture (or, where the numbers are null, the
+    result's buffer) with the previous one. Before the first frame, these textures are transparent
+    black, or depths of 1.
+    """
     outputs: tuple[OutputRow, ...]
-    """What the frame gives, to be read behind the last step and before the exchange of ``kept``."""
+    """Outputs of the frame, to be read behind the last step and before the exchange of ``kept``."""
 
     def output_texture(self, name: str) -> int | None:
-        """The texture that an output is in behind the exchange of what is kept; ``None`` for a
-        buffer."""
+        """The texture of an output behind the exchange of kept ones; ``None`` for a buffer."""
         output = next(row for row in self.outputs if row.name == name)
         kept = {row.result: row.previous for row in self.kept}
         return kept.get(output.result, output.texture)

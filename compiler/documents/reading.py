@@ -1,8 +1,8 @@
 """Makes records of JSON, and checks it: a document may come from anybody.
 
-``read`` is called with what a file has, after ``targets/runner/documents.py`` has read its text.
-Each value is looked at once. Of each kind of record a function is made once that checks and reads
-it, so that a large document takes little longer than reading its text.
+``read`` is called with the content of a file, after ``targets/runner/documents.py`` has read its
+text. Each value is looked at once. For each kind of record a function is made once that checks and
+reads it, so that a large document takes little longer than reading its text.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ from .shapes import (
 T = TypeVar("T")
 
 Place = tuple[Any, str | int] | None
-"""The place of what contains a value, and the key of the value in it; ``None`` of the whole."""
+"""The place of the container of a value, and the value's key in it; ``None`` for the document."""
 
 MOST = 100
-"""How many errors are told."""
+"""The number of errors that are told."""
 
 VERSION = "VERSION"
 """The attribute of a record that names its field with the version of the document."""
 
 _SAID = 60
-"""How many letters of a value are told."""
+"""The number of letters of a value that are told."""
 
 
 class ShapeError(ValueError):
@@ -47,11 +47,11 @@ class ShapeError(ValueError):
 
 
 class _EnoughError(Exception):
-    """There are more errors than people want to read."""
+    """The document has more errors than people want to read."""
 
 
 class Found(list[str]):
-    """What is wrong in a document, so far."""
+    """The errors in a document, so far."""
 
     def add(self, place: Place, message: str) -> None:
         """Note an error. Raises ``_EnoughError`` where enough are known."""
@@ -61,12 +61,15 @@ class Found(list[str]):
 
 
 Reader = Callable[[Any, Place, Found], Any]
-"""Reads a value at a place, and notes what is wrong with it; what it gives then means nothing."""
+"""Reads a value at a place, and notes its errors; with errors, the result means nothing."""
 
 
 def read(kind: type[T], document: object) -> T:
-    """A document as a record. Raises ``ShapeError`` with the first places that are wrong: each as a
-    JSON pointer, with what is wrong there."""
+    """Makes a record of a document.
+
+    Raises ``ShapeError`` with the first places that are wrong: each as a JSON pointer, with its
+    error.
+    """
     _check_version(kind, document)
     found = Found()
     with suppress(_EnoughError):
@@ -117,7 +120,7 @@ def shown(value: Any) -> str:
 
 @cache
 def _reader(type_: Any) -> Reader:
-    """What reads values of a type."""
+    """The function that reads values of a type."""
     constraints, inner = constraints_of(type_), bare(type_)
     for each in constraints:
         if isinstance(each, Nested):
@@ -165,7 +168,7 @@ _SCALARS: Mapping[Any, tuple[str, frozenset[type]]] = {
     float: ("a number", frozenset((int, float))),
     str: ("a text", frozenset((str,))),
 }
-"""What messages call each type, and what it is in Python, where true is no number here."""
+"""By type, its name in messages and its classes in Python, where true is no number here."""
 
 
 def _word(words: Sequence[Any]) -> Reader:
@@ -229,7 +232,7 @@ _OF_VALUES = frozenset((bool, int, float, type(None)))
 
 
 def _is_of_json(value: Any) -> bool:
-    """Whether JSON can have a scalar: it has no numbers that are infinite or none."""
+    """True if JSON can have a scalar: it has no infinite numbers and no NaN."""
     return type(value) is not float or isfinite(value)
 
 
@@ -237,8 +240,10 @@ def _is_of_json(value: Any) -> bool:
 
 
 def _late(kind: type) -> Reader:
-    """A reader of a kind of record, which is made when it is first needed: some have themselves as
-    members."""
+    """A reader of a kind of record, which is made when it is first needed.
+
+    Some kinds have themselves as members.
+    """
 
     def read_record(value: Any, place: Place, found: Found) -> Any:
         return _record(kind)(value, place, found)
@@ -308,7 +313,7 @@ def _told_apart(kinds: Sequence[type], *, is_nullable: bool) -> Reader:
 # --- constraints ---------------------------------------------------------------------------------
 
 Fault = Callable[[Any], str | None]
-"""What is wrong with a value of the right type, if anything is."""
+"""A function that finds the fault in a value of the right type; ``None`` if there is none."""
 
 
 def _checked(reader: Reader, fault: Fault) -> Reader:
@@ -356,7 +361,7 @@ def _pattern(constraint: Pattern) -> Fault:
 _CHECKS: Mapping[type, Callable[[Any], Fault]] = {
     Range: _range, Length: _length, Pattern: _pattern,
 }  # fmt: skip
-"""What makes the check of each kind of constraint."""
+"""The function that makes the check of each kind of constraint."""
 
 
 def _limits(least: float | None, most: float | None) -> str:

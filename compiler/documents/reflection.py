@@ -33,8 +33,10 @@ from .values import (
 
 @frozen(kw_only=True)
 class Conventions:
-    """What is the same for all materials and backends; a backend's own row says where its text
-    differs."""
+    """The conventions of all materials and backends.
+
+    A backend's own row says where its text differs.
+    """
 
     clip_space: Literal["x right, y up, z in 0..w"]
     """Clip space of the material's meaning."""
@@ -65,8 +67,10 @@ class Reflection:
     doc: str
     """The material's doc comment; empty where there is none."""
     conventions: Conventions
-    """What is the same for all materials and backends; a backend's own row says where its text
-    differs."""
+    """The conventions of all materials and backends.
+
+    A backend's own row says where its text differs.
+    """
     blocks: tuple[BlockRow, ...]
     """Uniform blocks in binding order."""
     parameters: tuple[ParameterRow, ...]
@@ -74,7 +78,7 @@ class Reflection:
     derived: tuple[DerivedRow, ...]
     """Values of the derived blocks."""
     promises: tuple[PromiseRow, ...]
-    """What the host promises by ``nonzero``, besides ranges and directions."""
+    """Promises of the host by ``nonzero``, besides ranges and directions."""
     lights: tuple[LightRow, ...]
     """Lights of the rig."""
     buffers: tuple[BufferRow, ...]
@@ -82,34 +86,42 @@ class Reflection:
     results: tuple[ResultRow, ...]
     """Storage buffers that a kernel writes, in order of declaration; none for a material."""
     extent: tuple[StepRow, ...] | None
-    """Of a kernel, steps that compute how many elements each of the results has, or the width and
-    height of its images; null for a material."""
+    """Steps that compute the number of elements of each of a kernel's results.
+
+    For images, they compute the width and height. Null for a material.
+    """
     work_group: tuple[Positive, Positive, Positive] | None
-    """How many invocations of a kernel stand side by side in a work group, along x, y and z; null
-    for a material."""
+    """Size of a kernel's work group in invocations, along x, y and z; null for a material."""
     textures: tuple[TextureRow, ...]
     """Textures in order of declaration."""
     samplers: tuple[SamplerRow, ...]
     """Sampler states, one for each texture that is not merely loaded."""
     draw: DrawRow
     invariant_position: bool
-    """Whether the position of a vertex is the same number, bit by bit, in all programs that compute
-    it in the same way, so that their depths are equal. The texts say so."""
+    """True if the position of a vertex is invariant.
+
+    It is then the same number, bit by bit, in all programs that compute it in the same way, so that
+    their depths are equal. The texts say so.
+    """
     render_state: RenderStateRow
-    """What the host sets of the pipeline, as the pass asks for it."""
+    """State of the pipeline that the host sets, as the pass asks for it."""
     capture: CaptureRow | None
-    """What is written of each vertex to one buffer, instead of drawing; null for a pass that draws,
-    and for a kernel."""
+    """Values of each vertex that are written to one buffer, instead of drawing.
+
+    Null for a pass that draws, and for a kernel.
+    """
     vertex_inputs: tuple[VertexInputRow, ...]
     """Vertex inputs."""
     pipeline_inputs: Mapping[str, tuple[str, ...]]
-    """What each stage reads of the pipeline itself, by stage: one row for each stage that there
-    is."""
+    """Inputs that the pipeline itself supplies, by stage: one row for each stage that there is."""
     varyings: tuple[VaryingRow, ...]
     """Varyings."""
     targets: tuple[TargetRow, ...]
-    """Render targets; of a kernel over images, its images in order of declaration, which are the
-    render targets of its full-screen pass."""
+    """Render targets.
+
+    For a kernel over images, they are its images in order of declaration, which are the render
+    targets of its full-screen pass.
+    """
     backends: Mapping[str, BackendRow]
     """Emitted profiles by name."""
 
@@ -121,8 +133,11 @@ class Reflection:
 
     @property
     def computed(self) -> Iterator[tuple[StepRow, ...]]:
-        """The steps of all that the host computes: derived values, the extent of a kernel and the
-        lengths of its results, and how finely patches are divided."""
+        """Yields the steps of all that the host computes.
+
+        These are derived values, the extent of a kernel and the lengths of its results, and the
+        levels of patches.
+        """
         yield from (row.steps for row in self.derived)
         yield self.extent or ()
         yield from (row.count for row in self.results)

@@ -120,7 +120,7 @@ class _Schemas:
 
 
 def is_mapping(origin: Any) -> bool:
-    """Whether a generic type is one of mappings."""
+    """True if a generic type is one of mappings."""
     return isinstance(origin, type) and issubclass(origin, Mapping)
 
 

@@ -15,11 +15,11 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 from ...frozen import DEFAULTS, frozen
 
 KEYS = "KEYS"
-"""The attribute of a record with what JSON calls some of its fields, by their names in Python."""
+"""The attribute of a record with the names in JSON of some fields, by their names in Python."""
 
 
 def keys_of(kind: Any) -> dict[str, str]:
-    """What JSON calls the fields of a record: words of Python have an underscore behind them."""
+    """The names in JSON of a record's fields: words of Python have an underscore behind them."""
     own = getattr(kind, KEYS, {})
     return {name: own.get(name, name.rstrip("_")) for name in kind.__match_args__}
 
@@ -35,13 +35,13 @@ class Field:
     """One field of a record."""
 
     name: str
-    """Its name in Python."""
+    """The name in Python."""
     key: str
-    """Its name in JSON."""
+    """The name in JSON."""
     type: Any
-    """Its type, with constraints."""
+    """The type, with constraints."""
     is_optional: bool
-    """Whether JSON leaves it out where it is ``None``."""
+    """True if JSON leaves it out where it is ``None``."""
 
 
 @cache
@@ -55,12 +55,12 @@ def fields_of(kind: type) -> tuple[Field, ...]:
 
 
 def is_record(type_: Any) -> bool:
-    """Whether a type is a kind of record."""
+    """True if a type is a kind of record."""
     return isinstance(type_, type) and hasattr(type_, DEFAULTS)
 
 
 def constraints_of(type_: Any) -> tuple[Any, ...]:
-    """What stands beside a type in ``Annotated``, also of a type that may be null."""
+    """The constraints beside a type in ``Annotated``, also of a type that may be null."""
     if get_origin(type_) is Annotated:
         return tuple(type_.__metadata__)
     return ()
@@ -79,7 +79,7 @@ def alternatives_of(type_: Any) -> Sequence[Any]:
 
 
 def may_be_null(type_: Any) -> bool:
-    """Whether ``None`` is one of the values of a type."""
+    """True if ``None`` is one of the values of a type."""
     if get_origin(type_) in (Union, UnionType):
         return NoneType in get_args(type_)
     return get_origin(type_) is Literal and None in get_args(type_)
@@ -94,8 +94,10 @@ def words_of(kind: type) -> dict[str, tuple[Any, ...]]:
 
 
 def telling(kinds: Sequence[type]) -> str:
-    """The name in JSON of the field that tells some kinds of records apart: it has other values in
-    each of them."""
+    """The name in JSON of the field that tells some kinds of records apart.
+
+    It has other values in each of them.
+    """
     for key in words_of(kinds[0]):
         words = [word for kind in kinds for word in words_of(kind).get(key, ())]
         if len(set(words)) == len(words) and all(key in words_of(kind) for kind in kinds):

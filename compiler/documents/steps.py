@@ -27,7 +27,7 @@ class ParameterStep:
     """Type of the result."""
     args: NoArguments
     parameter: str
-    """Its name."""
+    """Name of the parameter."""
 
 
 @frozen(kw_only=True)
@@ -51,7 +51,7 @@ class ResourceStep:
     """Type of the texture."""
     args: NoArguments
     texture: str
-    """Its name."""
+    """Name of the texture."""
 
 
 @frozen(kw_only=True)
@@ -63,8 +63,10 @@ class BoundStep:
     """Type of the result."""
     args: NoArguments
     binder: Count
-    """Which enclosing variable it is, counted outwards from 0. Outside of all bodies that is the
-    number of the element."""
+    """The enclosing variable, counted outwards from 0.
+
+    Outside of all bodies, this is the number of the element.
+    """
 
 
 @frozen(kw_only=True)
@@ -82,8 +84,11 @@ class CallStep:
 
 @frozen(kw_only=True)
 class ComposedStep:
-    """Parts that are put together: numbers and vectors to a vector, columns to a matrix, elements
-    to an array; or of ``apply`` a body behind which stand the values of its variables."""
+    """Parts that are put together.
+
+    Numbers and vectors make a vector, columns a matrix, and elements an array. For ``apply``, the
+    parts are a body and then the values of its variables.
+    """
 
     op: Literal["vector", "matrix", "array", "apply"]
     type: str
@@ -105,7 +110,7 @@ class SplatStep:
 
 @frozen(kw_only=True)
 class SwizzleStep:
-    """Some lanes of a vector."""
+    """A swizzle: some lanes of a vector."""
 
     op: Literal["swizzle"]
     type: str
@@ -126,7 +131,7 @@ class MemberStep:
     args: tuple[Count]
     """The struct."""
     member: str
-    """Its name."""
+    """Name of the member."""
 
 
 @frozen(kw_only=True)
@@ -159,9 +164,9 @@ class FoldStep:
     type: str
     """Type of the result."""
     args: tuple[Count, Count, Count]
-    """How many terms there are, the value to begin with, and the body that is a term."""
+    """Number of terms, the value to begin with, and the body that is a term."""
     operator: Literal["add", "mul", "min", "max", "and", "or"]
-    """How terms are combined."""
+    """Operator that combines the terms."""
     bound: Count
     """The largest number of terms."""
 

@@ -1,5 +1,7 @@
-"""Makes the types of documents for web pages: ``generate.py`` writes them, and the host for web
-pages (``targets/web_host``) is checked against them.
+"""Makes the TypeScript types of documents for web pages.
+
+``generate.py`` writes them, and the host for web pages (``targets/web_host``) is checked against
+them.
 """
 
 from __future__ import annotations
@@ -55,7 +57,7 @@ class _Types:
         return name
 
     def _type(self, type_: Any, *, is_optional: bool = False) -> str:
-        """A type as TypeScript writes it; what may be left out is never null."""
+        """A type as TypeScript writes it; a field that may be left out is never null."""
         constraints, inner = constraints_of(type_), bare(type_)
         for each in constraints:
             if isinstance(each, TypeScript):

@@ -1,4 +1,4 @@
-"""What a host sets and computes: parameters, storage buffers, lights, and how their bytes lie."""
+"""Values that a host sets and computes: parameters, storage buffers, lights, and their layout."""
 
 from __future__ import annotations
 
@@ -12,14 +12,19 @@ from .steps import StepRow
 
 @frozen(kw_only=True)
 class LayoutRow:
-    """How lanes lie from the start of the value. A lane is 32 bits, little-endian; what does not
-    apply to the type is absent."""
+    """The layout of lanes from the start of the value.
+
+    A lane is 32 bits, little-endian; fields that do not apply to the type are absent.
+    """
 
     stored: str
-    """The stored type: bools as uints, 2- and 3-row matrices with columns of four rows
-    (``mat3x4``), arrays as arrays of ``vec4``. Of a table's member that of one element."""
+    """The stored type.
+
+    Bools are uints, 2- and 3-row matrices have columns of four rows (``mat3x4``), and arrays are
+    arrays of ``vec4``. For a table's member, it is the type of one element.
+    """
     kind: LaneKind | None = None
-    """What a lane is written as; bools are uints 0 and 1. Absent for structs."""
+    """Kind of the lanes; bools are uints 0 and 1. Absent for structs."""
     lanes: Annotated[int, Range(least=0, most=4)] | None = None
     """Lanes of a scalar or vector, or of one column of a matrix, 4 bytes apart."""
     columns: Annotated[int, Range(least=0, most=4)] | None = None
@@ -75,8 +80,7 @@ class MemberRow:
     doc: str
     """Doc comment; empty where there is none."""
     library: str | None
-    """Which declaration of the library it is, ``std.skinning.Skinned.bones``; null where it is none
-    of them."""
+    """Declaration of the library that it is, ``std.skinning.Skinned.bones``; null for others."""
     offset: Count
     """Bytes from the start of the struct."""
     size: Count
@@ -103,14 +107,17 @@ class ParameterRow:
     doc: str
     """Doc comment; empty where there is none."""
     library: str | None
-    """Which declaration of the library it is, ``std.skinning.Skinned.bones``; null where it is none
-    of them."""
+    """Declaration of the library that it is, ``std.skinning.Skinned.bones``; null for others."""
     role: str | None
-    """What a program that shows scenes has for it, such as ``world_to_clip`` of the camera; null
-    where it is the material's own affair."""
+    """Meaning for a program that shows scenes, such as ``world_to_clip`` of the camera.
+
+    Null where it is the material's own affair.
+    """
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     block: str | None
     """Block that holds it; null where the program reads nothing of that block."""
     offset: Count | None
@@ -126,17 +133,23 @@ class ParameterRow:
 
 @frozen(kw_only=True)
 class DerivedRow:
-    """A value that the host computes in double precision from stored parameters and rounds once;
-    where ``layout`` has a ``count``, one for each element of an array."""
+    """A value that the host computes in double precision from stored parameters and rounds once.
+
+    Where ``layout`` has a ``count``, there is one for each element of an array.
+    """
 
     name: str
-    """Name in its block; of a table's member with the table's name before it,
-    ``lamps_derived.falloff_cos``."""
+    """Name in its block.
+
+    For a table's member, the table's name stands before it, ``lamps_derived.falloff_cos``.
+    """
     representation: str
     """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     block: str | None
     """Block that holds it; null where the program reads nothing of that block."""
     offset: Count | None
@@ -147,8 +160,11 @@ class DerivedRow:
     doc: str
     """Doc comment; empty where there is none."""
     steps: tuple[StepRow, ...]
-    """The computation, operands first; the last step is the value. Where ``layout`` has a ``count``
-    it is done for each element, whose number is the ``bound`` outside of bodies."""
+    """The computation, operands first; the last step is the value.
+
+    Where ``layout`` has a ``count`` it is done for each element, whose number is the ``bound``
+    outside of bodies.
+    """
 
 
 @frozen(kw_only=True)
@@ -158,7 +174,7 @@ class PromiseRow:
     value: str
     """The vector as a formula in Burnish."""
     least_length: float
-    """It is at least so long."""
+    """Least length of the vector."""
     parameters: tuple[str, ...]
     """The parameters that it depends on."""
 
@@ -172,8 +188,7 @@ class LightRow:
     kind: str
     """The declaration of the light: ``Lantern``."""
     library: str | None
-    """Which declaration of the library that is, ``std.lights.Lantern``; null where it is none of
-    them."""
+    """Declaration of the library that it is, ``std.lights.Lantern``; null for others."""
     doc: str
     """Doc comment of the rig's entry; empty where there is none."""
     capacity: Count | None
@@ -181,8 +196,10 @@ class LightRow:
     count: str | None
     """Parameter with the number of lights in use; null where it is fixed."""
     parameters: tuple[str, ...]
-    """The array's parameter, or a single light's parameters, of whatever groups: each has a row in
-    ``parameters`` with its block and offset."""
+    """The array's parameter, or a single light's parameters, of whatever groups.
+
+    Each has a row in ``parameters`` with its block and offset.
+    """
 
 
 @frozen(kw_only=True)
@@ -196,11 +213,15 @@ class BufferRow:
     representation: str
     """The type on the machine: ``vec3[]``."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     count: str
-    """The parameter that says how many elements there are. A buffer without elements is bound with
-    one of zeros."""
+    """The parameter that says how many elements there are.
+
+    A buffer without elements is bound with one of zeros.
+    """
     stride: Annotated[int, Range(least=4)]
     """Bytes from one element to the next."""
     layout: LayoutRow
@@ -216,8 +237,11 @@ class BufferRow:
 
 @frozen(kw_only=True)
 class ResultRow:
-    """A storage buffer that a kernel writes: each element once, or, if it is scattered to, as often
-    as invocations choose it. What fills gaps is not written."""
+    """A storage buffer that a kernel writes.
+
+    It writes each element once or, if it scatters to the buffer, as often as invocations choose the
+    element. Padding is not written.
+    """
 
     name: str
     """Name as the host says it, ``lanterns`` or ``torch.bulbs``."""
@@ -226,8 +250,10 @@ class ResultRow:
     representation: str
     """The type on the machine: ``vec3[]``."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     stride: Annotated[int, Range(least=4)]
     """Bytes from one element to the next."""
     layout: LayoutRow
@@ -240,10 +266,12 @@ class ResultRow:
     count: tuple[StepRow, ...]
     """Steps that compute how many elements it has."""
     scattered: Literal["add", "min", "max", "and", "or", None]
-    """How invocations join their values with elements; null if each writes its own."""
+    """Operator by which invocations join values with elements; null if each writes its own."""
     initial: int | None
-    """What each element has to be before the kernel runs, so that it then has what was scattered;
-    null if that does not matter."""
+    """Value of each element before the kernel runs, so that it then has the joined ones alone.
+
+    Null if that does not matter.
+    """
 
 
 @frozen(kw_only=True)
@@ -251,7 +279,7 @@ class BlockMember:
     """One member."""
 
     name: str
-    """Suggested identifier; each backend says what it became."""
+    """Suggested identifier; each backend says its final name."""
     type: str
     """Stored type."""
     offset: Count
@@ -269,22 +297,27 @@ class BlockRow:
     name: str
     """Name by which other parts of this document refer to it."""
     group: str
-    """Group the host updates together: ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a
-    user's own."""
+    """Parameter group, which the host updates together.
+
+    It is ``frame``, ``view``, ``rig``, ``material``, ``draw`` or a user's own.
+    """
     derived: bool
-    """Whether the host computes its contents from other parameters."""
+    """True if the host computes its contents from other parameters."""
     extern: bool
-    """Whether the file says of it that the host owns it: names, offsets and binding are the
-    host's."""
+    """True if the file says that the host owns it: names, offsets and binding are the host's."""
     size: Annotated[int, Range(least=0, multiple_of=16)]
     """Bytes, a multiple of 16."""
     stages: tuple[str, ...]
     """Stages that read it."""
     layout_id: str
-    """A digest of the members, with their types and offsets, and of the structs: blocks with one id
-    have the same bytes for the same values, whatever material they are of."""
+    """A digest of the members, with their types and offsets, and of the structs.
+
+    Blocks with one id have the same bytes for the same values, in whatever material.
+    """
     members: tuple[BlockMember, ...]
-    """Members in order, padding included; they leave no gap. A text does not write padding that all
-    languages leave by themselves."""
+    """Members in order, padding included; they leave no gap.
+
+    A text does not write padding that all languages leave by themselves.
+    """
     structs: tuple[StructRow, ...]
     """Stored structs that members use, those inside others first."""

@@ -19,7 +19,7 @@ Moved = Callable[[Node, Node], None]
 """Told of every node that was rebuilt: ``(old, new)``."""
 
 Leaf = Callable[[Node, int], Node | None]
-"""From a leaf and the number of binders around it to its replacement, if any."""
+"""A function from a leaf and the number of binders around it to its replacement, if any."""
 
 
 def close(graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | None = None) -> Node:

@@ -1,4 +1,4 @@
-"""How a colour that is drawn is blended with the one that is there, as the hardware does it.
+"""Blending of a colour that is drawn with the one in the target, as the hardware does it.
 
 Semantics reads it from the passes' targets (``semantics/shading/blending.py``), the reflection
 hands it on to hosts, and the reference blends by it. A factor or an operation means what it does in
@@ -17,15 +17,17 @@ Factor = Literal[
     "one_minus_dst", "dst_alpha", "one_minus_dst_alpha", "src_alpha_saturated", "constant",
     "one_minus_constant",
 ]  # fmt: skip
-"""By what a side is multiplied before both are joined: the source is what is drawn, the destination
-what is there."""
+"""The factor of a side before both are joined.
+
+The source is the colour that is drawn, the destination the one in the target.
+"""
 Operation = Literal["add", "subtract", "reverse_subtract", "min", "max"]
-"""How the two products are joined: ``subtract`` takes the destination from the source."""
+"""The operation that joins both products: ``subtract`` takes the destination from the source."""
 Mask = Literal[
     "none", "r", "g", "b", "a", "rg", "rb", "ra", "gb", "ga", "ba", "rgb", "rga", "rba", "gba",
     "rgba",
 ]  # fmt: skip
-"""Which lanes of a target are written."""
+"""The lanes of a target that are written."""
 
 OF_ALPHA = frozenset(
     ("src_alpha", "one_minus_src_alpha", "dst_alpha", "one_minus_dst_alpha", "src_alpha_saturated")
@@ -39,40 +41,43 @@ WITHOUT_FACTORS = frozenset(("min", "max"))
 
 @frozen
 class BlendEquation:
-    """What is kept of two colours, or of two alphas: ``source * src operation destination * dst``.
+    """The equation of two colours, or of two alphas: ``source * src operation destination * dst``.
 
     Where the operation has no factors, both are ``one``, as WebGPU wants them.
     """
 
     source: Factor = "one"
-    """By what the colour that is drawn is multiplied: ``src`` is what is drawn, ``dst`` what is
-    there, and ``constant`` what the host sets for the whole pass."""
+    """The factor of the colour that is drawn.
+
+    ``src`` is the colour that is drawn, ``dst`` the one in the target, and ``constant`` the one
+    that the host sets for the whole pass.
+    """
     destination: Factor = "zero"
-    """By what the colour that is there is multiplied."""
+    """The factor of the colour in the target."""
     operation: Operation = "add"
-    """How the products are joined: ``subtract`` takes the second one from the first."""
+    """The operation that joins the products: ``subtract`` takes the second one from the first."""
 
     @property
     def factors(self) -> tuple[Factor, Factor]:
-        """Both factors, that of what is drawn first."""
+        """Both factors, that of the source first."""
         return self.source, self.destination
 
 
 @frozen
 class Blend:
-    """How a target is blended."""
+    """The blending of a target."""
 
     color: BlendEquation = BlendEquation()
     alpha: BlendEquation = BlendEquation()
 
     @property
     def factors(self) -> frozenset[Factor]:
-        """All factors."""
+        """All factors of both equations."""
         return frozenset((*self.color.factors, *self.alpha.factors))
 
 
 REPLACES = Blend()
-"""What is drawn takes the place of what is there: nothing is blended."""
+"""The colour that is drawn takes the place of the one in the target: nothing is blended."""
 
 
 def _both(source: Factor, destination: Factor) -> Blend:

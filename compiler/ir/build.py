@@ -109,7 +109,7 @@ def index(graph: Graph, operand: Node, position: Node) -> Node:
 
 
 def member(graph: Graph, operand: Node, name: str) -> Node:
-    """Member of a struct; of one that was made here, what it got."""
+    """A member of a struct; of a struct that was built here, the value that it was built of."""
     assert isinstance(operand.type, Struct)
     if operand.op == "struct":
         return operand.operands[[member for member, _ in operand.type.members].index(name)]
@@ -117,7 +117,7 @@ def member(graph: Graph, operand: Node, name: str) -> Node:
 
 
 def part(graph: Graph, operand: Node, position: int) -> Node:
-    """Member, element, column or lane ``position``; of what was made here, the part that it got."""
+    """Member, element, column or lane ``position``, simplified if the operand was built here."""
     if operand.op in ("struct", "array", "matrix"):
         return operand.operands[position]
     if isinstance(operand.type, Struct):
@@ -149,7 +149,10 @@ def assembled(graph: Graph, type_: Type, leaves: Iterator[Node]) -> Node:
 
 
 def flattened(graph: Graph, node: Node) -> Iterator[Node]:
-    """The parts of a value's parts, down to what is no aggregate; the value itself if it is none"""
+    """The parts of a value's parts, down to those that are no aggregates.
+
+    If the value is no aggregate, it is the only one.
+    """
     parts = parts_of(node.type)
     if parts is None:
         yield node
@@ -159,7 +162,7 @@ def flattened(graph: Graph, node: Node) -> Iterator[Node]:
 
 
 def named_parts(name: str, type_: Type) -> Iterator[tuple[str, Type]]:
-    """Names and types of what ``flattened`` makes of a value."""
+    """Names and types of the parts that ``flattened`` makes of a value."""
     match type_:
         case Struct(members=members):
             for member, inner in members:
@@ -199,7 +202,7 @@ def apply(
 
 
 def state(graph: Graph, loop: Node, position: int) -> Node:
-    """What the loop leaves in one of its states."""
+    """The final value of one of a loop's states."""
     data = loop.data
     assert isinstance(data, Iterating)
     return loop if data.states == 1 else member(graph, loop, str(position))

@@ -1,7 +1,7 @@
-"""What a pass captures of each vertex, and how it lies in the buffer.
+"""The values that a pass captures of each vertex, and their layout in the buffer.
 
 Semantics makes a ``Capture`` of the ``capture`` members of a pass. Whatever writes the buffer (a
-stream output, or a kernel) does so by it, and the reflection tells it to the host.
+stream output, or a kernel) follows it, and the reflection tells it to the host.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ class CapturedMember:
     type: Type
     """A number, or a vector of numbers."""
     declared_type: str
-    """As written: ``point<world>``."""
+    """The type as written: ``point<world>``."""
     offset: int
-    """In bytes, from where the vertex begins."""
+    """The offset in bytes, from where the vertex begins."""
     doc: str = ""
 
 
@@ -37,7 +37,7 @@ class Capture:
 
     @property
     def numbers(self) -> int:
-        """How many numbers each vertex has."""
+        """The number of 32-bit numbers of each vertex."""
         return sum(width(member.type) for member in self.members)
 
     @property

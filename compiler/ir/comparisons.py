@@ -1,4 +1,4 @@
-"""Which comparisons always hold, by the ranges of what is compared.
+"""Finds the comparisons that always hold, by the ranges of their operands.
 
 The simplification rules for comparisons ask for this, and ``semantics/state/conditions.py``, which
 finds sides of choices that are never taken.
@@ -19,5 +19,8 @@ HOLDS: Mapping[str, Decision] = {
     "ge": lambda left, right: left.lo >= right.hi,
     "ne": lambda left, right: left.hi < right.lo or left.lo > right.hi,
 }
-"""By the builtin. One never holds where its opposite always does (``refinements.OPPOSITES``). No
-ranges show that two values are equal."""
+"""By the builtin, a function that says if the comparison always holds.
+
+One never holds where its opposite always does (``refinements.OPPOSITES``). No ranges show that two
+values are equal.
+"""

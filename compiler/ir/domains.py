@@ -27,15 +27,15 @@ class Domains:
         self._found: dict[int, Domain | None] = {}
 
     def of(self, root: Node) -> Domain | None:
-        """What a value varies over; ``None`` where it is the same all over the draw.
+        """The domain of a value; ``None`` where it is the same all over the draw.
 
-        A variable counts as what is the same everywhere: it is as its arguments are. Raises
-        ``MixedDomainsError`` where the value is made of values of different stages.
+        A variable of a binder counts as the same everywhere: its domain is that of its arguments.
+        Raises ``MixedDomainsError`` where the value is made of values of different stages.
         """
         if root.id not in self._found:
             missing = {root}
             pending = [root]
-            for node in pending:  # It grows on the way.
+            for node in pending:  # The list grows on the way.
                 new = {o for o in node.operands if o.id not in self._found} - missing
                 missing |= new
                 pending += new
@@ -67,7 +67,7 @@ class Domains:
 
 
 def exists(domain: Domain | None, other: Domain | None) -> bool:
-    """Whether what varies over ``domain`` has a value at each place of ``other``, too."""
+    """True if a value that varies over ``domain`` also exists at each place of ``other``."""
     if domain is None or domain == other:
         return True
     return (domain, other) == (INSTANCES, VERTICES)

@@ -1,4 +1,4 @@
-"""What each primitive of a mesh turns into: its corners, and the groups of strips that it emits.
+"""The expansion of each primitive of a mesh: its corners, and the groups of strips that it emits.
 
 Semantics makes an ``Expansion`` of an ``expand`` member. The lowering and the languages with a
 geometry stage draw by it, and the reflection tells it to the host.
@@ -19,25 +19,25 @@ StripShape = Literal["strip", "list", "line", "points"]
 
 @frozen
 class StripKind:
-    """What all strips of one shape have in common."""
+    """The properties that all strips of one shape share."""
 
     emits: DrawnPrimitive
-    """What the vertices are."""
+    """The kind of primitives that the vertices form."""
     is_joined: bool
-    """Whether each primitive but the first consists of one vertex more, and of what came before."""
+    """True if each primitive but the first adds one vertex to vertices of the one before."""
 
     @property
     def corners(self) -> int:
-        """How many vertices each primitive has."""
+        """The number of vertices of each primitive."""
         return CORNERS[self.emits]
 
     @property
     def step(self) -> int:
-        """How many vertices further each primitive begins."""
+        """The number of vertices from the start of one primitive to that of the next."""
         return 1 if self.is_joined else self.corners
 
     def is_whole(self, vertices: int) -> bool:
-        """Whether so many vertices are a whole number of primitives, and at least one."""
+        """True if ``vertices`` make a whole number of primitives, and at least one."""
         return vertices >= self.corners and (vertices - self.corners) % self.step == 0
 
 
@@ -56,67 +56,67 @@ class EmittedStrips:
 
     shape: StripShape
     vertices: int
-    """Of each strip."""
+    """The number of vertices of each strip."""
     strips: int
-    """How many there are at most."""
+    """The largest number of strips."""
     strip_name: str = "strip"
-    """What the number of a strip is called."""
+    """The user's name for the number of a strip."""
     vertex_name: str = "i"
-    """What the number of a vertex in its strip is called."""
+    """The user's name for the number of a vertex in its strip."""
 
     @property
     def kind(self) -> StripKind:
-        """What it shares with others of its shape."""
+        """The properties that it shares with other strips of its shape."""
         return STRIP_KINDS[self.shape]
 
     @property
     def primitives(self) -> int:
-        """Of each strip."""
+        """The number of primitives of each strip."""
         return max((self.vertices - self.kind.corners) // self.kind.step + 1, 0)
 
     @property
     def listed_each(self) -> int:
-        """How many vertices each strip has as a list of triangles, of lines, or of points."""
+        """The number of vertices of each strip as a list of triangles, lines or points."""
         return self.kind.corners * self.primitives
 
     @property
     def listed(self) -> int:
-        """How many all strips have."""
+        """The number of vertices of all strips as such a list."""
         return self.listed_each * self.strips
 
 
 @frozen
 class Expansion:
-    """What each primitive turns into."""
+    """The expansion of each primitive into strips."""
 
     primitive: str
     """One of ``CORNERS``."""
     groups: tuple[EmittedStrips, ...]
-    """In the order in which they are drawn."""
+    """The groups, in the order in which they are drawn."""
     span: Span
-    """Where the primitive is named."""
+    """The span that names the primitive."""
 
     @property
     def corners(self) -> int:
-        """How many vertices each primitive of the mesh has."""
+        """The number of vertices of each primitive of the mesh."""
         return CORNERS[self.primitive]
 
     @property
     def vertices(self) -> int:
-        """How many vertices a primitive emits at most."""
+        """The largest number of vertices that a primitive emits."""
         return sum(group.vertices * group.strips for group in self.groups)
 
     @property
     def listed(self) -> int:
-        """How many there are as a list of triangles, of lines, or of points."""
+        """The number of vertices of all strips as a list of triangles, lines or points."""
         return sum(group.listed for group in self.groups)
 
     @property
     def emits(self) -> DrawnPrimitive:
-        """What the emitted vertices are; all groups agree in that."""
+        """The kind of primitives that are emitted; all groups agree in it."""
         return self.groups[0].kind.emits
 
     @property
     def starts(self) -> tuple[int, ...]:
-        """For each group the number of its first vertex in that list."""
+        """For each group, the number of its first vertex in that list."""
         return tuple(accumulate((group.listed for group in self.groups[:-1]), initial=0))

@@ -1,4 +1,4 @@
-"""What a frame is: steps that draw and compute, what they leave, and what they read of each other.
+"""Frames: steps that draw and compute, their outputs, and their reads of each other's results.
 
 Semantics makes a ``Frame`` of a declaration; ``compiler/planning`` makes a plan of it, which hosts
 execute. A frame has no order of its own: each step says what it needs.
@@ -18,7 +18,7 @@ from .shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
 ImageDimension = Literal["2d", "2d_array", "cube"]
 
 DEPTH = "depth"
-"""What the depths are called that a pass leaves, and what the names of their formats begin with."""
+"""The name of the depths that a pass leaves, and the first part of the names of their formats."""
 
 
 @frozen(eq=False)
@@ -26,20 +26,20 @@ class FrameShader:
     """One shader of a frame: a pass with a material and lights, or a kernel."""
 
     name: str
-    """By which the plan names it, and its files: ``Deferred.GBuffer.Plastic``."""
+    """The name in the plan and of its files: ``Deferred.GBuffer.Plastic``."""
     shader: Shader
 
 
 @frozen(eq=False)
 class Size:
-    """How large an image is."""
+    """The size of an image."""
 
     value: int | None
     """The number of the value that says it, an ``ivec2``; ``None`` where a kernel says it."""
     kernel: str = ""
     """The step whose kernel says it by its extent."""
     level: int = 0
-    """How often it has been halved."""
+    """The mip level: the number of times that the size has been halved."""
 
 
 @frozen(eq=False)
@@ -53,17 +53,19 @@ class Image:
     size: Size
     dimension: ImageDimension
     layers: int
-    """How many, or 6 of a cube; 1 where the dimension is ``2d``."""
+    """The number of layers, or 6 of a cube; 1 where the dimension is ``2d``."""
     levels: int
     doc: str
     span: Span
     samples: Samples = 1
-    """How many samples each pixel has while steps draw to it. Who reads it finds their mean; depths
-    of several samples cannot be read."""
+    """The number of samples of each pixel while steps draw to it.
+
+    A step that reads the image gets their mean. Depths of several samples cannot be read.
+    """
 
     @property
     def is_depth(self) -> bool:
-        """Whether it holds depths."""
+        """True if it holds depths."""
         return self.format.startswith(DEPTH)
 
 
@@ -86,16 +88,16 @@ class FromHost:
 
 @record
 class Previous:
-    """What an image or a buffer held at the end of the last frame."""
+    """The content of an image or a buffer at the end of the last frame."""
 
     of: Image | Elements | None = None
-    """Unknown while the frame is checked: what is read may be made later."""
+    """The result; unknown while the frame is checked, as it may be made later."""
     initially: Image | Elements | FromHost | None = None
-    """What is read in the first frame instead; ``None`` for an image without anything drawn."""
+    """The source in the first frame; ``None`` for an image without anything drawn."""
 
 
 Source = int | Image | Elements | Previous | FromHost
-"""Where the value of an input comes from; a number is that of one of the frame's values."""
+"""The source of an input's value; a number is that of one of the frame's values."""
 
 
 @frozen(eq=False)
@@ -108,7 +110,7 @@ class Given:
 
 @frozen(eq=False)
 class Use:
-    """A shader in a step, with what the frame sets there."""
+    """A shader in a step, with the inputs that the frame sets there."""
 
     material: str
     """Whose models are drawn with it; empty where there are none."""
@@ -118,7 +120,7 @@ class Use:
 
 @frozen(eq=False)
 class Drawn:
-    """What a step draws, one draw behind the other."""
+    """The draws of a step, one behind the other."""
 
     models: str
     """Models of the host's scene; empty for vertices that have nothing but their numbers."""
@@ -132,18 +134,17 @@ class Drawn:
 
 @frozen(eq=False)
 class Attachment:
-    """What one target of a pass, or its depths, is drawn to."""
+    """An image that one target of a pass, or its depths, is drawn to."""
 
     target: str
     image: Image
     layer: int | None
-    """Which one; ``None`` for all of them."""
+    """The layer; ``None`` for all of them."""
     level: int
     over: Image | None
-    """What is there before, drawn by another step; ``None`` if it is cleared."""
+    """The content to draw over, made by another step; ``None`` if it is cleared."""
     clear: int | None = None
-    """The number of the value that it is cleared to; ``None`` for transparent black, or a depth of
-    1."""
+    """The number of the clear value; ``None`` for transparent black, or a depth of 1."""
 
 
 @frozen(eq=False)
@@ -159,19 +160,25 @@ class RenderStep:
     span: Span
     viewport: int | None = None
     scissor: int | None = None
-    """The numbers of the values that say into which part of the targets the clip volume is drawn,
-    and which part is drawn to: left, top, width and height. ``None`` for all of it."""
+    """The numbers of the values that limit where a step draws.
+
+    They say into which part of the targets the clip volume is drawn, and which part is drawn to:
+    left, top, width and height. ``None`` for all of it.
+    """
     blend_constant: int | None = None
-    """What the factor ``constant`` means in all targets."""
+    """The value of the factor ``constant`` in all targets."""
 
     @property
     def drawn_to(self) -> tuple[Attachment, ...]:
-        """What it draws to, its depths last."""
+        """The attachments that it draws to, its depths last."""
         return self.attachments if self.depth is None else (*self.attachments, self.depth)
 
     @property
     def settings(self) -> tuple[int, ...]:
-        """The numbers of all values that say where it draws, and over what."""
+        """The numbers of all values that are set for the step as a whole.
+
+        They are its areas, the blend constant, and the values that it clears to.
+        """
         every = (
             self.viewport, self.scissor, self.blend_constant,
             *(attachment.clear for attachment in self.drawn_to),
@@ -187,7 +194,7 @@ class KernelStep:
     use: Use
     images: Mapping[str, Image]
     buffers: Mapping[str, Elements]
-    """By the names of the kernel's results."""
+    """The buffers, by the names of the kernel's results."""
     doc: str
     span: Span
 
@@ -201,14 +208,14 @@ class Models:
 
     name: str
     materials: tuple[str, ...]
-    """That they may have."""
+    """The materials that they may have."""
     doc: str
     span: Span
 
 
 @frozen(eq=False)
 class Output:
-    """What a host gets of a frame."""
+    """A result of a frame, for the host."""
 
     name: str
     source: Image | Elements
@@ -233,5 +240,5 @@ class Frame:
     models: tuple[Models, ...]
     shaders: tuple[FrameShader, ...]
     steps: tuple[Step, ...]
-    """Those that outputs need, each behind what it needs itself."""
+    """The steps that outputs need, each behind those that it needs itself."""
     outputs: tuple[Output, ...]

@@ -26,15 +26,15 @@ from .stages import (
 from .types import BOOL, FLOAT, IVEC2, UINT, VEC4, width
 
 CORNERS = 3
-"""How many vertices a host draws."""
+"""The number of vertices that a host draws."""
 
 _INPUTS = inputs_of(RASTERISED)
 _NEAR, _FAR = -1.0, 3.0
-"""In clip space, where the triangle begins and ends in each direction: it covers -1..1 twice."""
+"""The ends of the triangle in clip space, in each direction: it covers -1..1 twice."""
 
 
 def writes_images(shader: Shader) -> bool:
-    """Whether a shader is a kernel over images."""
+    """True if a shader is a kernel over images."""
     return bool(shader.results_of(IMAGE))
 
 
@@ -88,7 +88,10 @@ def _texel(shader: Shader) -> Node:
 
 
 def _position(graph: Graph) -> Node:
-    """Where a vertex of the triangle lies: the second one far to the right, the third far up."""
+    """The position of a vertex of the triangle that covers the picture.
+
+    The second vertex is far to the right, the third far up.
+    """
     number = _input(graph, "vertex_index")
     near, far = (build.constant(graph, FLOAT, place) for place in (_NEAR, _FAR))
 

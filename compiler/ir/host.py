@@ -1,7 +1,7 @@
-"""What a host computes: the operations that the reflection describes as steps.
+"""Computations of a host: the operations that the reflection describes as steps.
 
-Semantics asks where only a host can compute something, such as how many elements a kernel writes,
-and where it may, such as into how many steps all patches are divided; and ``reflection/values.py``
+Semantics asks where only a host can compute something, such as the number of elements that a kernel
+writes, and where it may, such as the levels that divide all patches. ``reflection/values.py``
 describes the steps.
 """
 
@@ -22,10 +22,10 @@ KEYS: Mapping[str, str] = {
     "bound": "binder",
     "resource": "texture",
 }
-"""What a step says besides of other operations, and what this is called there."""
+"""By operation, the name of the field of a step that holds the operation's data."""
 
 KNOWN_TO_HOST = PLAIN | KEYS.keys() | {"fold"}
-"""All that a host computes, in a graph whose binders are closed."""
+"""The operations that a host computes, in a graph whose binders are closed."""
 
 KNOWN_IN_TREES = KNOWN_TO_HOST | {"as", "called"}
-"""The same in checked trees, with the marks that mean what their operand does."""
+"""The same in checked trees, with the annotations that have the value of their operand."""

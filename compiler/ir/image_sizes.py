@@ -12,7 +12,7 @@ Sides = tuple[int, int]
 """A width and a height."""
 
 LARGEST_SIDE = 1 << 14
-"""Of a texture: what devices of today can have."""
+"""The largest side of a texture that devices of today can have."""
 
 
 def halved(side: int, times: int) -> int:
@@ -43,8 +43,10 @@ def outside(viewport: Area, size: Sides | None) -> str:
 
 
 def hidden(scissor: Area, size: Sides | None) -> str:
-    """Why a scissor leaves nothing of targets of a size, which may be unknown; empty if it leaves
-    something."""
+    """The reason why a scissor leaves nothing of targets; empty if it leaves something.
+
+    The size of the targets may be unknown.
+    """
     left, top, width, height = scissor
     is_seen = min(width, height) > 0 and left + width > 0 and top + height > 0
     if size is not None:

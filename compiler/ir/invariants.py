@@ -1,4 +1,4 @@
-"""Derives what holds for a loop's states in every iteration, for range analysis.
+"""Derives facts of a loop's states that hold in every iteration, for range analysis.
 
 ``ranges.py`` calls ``invariants``. It begins with the facts of the initial states, and extends each
 by the fact of the state's next value, until nothing changes. If this takes long, bounds that still
@@ -17,11 +17,11 @@ PATIENCE = 8
 """Turns that are followed before bounds which still move are given up."""
 
 Turn = Callable[[Sequence[Fact]], Sequence[Fact]]
-"""From what is known of the states to what is known of them after a turn."""
+"""A function from the facts of the states to their facts after an iteration."""
 
 
 def invariants(starts: Sequence[Fact], turn: Turn, turns: int) -> list[Fact]:
-    """What holds of each state whenever one of at most ``turns`` turns begins."""
+    """Facts of each state that hold at the start of every one of at most ``turns`` iterations."""
     states = list(starts)
     for number in range(1, turns):
         pairs = zip(states, turn(states), strict=True)

@@ -1,4 +1,4 @@
-"""Which invocations of a kernel run together, its work groups; and how they share elements.
+"""The work groups of a kernel, whose invocations run together, and how they share elements.
 
 Semantics says how large work groups are, by the kernel's own word or by ``USUAL``. The texts
 declare it, and a host needs it to know how many work groups it has to run.
@@ -10,24 +10,27 @@ from collections.abc import Mapping
 from typing import Literal
 
 WorkGroup = tuple[int, int, int]
-"""How many invocations stand side by side along x, y and z."""
+"""The number of invocations side by side along x, y and z."""
 
 USUAL: Mapping[int, WorkGroup] = {1: (64, 1, 1), 2: (8, 8, 1)}
-"""By the number of dimensions that a kernel's results have: a multiple of what all devices execute
-at once, and no more than any of them takes."""
+"""The usual work group by the number of dimensions of a kernel's results.
+
+It is a multiple of the invocations that all devices execute at once, and no more than any of them
+takes.
+"""
 
 WRITTEN_GROUP = "draw"
 """The group of the buffers and images that a kernel writes."""
 
 ScatterOperator = Literal["add", "min", "max", "and", "or"]
-"""How a scattered value is joined with what an element has: in any order with the same result."""
+"""The operator that joins a scattered value with an element: in any order with one result."""
 
 MOST_INVOCATIONS = 1024
-"""No API that there is has larger work groups; what a profile has at least is one of its limits."""
+"""The largest work group of any API; a profile's limits say what it has at least."""
 
 
 def invocations(group: WorkGroup) -> int:
-    """How many invocations a work group has."""
+    """The number of invocations of a work group."""
     x, y, z = group
     return x * y * z
 
@@ -38,7 +41,7 @@ def ends(*, signed: bool) -> tuple[int, int]:
 
 
 def neutral(operator: ScatterOperator, *, signed: bool) -> int:
-    """What an element has before anything is scattered to it: joining that changes nothing."""
+    """The value of an element before anything is scattered to it: joining it changes nothing."""
     lowest, highest = ends(signed=signed)
     ones = -1 if signed else highest
     return {"add": 0, "or": 0, "and": ones, "min": highest, "max": lowest}[operator]

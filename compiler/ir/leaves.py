@@ -50,7 +50,7 @@ class Resource:
     group: str
     default: str = "white"
     state: tuple[tuple[str, str], ...] = ()
-    """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
+    """The sampler's state as sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` …"""
 
 
 @frozen(key=True)
@@ -61,7 +61,7 @@ class Buffer:
     type: RuntimeArray
     group: str
     fact: Fact = UNKNOWN
-    """What holds of each element."""
+    """A fact that holds of each element."""
     member_facts: tuple[tuple[str, Fact], ...] = ()
     meaning: Meaning | None = None
 
@@ -79,5 +79,5 @@ class Attribute:
     name: str
     type: Type
     step: Domain = VERTICES
-    """What it varies over: ``VERTICES``, or ``INSTANCES``."""
+    """The domain over which it varies: ``VERTICES`` or ``INSTANCES``."""
     meaning: Meaning | None = None

@@ -1,6 +1,7 @@
-"""Meanings: what a value stands for beyond its numbers, such as a colour or a point in world space.
+"""Meanings (semantic types): the sense of a value beyond its numbers, such as a colour.
 
-Semantics checks meanings and then forgets them: they cost nothing at run time, and no node has one.
+Another one is a point in world space. Semantics checks meanings and then forgets them: they cost
+nothing at run time, and no node has one.
 """
 
 from __future__ import annotations
@@ -26,20 +27,20 @@ MAPS: frozenset[str] = frozenset({"transform", "basis"})
 class Meaning:
     """``point<world>``, ``rgb``, ``transform<object, world>``; of an array, that of its elements.
 
-    A ``direction`` is a vector of length one, a ``normal`` stands upright on a surface and so
-    moves by the inverse transpose of what moves vectors.
+    A ``direction`` is a vector of length one. A ``normal`` stands upright on a surface and so moves
+    by the inverse transpose of the matrix that moves vectors.
     """
 
     kind: MeaningKind
     spaces: tuple[str, ...] = ()
     members: tuple[tuple[str, Meaning | None], ...] = ()
-    """Of a struct."""
+    """The names and meanings of a struct's members."""
 
     def __str__(self) -> str:
         return f"{self.kind}<{', '.join(self.spaces)}>" if self.spaces else self.kind
 
     def member(self, name: str) -> Meaning | None:
-        """What member ``name`` of a struct means."""
+        """The meaning of member ``name`` of a struct."""
         return dict(self.members).get(name)
 
 

@@ -24,7 +24,7 @@ Op = Literal[
     "fold", "iterate", "apply",
     "as", "called",
 ]  # fmt: skip
-"""What a node does. ``operations.py`` has a row for each, which says all there is to say of it."""
+"""The operations of nodes; ``operations.py`` has a row for each, with all there is to say of it."""
 
 
 @frozen(eq=False)
@@ -55,7 +55,7 @@ class Binder:
 
     @property
     def count(self) -> int:
-        """How many variables it binds."""
+        """The number of variables that it binds."""
         raise NotImplementedError
 
     @property
@@ -73,9 +73,9 @@ FoldOperator = Literal["add", "mul", "min", "max", "and", "or"]
 
 @frozen
 class Folding(Binder):
-    """How a fold combines its terms, and how many there can be at most.
+    """A fold's operator, and its largest number of iterations.
 
-    It binds one variable, the number of the turn.
+    It binds one variable, the number of the iteration.
     """
 
     operator: FoldOperator
@@ -112,7 +112,7 @@ class Iterating(Binder):
     """
 
     bound: int
-    """How many turns there can be at most."""
+    """The largest number of iterations."""
     states: int
     formals: Formals | None = None
 
@@ -123,11 +123,11 @@ class Iterating(Binder):
 
     @property
     def bodies(self) -> range:
-        """Of (count, *starts, going, *nexts), ``going`` and the ``nexts``."""
+        """The positions of ``going`` and the ``nexts`` in (count, *starts, going, *nexts)."""
         return range(1 + self.states, 2 + 2 * self.states)
 
     def types(self, operands: Sequence[Type]) -> list[Type]:
-        """The number of the turn, and what each state starts with."""
+        """The types of the iteration's number, and of the states."""
         return [INT, *operands[1 : 1 + self.states]]
 
 
@@ -149,7 +149,7 @@ class Applying(Binder):
         return range(1)
 
     def types(self, operands: Sequence[Type]) -> list[Type]:
-        """Those of the arguments."""
+        """The types of the arguments."""
         return list(operands[1:])
 
 
@@ -171,7 +171,7 @@ def constant_head(data: Hashable) -> str:
 
 
 _VARIABLES: frozenset[Op] = frozenset(("bound", "formal", "fold", "iterate", "apply"))
-"""Variables, and what binds them."""
+"""Variables, and the operations that bind them."""
 _NONE: frozenset[Formal] = frozenset()
 
 
@@ -189,8 +189,10 @@ class Node:
         self.data = data
         self.id = id_
         self.head: Hashable = constant_head(data) if op == "constant" else HEADS.get(op, data)
-        """What kind of value it is, which rules are looked up by: its builtin, or its operation
-        with a dot before the name."""
+        """The kind of value by which rules are looked up.
+
+        This is the name of its builtin, or of its operation with a dot before it.
+        """
         free: int = 0
         variables = _NONE
         if op in _VARIABLES:
@@ -202,11 +204,13 @@ class Node:
                     variables = variables | theirs if variables else theirs
         self.free: int = free
         self.variables: frozenset[Formal] = variables
-        """In ``free``, bit i is set when the binder i levels out (de Bruijn) occurs free;
-        ``variables`` are the formals of binders further out."""
+        """The formals of binders further out that occur in it.
+
+        In ``free``, bit i is set when the binder i levels out (de Bruijn) occurs free.
+        """
 
     def __repr__(self) -> str:
-        """As in ``%113 = native div(%18, %2) : float``."""
+        """The node in one line, as in ``%113 = native div(%18, %2) : float``."""
         inner = ", ".join(f"%{operand.id}" for operand in self.operands)
         return f"%{self.id} = {self._words()}{f'({inner})' if inner else ''} : {self.type}"
 
@@ -225,7 +229,7 @@ class Node:
 
 
 def binders(node: Node) -> int:
-    """How many de Bruijn variables ``node`` binds in its body; none once it has been opened."""
+    """The number of de Bruijn variables that ``node`` binds in its body; 0 once it is opened."""
     data = node.data
     return data.count if isinstance(data, Binder) and data.formals is None else 0
 
@@ -244,7 +248,7 @@ def formals_of(node: Node) -> Formals:
 
 
 def key_of(op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Hashable:
-    """What equal nodes have in common."""
+    """The key under which equal nodes are interned (hash-consing)."""
     # A constant's 0.0 and -0.0, 1 and 1.0 and True compare equal but are different values.
     # Nodes hash and compare by identity, so operands go into the key as they are.
     return (op, type_, repr(data) if op == "constant" else data, operands)
@@ -300,7 +304,7 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, froz
 
 
 def bare(node: Node) -> Node:
-    """The value under what was said of its meaning, and of whose value it is."""
+    """The value under its ascriptions and call-site annotations."""
     while node.op in ("as", "called"):
         node = node.operands[0]
     return node
@@ -339,7 +343,7 @@ def reachable(roots: Iterable[Node]) -> list[Node]:
 def _reachable(roots: Iterable[Node]) -> list[Node]:
     seen = set(roots)
     found = list(seen)
-    for node in found:  # It grows on the way.
+    for node in found:  # The list grows on the way.
         for operand in node.operands:
             if operand not in seen:
                 seen.add(operand)

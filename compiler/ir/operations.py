@@ -28,10 +28,13 @@ from .stages import Crossing, SystemInput
 from .types import Type
 
 Form = Literal["semantics", "opened", "flat", "guarded", "stored"]
-"""What a graph is like after which pass, in order: as semantics leaves it; its binders opened
-(``open_binders``); without structures that were put together (``replace_aggregates``); with
-hardware operations, and such calls as each profile decides about (``guard``); reading parameters as
-blocks store them (``lower_reads``)."""
+"""The forms of a graph after certain passes, in order.
+
+``semantics``: as semantics leaves it. ``opened``: its binders are opened (``open_binders``).
+``flat``: without structures that the shader builds (``replace_aggregates``). ``guarded``: with
+hardware operations, and such calls as each profile decides about (``guard``). ``stored``: it reads
+parameters as blocks store them (``lower_reads``).
+"""
 
 FORMS: tuple[Form, ...] = get_args(Form)
 
@@ -50,8 +53,11 @@ Role = Literal[
 ]
 
 Rate = Literal["constant", "draw", "varying", "operands"]
-"""How often a value changes: never; from draw to draw; from vertex to vertex or pixel to pixel;
-as often as its operands do."""
+"""The rate at which a value changes.
+
+It changes never; from draw to draw; from vertex to vertex or pixel to pixel; or as often as its
+operands do.
+"""
 
 Data = TypeVar("Data")
 
@@ -62,7 +68,7 @@ BRANCH: BranchMode = "branch"
 
 @frozen(eq=False)
 class Operation(Generic[Data]):
-    """One row: what is true of every node of one operation."""
+    """One row: the properties of every node of one operation."""
 
     name: Op
     role: Role
@@ -71,24 +77,24 @@ class Operation(Generic[Data]):
     result: Callable[[Node], Type | None]
     """The type of its value, from its operands and data; ``None`` where they do not fit."""
     arity: int | None = 0
-    """How many operands it has; ``None``: as many as it needs, at least one."""
+    """The number of operands; ``None``: as many as it needs, at least one."""
     until: Form | None = "stored"
     """The last form in which it may stand; ``None``: only while semantics is still at work."""
     stays: Callable[[Node], bool] = lambda _: False
-    """Which nodes may stand in all later forms, too."""
+    """True for nodes that may stay in all later forms, too."""
     rate: Rate = "operands"
     is_global: bool = False
-    """Whether every function of a program can read it where it is."""
+    """True if every function of a program can read it where it is."""
     cost: int = 0
     """ALU operations, not counting its operands; those of builtins are in their rows."""
     noun: str = ""
-    """What a value is called of which nothing else is known; empty: as the operation."""
+    """The name of a value of which nothing else is known; empty: as the operation."""
     data: Callable[[Node], Data] = attrgetter("data")
-    """What a node of this operation has as data."""
+    """The data of a node of this operation."""
 
     @property
     def is_leaf(self) -> bool:
-        """Whether it has no operands."""
+        """True if it has no operands."""
         return self.arity == 0
 
     @property
@@ -123,14 +129,19 @@ PARAMETER = Operation(
 RESOURCE = Operation(
     "resource", "outside", Resource, result_types.declared, rate="varying", is_global=True
 )
-"""A texture with the state of its sampler. It is an operand of the builtins that read it, and
-nothing else is made of it."""
+"""A texture with the state of its sampler.
+
+It is an operand of the builtins that read it, and of nothing else.
+"""
 
 BUFFER = Operation(
     "buffer", "outside", Buffer, result_types.declared, rate="varying", is_global=True
 )
-"""A storage buffer. Its elements are read by ``index``, and nothing else is made of it. Once reads
-are lowered, it has its stored type."""
+"""A storage buffer.
+
+Its elements are read by ``index``, and nothing else is made of it. Once reads are lowered, it has
+its stored type.
+"""
 
 ATTRIBUTE = Operation("attribute", "outside", Attribute, result_types.declared, rate="varying")
 """A vertex input."""
@@ -141,8 +152,10 @@ INPUT = Operation("input", "outside", SystemInput, result_types.declared, rate="
 BOUND = Operation(
     "bound", "variable", int, result_types.own, until="semantics", rate="varying"
 )  # fmt: skip
-"""A variable of a closed binder, by its de Bruijn index: the variables of the innermost binder come
-first, in order, then those of the next one out."""
+"""A variable of a closed binder, by its de Bruijn index.
+
+The variables of the innermost binder come first, in order, then those of the next one out.
+"""
 
 FORMAL = Operation("formal", "variable", Formal, result_types.own, rate="varying")
 """A variable of an opened binder."""
@@ -151,7 +164,7 @@ FORMAL = Operation("formal", "variable", Formal, result_types.own, rate="varying
 
 
 def _is_by_profile(call: Node) -> bool:
-    """Whether a call is one about which profiles decide, after the passes."""
+    """True if profiles decide about a call, after the passes."""
     row = BUILTINS.get(CALL.data(call))
     return row is not None and row.by_profile is not nowhere
 
@@ -159,13 +172,17 @@ def _is_by_profile(call: Node) -> bool:
 CALL = Operation(
     "call", "builtin", str, result_types.builtin, arity=None, until="flat", stays=_is_by_profile
 )  # fmt: skip
-"""A builtin with Burnish's meaning, which is defined for all operands; the data is its name. Calls
-that some language can make without a guard stay to the end: ``targets/legalise`` decides."""
+"""A builtin with Burnish's meaning, which is defined for all operands; the data is its name.
+
+Calls that some language can make without a guard stay to the end: ``targets/legalise`` decides.
+"""
 
 NATIVE = Operation("native", "builtin", str, result_types.native, arity=None)
-"""A builtin as the hardware does it. Where backends agree on it, that is its meaning; elsewhere the
-result may be anything, so ``guard`` uses it only where operands are proven harmless. Semantics
-makes one for ``unguarded(…)``."""
+"""A builtin as the hardware does it.
+
+Where backends agree on it, that is its meaning; elsewhere the result may be anything, so ``guard``
+uses it only where operands are proven harmless. Semantics makes one for ``unguarded(…)``.
+"""
 
 # --- values from parts ---------------------------------------------------------------------------
 
@@ -184,8 +201,10 @@ STRUCT = Operation(
 """A structure of its members. ``replace_aggregates`` does away with it."""
 
 ARRAY = Operation("array", "join", NoneType, result_types.aggregate, arity=None, noun="elements")
-"""An array of its elements. In the end only arrays of plain values are left, that are indexed by
-something known at run time only."""
+"""An array of its elements.
+
+In the end only arrays of plain values are left, with an index that is known at run time only.
+"""
 
 # --- parts of values -----------------------------------------------------------------------------
 
@@ -195,8 +214,11 @@ SWIZZLE = Operation[tuple[int, ...]](
 """Lanes of a vector, by their numbers, in any order and also more than once."""
 
 INDEX = Operation("index", "part", NoneType, result_types.index, arity=2, noun="element")
-"""Of (aggregate, position): an element of an array or a buffer, a column of a matrix or a lane of a
-vector. The position lies within bounds: whoever makes an index that is computed clamps it."""
+"""A part of an aggregate, of the operands (aggregate, position).
+
+It is an element of an array or a buffer, a column of a matrix or a lane of a vector. The position
+lies within bounds: whoever makes an index that is computed clamps it.
+"""
 
 MEMBER = Operation("member", "part", str, result_types.member, arity=1, noun="part")
 """A member of a structure, by name: of a uniform block's, or of the states that a loop leaves."""
@@ -206,46 +228,64 @@ MEMBER = Operation("member", "part", str, result_types.member, arity=1, noun="pa
 SELECT = Operation[BranchMode | None](
     "select", "choice", (str, NoneType), result_types.select, arity=3, cost=1, noun="chosen"
 )
-"""Of (condition, then, otherwise): one of two values. Both may be computed, unless the data is
-``BRANCH``: then what only one side needs is computed only if that is chosen."""
+"""A choice between two values, of the operands (condition, then, otherwise).
+
+Both may be computed, unless the data is ``BRANCH``: then operations that only one side needs are
+computed only if that side is chosen.
+"""
 
 CROSS = Operation("cross", "crossing", Crossing, result_types.cross, arity=None, rate="varying")
-"""What a value of one stage is in the next: a weighted mean of those at several vertices, or
-that of one of them, which is always the first one (``flat``) or has a number (``corner``): this
-is the second operand, and belongs to the later stage. The data names the domains of both stages;
-all that is under the first operand belongs to the earlier one."""
+"""A varying: the value in one stage of a value that the stage before computes.
+
+It is a weighted mean of the values at several vertices; or the value of one of them, which is
+always the first one (``flat``) or has a number (``corner``): this number is the second operand, and
+belongs to the later stage. The data names the domains of both stages. All nodes under the first
+operand belong to the earlier one.
+"""
 
 FOLD = Operation(
     "fold", "loop", Folding, result_types.fold, arity=3, cost=LOOP, noun="total"
 )  # fmt: skip
-"""Of (count, start, body): ``start`` combined, by the data's operator, with the body's value for
-each turn 0, 1, … below ``count``, which never exceeds the data's bound. The body binds the number
-of the turn."""
+"""A fold, of the operands (count, start, body).
+
+``start`` is combined, by the data's operator, with the body's value for each iteration 0, 1, …
+below ``count``, which never exceeds the data's bound. The body binds the number of the iteration.
+"""
 
 ITERATE = Operation(
     "iterate", "loop", Iterating, result_types.iterate, arity=None, cost=LOOP, noun="state"
 )
-"""Of (count, *starts, going, *nexts): states that begin as the starts and become the nexts in each
-turn below ``count``, as long as ``going`` holds. The value is what the states are in the end. Both
-``going`` and the nexts bind the number of the turn and the states."""
+"""A loop over states, of the operands (count, *starts, going, *nexts).
+
+The states begin as the starts and become the nexts in each iteration below ``count``, as long as
+``going`` holds. The value is that of the states in the end. Both ``going`` and the nexts bind the
+number of the iteration and the states.
+"""
 
 APPLY = Operation(
     "apply", "function", Applying, result_types.apply, arity=None, cost=1, noun="result"
 )
-"""Of (body, *arguments): the value of a body that binds a variable for each argument. Applies of
-one body are calls of one function."""
+"""A call of a body, of the operands (body, *arguments).
+
+The body binds a variable for each argument. Applies of one body are calls of one function.
+"""
 
 ASCRIBE = Operation[Meaning | None](
     "as", "mark", (Meaning, NoneType), result_types.marked, arity=1, until=None
 )
-"""Its operand, of which a declaration says what it means; without data, that it is a bare number.
-Semantics makes these and erases them."""
+"""Type ascription: a declaration gives its operand a meaning.
+
+Without data, the operand is a bare number. Semantics makes these nodes and erases them.
+"""
 
 CALLED = Operation[Hashable](
     "called", "mark", object, result_types.marked, arity=None, until=None
 )  # fmt: skip
-"""Of (value, *arguments): the value, which a function of the user's gave for these arguments; the
-data says which function. Semantics makes these and erases them."""
+"""A call-site annotation, of the operands (value, *arguments).
+
+The value is that of a function of the user's for these arguments; the data says which function.
+Semantics makes these and erases them.
+"""
 
 
 def _rows() -> Iterator[Operation[Any]]:
@@ -273,7 +313,7 @@ BINDING = with_role("loop", "function")
 """Operations with bodies, in which they bind variables."""
 MARKS = with_role("mark")
 VARYING = frozenset(row.name for row in OPERATIONS.values() if row.rate == "varying")
-"""What may differ between the vertices or pixels of a draw."""
+"""Operations whose values may differ between the vertices or pixels of a draw."""
 GLOBALS = frozenset(row.name for row in OPERATIONS.values() if row.is_global)
 
 
@@ -282,7 +322,7 @@ OF_GROUPS = frozenset(name for name, row in BUILTINS.items() if row.of_group is 
 
 
 def joins_group(node: Node) -> bool:
-    """Whether an operation joins the values of all invocations of a work group."""
+    """True if an operation joins the values of all invocations of a work group."""
     return node.head in OF_GROUPS
 
 

@@ -1,6 +1,6 @@
-"""Points, lines and triangles: what a mesh consists of, and what is drawn of it.
+"""Points, lines and triangles: the primitives of a mesh, and those that are drawn of it.
 
-Expansions and tessellations say by these words what they take and what becomes of it.
+Expansions and tessellations say by these words which primitives they take and make.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import Literal
 
 DrawnPrimitive = Literal["point", "line", "triangle"]
-"""What a rasteriser draws."""
+"""The primitives that a rasteriser draws."""
 
 CORNERS: Mapping[str, int] = {
     "point": 1,
@@ -18,6 +18,8 @@ CORNERS: Mapping[str, int] = {
     "line_adjacency": 4,
     "triangle_adjacency": 6,
 }
-"""How many vertices each kind of primitive has. With adjacency they are in the order of Vulkan and
-OpenGL: a line between the vertices next to its ends, a triangle with the vertex across each edge
-behind the one where that edge begins."""
+"""The number of vertices of each kind of primitive.
+
+With adjacency they are in the order of Vulkan and OpenGL: a line between the vertices next to its
+ends, a triangle with the vertex across each edge behind the one where that edge begins.
+"""

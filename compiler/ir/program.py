@@ -1,4 +1,4 @@
-"""The types of programs: what the passes hand to ``legalise`` and ``emit``, in no language yet.
+"""The types of programs, which the passes hand to ``legalise`` and ``emit``, in no language yet.
 
 A program is staged, laid out and scheduled. A backend prints it and decides nothing about order,
 sharing, stages or offsets: a node that a statement binds is printed as that statement's name, every
@@ -41,22 +41,24 @@ class StoredMember:
     """One member of a block in its stored form: the same bytes on every backend."""
 
     name: str
-    """Suggested identifier, ``torch_axis``; paddings are ``pad_0`` …"""
+    """The suggested identifier, ``torch_axis``; paddings are ``pad_0`` …"""
     type: Type
-    """Stored type: bools as uint, matrices with columns of four rows, packed arrays as arrays of
-    vec4."""
+    """The stored type.
+
+    Bools are uints, matrices have columns of four rows, and packed arrays are arrays of vec4.
+    """
     offset: int
     """Bytes from the start of the block (or of the struct)."""
     size: int
     """Bytes occupied."""
     parameter: Parameter | None
-    """What it holds; ``None`` for explicit padding."""
+    """The parameter that it holds; ``None`` for explicit padding."""
     doc: str = ""
 
 
 @frozen
 class Block:
-    """A uniform block: one group's parameters, what was derived from them, or a host's own."""
+    """A uniform block: one group's parameters, values derived from them, or a host's own."""
 
     name: str
     """Suggested identifier, ``Material`` or ``MaterialDerived``."""
@@ -68,7 +70,7 @@ class Block:
     structs: tuple[Struct, ...]
     """Stored struct types (padded) that members use, in order of definition."""
     host: HostPlace | None = None
-    """Where a host binds it that owned it before the program did."""
+    """The place where a host binds a block that it owned before the program did."""
 
 
 @frozen
@@ -81,9 +83,9 @@ class Field:
     mode: InterpolationMode = "perspective"
     doc: str = ""
     step: Domain = VERTICES
-    """Of a vertex input, what it varies over."""
+    """The domain over which a vertex input varies."""
     invariant: bool = False
-    """Of what crosses, whether positions that have to be invariant are computed of it."""
+    """True for a varying from which positions are computed that have to be invariant."""
 
 
 @frozen
@@ -97,7 +99,7 @@ class Varying:
 
 @frozen
 class Interface:
-    """What one stage hands on to the next."""
+    """The varyings that one stage hands on to the next."""
 
     origin: Domain
     """The domain in which the values are computed."""
@@ -105,8 +107,10 @@ class Interface:
     """The domain in which they are read."""
     varyings: tuple[Varying, ...]
     through: Domain | None = None
-    """Where a stage between the two hands them on as they are, the domain of that stage. It gets
-    them by an interface of its own, in the same locations."""
+    """The domain of a stage between the two that hands the values on as they are, if there is one.
+
+    That stage gets them by an interface of its own, in the same locations.
+    """
 
     @property
     def fields(self) -> tuple[Field, ...]:
@@ -115,7 +119,7 @@ class Interface:
 
 
 def leaving(interfaces: Iterable[Interface], row: StageRow) -> tuple[Varying, ...]:
-    """What crosses from a stage into the next, besides what it only hands on."""
+    """The varyings that a stage computes for the next, without those that it only hands on."""
     return tuple(
         varying
         for face in interfaces
@@ -130,7 +134,7 @@ class Image:
 
     name: str
     format: str
-    """That of its texels, such as ``rgba16f``."""
+    """The format of its texels, such as ``rgba16f``."""
     group: str
     """The group with which a host binds it."""
 
@@ -143,15 +147,15 @@ class Output:
     """A kind of ``stages.py``: ``VARYING``, or that of a shader's result."""
     value: Node
     field: Field | None = None
-    """Where it goes, for what has a location: a varying, or a render target."""
+    """The location of a varying or of a render target."""
     store: Store | None = None
-    """Where it goes, for what is written to a storage buffer."""
+    """The place of a value that is written to a storage buffer."""
     image: Image | None = None
-    """Where it goes, for what is written to a texel of an image."""
+    """The image of a value that is written to a texel."""
 
     @property
     def shown(self) -> str:
-        """What people call it."""
+        """The name of the output for people."""
         if self.image is not None:
             return self.image.name
         if self.store is not None:
@@ -161,7 +165,7 @@ class Output:
 
 @frozen
 class Function:
-    """A body used more than once, such as what one light contributes.
+    """A body used more than once, such as the contribution of one light.
 
     A call is an ``apply`` node whose first operand is ``body`` and whose further operands are the
     arguments. Of its caller's values a body reads uniforms and its parameters only.
@@ -178,7 +182,7 @@ class Function:
 
 @frozen
 class TextureRead:
-    """That a stage reads a texture in some way."""
+    """A read of a texture by a stage, in one way."""
 
     builtin: str
     resource: Resource
@@ -187,7 +191,7 @@ class TextureRead:
 
     @property
     def samples(self) -> bool:
-        """Whether it does so by the texture's sampler."""
+        """True if it reads by the texture's sampler."""
         return BUILTINS[self.builtin].sampler is not None
 
 
@@ -204,7 +208,7 @@ def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
 
 @frozen
 class NativeUse:
-    """That a stage uses a builtin's own operation on operands of some types."""
+    """A use of a builtin's own operation by a stage, on operands of certain types."""
 
     builtin: str
     types: tuple[Type, ...]
@@ -236,21 +240,24 @@ class Stage:
     functions: tuple[Function, ...]
     region: Region
     results: tuple[Output, ...]
-    """All that it delivers: the shader's own results first, and then what crosses."""
+    """All outputs: the shader's own results first, and then the varyings."""
     buffers: tuple[Buffer, ...] = ()
     """The storage buffers that it reads or writes."""
     builtin_inputs: tuple[str, ...] = ()
-    """Those of the row's ``inputs`` that it reads, by name."""
+    """The row's ``inputs`` that the stage reads, by name."""
     reads: tuple[TextureRead, ...] = ()
-    """In which ways the stage reads its textures: each way of each once."""
+    """The ways in which the stage reads its textures: each way of each once."""
     natives: tuple[NativeUse, ...] = ()
-    """The builtins whose own operations it uses; what a profile lacks is looked up here."""
+    """The builtins whose own operations it uses, to be looked up among those a profile lacks."""
     handed_on: tuple[Field, ...] = ()
-    """Those of its inputs that the next stage reads as well, so that it hands them on."""
+    """The inputs that the next stage reads as well, so that this stage hands them on."""
     emitted: tuple[EmittedPart, ...] = ()
-    """Where it emits vertices, in which groups. Its region is then what these share."""
+    """The groups of vertices that it emits, if any.
+
+    The stage's region then has the values that these share.
+    """
     emitting: tuple[Node, ...] = ()
-    """For each group of the expansion, whether a strip of it is emitted; one graph for all."""
+    """For each group of the expansion, a condition: a strip of it is emitted. All share a graph."""
 
     @property
     def name(self) -> StageName:
@@ -285,7 +292,7 @@ class Stage:
 
     @property
     def scattered(self) -> tuple[Scattered, ...]:
-        """What it joins with elements of its own choice."""
+        """The values that it joins with elements of its own choice."""
         return scattered(self.results)
 
     def value_of(self, kind: str) -> Node | None:
@@ -304,29 +311,29 @@ class Program:
     name: str
     doc: str
     stages: tuple[Stage, ...]
-    """In pipeline order: the first one reads the vertex inputs."""
+    """The stages in pipeline order: the first one reads the vertex inputs."""
     blocks: tuple[Block, ...]
     """All blocks of all stages, in group order."""
     resources: tuple[Resource, ...]
     interfaces: tuple[Interface, ...]
-    """What crosses between each stage and the next, in pipeline order."""
+    """The varyings between each stage and the next, in pipeline order."""
     buffers: tuple[Buffer, ...] = ()
     expansion: Expansion | None = None
-    """What each primitive of the mesh turns into."""
+    """The expansion of each primitive of the mesh."""
     tessellation: Tessellation | None = None
-    """What each patch of it is divided into."""
+    """The division of each patch of the mesh."""
     capture: Capture | None = None
-    """What is written of each vertex instead of drawing."""
+    """The values that are written of each vertex instead of drawing."""
     work_group: WorkGroup | None = None
-    """Which invocations of a kernel run together."""
+    """The work group: the invocations of a kernel that run together."""
     corner_buffer: Buffer | None = None
-    """What the first stage reads the corners of primitives of, if vertex inputs do not suffice."""
+    """The buffer with the corners of primitives, if vertex inputs do not suffice."""
     fill: Fill = "faces"
-    """What is drawn of triangles."""
+    """The part of triangles that is drawn."""
     invariant: bool = False
-    """Whether positions are the same, bit by bit, in all shaders that compute them in this way."""
+    """True if positions are equal, bit by bit, in all shaders that compute them in this way."""
     targets: tuple[RenderTarget, ...] = ()
-    """How the targets of a pass are blended that a host sets up."""
+    """The blending of the targets of a pass, which a host sets up."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""
@@ -337,29 +344,29 @@ class Program:
 
     @property
     def vertex_inputs(self) -> tuple[Field, ...]:
-        """What the host's vertex buffers have to supply."""
+        """The values that the host's vertex buffers have to supply."""
         return self.stages[0].inputs
 
     @property
     def input_locations(self) -> int:
-        """How many locations these take: one counts also where nothing is read at those before."""
+        """The number of locations of these; unread locations before a read one count, too."""
         return max((field.location + 1 for field in self.vertex_inputs), default=0)
 
     @property
     def varyings(self) -> tuple[Varying, ...]:
-        """What crosses, of all interfaces."""
+        """The varyings of all interfaces."""
         return tuple(varying for face in self.interfaces for varying in face.varyings)
 
     def interfaces_into(self, stage: Stage) -> tuple[Interface, ...]:
-        """What stages before it hand on to a stage, for each of these."""
+        """The interfaces into a stage, one for each earlier stage that hands something on to it."""
         return tuple(face for face in self.interfaces if face.destination == stage.row.domain)
 
     def entering(self, stage: Stage) -> tuple[Varying, ...]:
-        """What crosses into a stage."""
+        """The varyings that a stage reads."""
         return tuple(v for face in self.interfaces_into(stage) for v in face.varyings)
 
     def leaving(self, stage: Stage) -> tuple[Varying, ...]:
-        """What crosses from a stage into the next, besides what it only hands on."""
+        """The varyings that a stage computes for the next, without those that it only hands on."""
         return leaving(self.interfaces, stage.row)
 
     def results_of(self, kind: str) -> tuple[Output, ...]:
@@ -373,7 +380,7 @@ class Program:
 
     @property
     def scattered(self) -> frozenset[Buffer]:
-        """Those of them with whose elements values are joined."""
+        """The buffers with whose elements values are joined."""
         scattered = (each for stage in self.stages for each in stage.scattered)
         return frozenset(each.store.buffer for each in scattered)
 
@@ -391,7 +398,7 @@ class Program:
 
     @property
     def reads(self) -> tuple[TextureRead, ...]:
-        """How the stages read textures."""
+        """The reads of textures in all stages."""
         return tuple(read for stage in self.stages for read in stage.reads)
 
     @property

@@ -1,7 +1,7 @@
-"""How the bounds of a value follow from those of its operands: a rule for each operation.
+"""Derives the bounds of a value from those of its operands: a rule for each operation.
 
-``Ranges`` (``ranges.py``) looks the rule up by the operation, hands it the facts of what the value
-needs, and keeps what the rule derives. Every rule has a name (``rulebook.py``), by which proofs
+``Ranges`` (``ranges.py``) looks the rule up by the operation, hands it the facts of the values that
+this one needs, and keeps the derived fact. Every rule has a name (``rulebook.py``), by which proofs
 cite it. The rules of builtins stand in the builtins' own rows.
 """
 
@@ -36,25 +36,25 @@ from .types import Array, Matrix, RuntimeArray, Struct
 
 
 class Analysis(Protocol):
-    """What rules ask of the analysis besides the facts of what a value needs."""
+    """The interface of the analysis for rules, besides the facts of the values they need."""
 
     @property
     def without(self) -> frozenset[str]:
         """Names of rules that are not applied."""
 
     def so_far(self, node: Node) -> Fact:
-        """What is known of a value while another is derived that needs it."""
+        """The fact of a value so far, while another is derived that needs it."""
 
     def in_turns(self, state: Formal, starts: Sequence[Fact]) -> Fact:
-        """What holds of a loop's state in every turn, if the states start with so much."""
+        """The fact of a loop's state in every iteration, for these facts of the initial states."""
 
     def bound_of(self, index: Formal) -> int:
-        """How many values a fold's index takes at most."""
+        """The largest number of values that a fold's index takes."""
 
 
 @frozen
 class RangeRule:
-    """How the fact of an operation follows from those of what it needs."""
+    """A rule that derives the fact of an operation from those of the values it needs."""
 
     name: Callable[[Node], str]
     derive: Callable[[Analysis, Node, Sequence[Fact]], Fact]
@@ -79,7 +79,7 @@ def _constant(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
 
 
 def _declared(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
-    """What the host promises of a parameter, or of a buffer's elements."""
+    """The fact that the host promises of a parameter, or of a buffer's elements."""
     return _leaf(node).fact
 
 
@@ -107,7 +107,7 @@ def _joined(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _elements(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
-    """What holds of each element."""
+    """A fact that holds of each element."""
     return _union(known)
 
 
@@ -131,8 +131,10 @@ def _index(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _member(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """A member of a light of many, or of a buffer's element, which carries a fact for each; or a
-    loop's state."""
+    """The fact of a member of a light of many, or of a buffer's element, or of a loop's state.
+
+    Lights and elements carry a fact for each member.
+    """
     source = node.operands[0]
     if source.op == "iterate":
         return _union(known)
@@ -148,7 +150,7 @@ def _member_name(node: Node) -> str:
 
 
 def _ascribed(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """Only what has unit length is ever called a direction."""
+    """The fact of an ascribed value: only unit vectors are ever called directions."""
     meaning = ASCRIBE.data(node)
     contract = meaning is not None and meaning.kind == "direction"
     return known[0].meet(UNIT) if contract else known[0]
@@ -171,7 +173,7 @@ def _select(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _cross(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """What is not interpolated is the value of a vertex; of a mean of three, nothing is known.
+    """Without interpolation, the fact of a vertex; of a mean of three vertices, nothing is known.
 
     A device divides a plane through the values over w by a plane through 1 / w, and each has an
     error that is a part of its largest number. Where the pixel is much farther away than the
@@ -200,7 +202,7 @@ def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     if data.operator == "add":
         lo = start.lo + min(0.0, body.lo * data.bound) if data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * data.bound) if data.bound else start.hi
-        # Each turn rounds once more, and what only grows never rounds to less than it was.
+        # Each iteration rounds once more, and a growing value never rounds to less than it was.
         error = math.expm1(data.bound * math.log1p(ROUNDING))
         slack = product(max(abs(lo), abs(hi)), error)
         return Fact(lo - slack if body.lo < 0 else lo, hi + slack if body.hi > 0 else hi)
@@ -215,7 +217,7 @@ _FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
 
 
 def _iterate(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """A state is what it was at the start, or what a turn has made of it."""
+    """The fact of a state: its initial value, or its value after an iteration."""
     return known[1].union(known[-1]) if ITERATE.data(node).states == 1 else UNKNOWN
 
 

@@ -37,21 +37,21 @@ class Ranges:
         self._sources: dict[Formal, list[Node]] = {}
         """The arguments that a formal stands for, over all applies."""
         self._indices: dict[Formal, int] = {}
-        """How far the index of a fold runs."""
+        """The number of values that the index of a fold takes."""
         self._states: dict[Formal, Node] = {}
         """The loop that a state belongs to."""
         self._leaves: dict[Formal, Node] = {}
         """The leaf that a variable is in the graph."""
         self._needed: dict[int, Sequence[Node]] = {}
-        """What has to be known before the states of a loop, by its id."""
+        """By the id of a loop, the values that have to be known before its states."""
         self._found: dict[tuple[int, tuple[Fact, ...]], Sequence[Fact]] = {}
-        """What holds of a loop's states, by its id and what they start with."""
+        """The facts of a loop's states, by its id and the facts of the initial states."""
         self._assuming = False
-        """Whether facts of states are given: nothing is worked out of those of other loops."""
+        """True while facts of states are assumed: no facts of other loops' states are derived."""
         self.note_binders(roots)
 
     def note_binders(self, roots: Iterable[Node]) -> None:
-        """Learn what the formals under ``roots`` stand for."""
+        """Learns the binders of the formals under ``roots``."""
         for node in reachable(roots):
             if node.op == "apply":
                 for formal, argument in zip(formals_of(node), node.operands[1:], strict=True):
@@ -70,7 +70,7 @@ class Ranges:
         self._indices[formal] = bound
 
     def of(self, node: Node) -> Fact:
-        """What is known of ``node``."""
+        """The fact of ``node``."""
         facts = self._facts
         known = facts.get(node)
         if known is not None:
@@ -83,8 +83,8 @@ class Ranges:
                 pending.pop()
                 continue
             needs = top.operands if top.op not in _NEEDING else self.needs(top)
-            # What a function gets may have been computed by the same function, before a loop and
-            # in its turns: of a value that needs itself nothing is known on the way round.
+            # An argument of a function may come from the same function, before a loop and in its
+            # iterations: of a value that needs itself nothing is known on the way round.
             for need in needs:
                 if need not in facts and need not in begun:
                     pending.append(need)
@@ -95,12 +95,12 @@ class Ranges:
         return facts[node]
 
     def so_far(self, node: Node) -> Fact:
-        """What is known of a value while another is derived that needs it, maybe in a circle."""
+        """The fact of a value so far, while another is derived that needs it, maybe in a circle."""
         known = self._facts.get(node)
         return UNKNOWN.as_kind(_kind(node.type)) if known is None else known
 
     def assuming(self, facts: Mapping[Node, Fact]) -> Ranges:
-        """The same knowledge with more taken for granted; what follows from that is not kept."""
+        """The same knowledge with further facts assumed; facts that follow are not kept."""
         other = Ranges((), self.without)
         other._facts = ChainMap(dict(facts), self._facts)
         other._sources, other._indices = self._sources, self._indices
@@ -120,7 +120,7 @@ class Ranges:
         return node.operands
 
     def _needs_of_state(self, loop: Node) -> Sequence[Node]:
-        """What the states start with, and what is the same in every turn."""
+        """The initial states, and the values that are the same in every iteration."""
         if loop.id not in self._needed:
             own, states = frozenset(formals_of(loop)), ITERATE.data(loop).states
             around = frozenset((*self._states, *self._indices)) - own
@@ -129,7 +129,7 @@ class Ranges:
         return self._needed[loop.id]
 
     def derived(self, node: Node, known: Sequence[Fact]) -> Fact:
-        """What follows for ``node`` when so much is known of what it needs."""
+        """The fact of ``node`` that follows from ``known``, the facts of the values it needs."""
         rule = self._rule(node) if node.op == "formal" else RULES.get(node.op)
         fact = UNKNOWN
         if rule is not None and not (self.without and rule.name(node) in self.without):
@@ -137,7 +137,7 @@ class Ranges:
         return fact.as_kind(_kind(node.type))
 
     def assume(self, node: Node, fact: Fact) -> None:
-        """Add what is known of a node's value otherwise than through its operands."""
+        """Adds a fact of a node's value that does not follow from its operands."""
         self._facts[node] = self.of(node).meet(fact)
 
     def assume_counting(self, node: Node, bound: int) -> None:
@@ -163,7 +163,7 @@ class Ranges:
         return RULES.get(node.op)
 
     def in_turns(self, state: Formal, starts: Sequence[Fact]) -> Fact:
-        """What holds of a loop's state in every turn, if the states start with so much."""
+        """The fact of a loop's state in every iteration, for ``starts`` of the initial states."""
         loop = self._states[state]
         data = ITERATE.data(loop)
         states, nexts = data.variables[1:], loop.operands[-data.states :]
@@ -184,7 +184,7 @@ class Ranges:
         return self._found[key][states.index(state)]
 
     def bound_of(self, index: Formal) -> int:
-        """How many values a fold's index takes at most."""
+        """The largest number of values that a fold's index takes."""
         return self._indices[index]
 
 
@@ -196,7 +196,7 @@ def _kind(type_: Type) -> Kind:
 
 
 def _start_and_next(loop: Node, name: str) -> tuple[Node, Node]:
-    """What one of a loop's states is at first, and what a turn makes of it."""
+    """The initial value of one of a loop's states, and its value after an iteration."""
     assert isinstance(loop.type, Struct)
     position = [member for member, _ in loop.type.members].index(name)
     return loop.operands[1 + position], loop.operands[position - ITERATE.data(loop).states]

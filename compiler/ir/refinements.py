@@ -1,4 +1,4 @@
-"""Refinement: what follows about two values from a comparison that holds, or does not."""
+"""Refinement: facts about two values that follow from a comparison that holds, or does not."""
 
 from __future__ import annotations
 
@@ -30,13 +30,16 @@ class Refinement:
     condition: Node
     """The comparison that says so."""
     holds: bool
-    """Whether the comparison is known to be true, or to be false."""
+    """True if the comparison is known to hold, false if it is known not to."""
 
 
 def refinements(
     of: Callable[[Node], Fact], condition: Node, holds: bool, without: frozenset[str]
 ) -> Iterator[Refinement]:
-    """All that follows from ``condition`` being ``holds``; ``of`` gives the facts of values."""
+    """Yields all facts that follow from ``condition`` being ``holds``.
+
+    ``of`` gives the facts of values.
+    """
     pending = [(condition, holds)]
     for _ in range(MOST):
         if not pending:
@@ -67,7 +70,7 @@ def _compared(
 
 
 def _bounded(sign: str, bound: Fact) -> Fact:
-    """What is known of a value that stands in a relation to one within ``bound``."""
+    """The fact of a value that stands in a relation to one within ``bound``."""
     match sign:
         case "gt":
             return Fact(bound.lo, math.inf, nonzero=bound.lo >= 0)

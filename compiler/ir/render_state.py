@@ -1,4 +1,4 @@
-"""The state of the pipeline that a pass asks for, beside what its shaders compute.
+"""The state of the pipeline that a pass asks for, beside the code of its shaders.
 
 Semantics reads it from the passes' members, and the reflection hands it on to hosts. The reference
 draws by it.
@@ -12,29 +12,31 @@ from ...frozen import frozen
 from ..constraints import Range
 
 Cull = Literal["none", "back", "front"]
-"""Which faces are not drawn."""
+"""The faces that are not drawn."""
 Winding = Literal["counter_clockwise", "clockwise"]
-"""How the corners of a face go around if its front is seen."""
+"""The order of the corners of a face whose front is seen."""
 Fill = Literal["faces", "lines"]
-"""What is drawn of a face: all of it, or its edges."""
+"""The part of a face that is drawn: all of it, or its edges."""
 Samples = Literal[1, 4]
 SAMPLES: tuple[Samples, ...] = (1, 4)
-"""How many samples a pixel may have: every API has these two."""
+"""The possible numbers of samples of a pixel: every API has these two."""
 Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
-"""How a number of the fragment, on the left, has to compare with the one that is there."""
+"""The comparison of a number of the fragment, on the left, with the one in the attachment."""
 StencilOperation = Literal[
     "keep", "zero", "replace", "invert",
     "increment_clamp", "decrement_clamp", "increment_wrap", "decrement_wrap",
 ]  # fmt: skip
-"""What becomes of a stencil value."""
+"""The change of a stencil value."""
 
 HANGS_ON_EQUAL: frozenset[Compare] = frozenset(
     ("equal", "less_equal", "not_equal", "greater_equal")
 )
-"""The comparisons by which a pass finds again what another one has drawn: for them it matters
-whether two depths are the same number."""
+"""The comparisons by which a pass draws again where another one has drawn.
+
+For them it matters whether two depths are the same number.
+"""
 
 STENCIL_MOST = 255
 """The largest stencil value: all APIs have eight bits."""
@@ -46,57 +48,59 @@ MOST_BIAS = 1 << 24
 
 @frozen
 class DepthState:
-    """Which fragments the depth test lets through, whether their depths are kept, and how far
-    faces are moved away from the eye before."""
+    """The depth test: its comparison, whether depths are kept, and the depth bias before it."""
 
     compare: Compare = "less"
-    """How the depth of a fragment, on the left, has to compare with the one that is there, so that
-    it is drawn."""
+    """The comparison of a fragment's depth, on the left, with the one in the attachment.
+
+    The fragment is drawn if it holds.
+    """
     write: bool = True
-    """Whether the depths of the fragments that are drawn are kept."""
+    """True if the depths of the fragments that are drawn are kept."""
     clear: Annotated[float, Range(0, 1)] = 1.0
-    """What depths are before anything is drawn."""
+    """The depth of all pixels before anything is drawn."""
     bias: int = 0
-    """In steps of the format, as it has them at the farthest corner of the face. Lines of a mesh
-    are never moved."""
+    """A constant bias, in steps of the format at the farthest corner of the face.
+
+    Lines of a mesh are never moved.
+    """
     slope_bias: float = 0.0
-    """In times of what the depth changes from one pixel to the next."""
+    """A bias as a multiple of the depth's change from one pixel to the next."""
     bias_clamp: float = 0.0
-    """How far both together move at most if it is positive, or at least if it is negative; 0 for
-    any distance."""
+    """The limit of both together: an upper one if positive, a lower one if negative; 0 for none."""
 
     @property
     def is_used(self) -> bool:
-        """Whether a pass has to do with depths at all: frames give it an attachment for them."""
+        """True if a pass uses depths at all: frames then give it an attachment for them."""
         return self.write or self.compare != "always"
 
     @property
     def keeps_nearest(self) -> bool:
-        """Whether of several fragments at a place only the nearest one is left."""
+        """True if of several fragments at a place only the nearest one is left."""
         return self.write and self.compare == "less"
 
     @property
     def is_biased(self) -> bool:
-        """Whether faces are moved."""
+        """True if faces are moved."""
         return bool(self.bias or self.slope_bias)
 
 
 @frozen
 class StencilSide:
-    """The stencil test of faces of which one side is seen, and what becomes of the values."""
+    """The stencil test of faces seen from one side, and the changes of the values."""
 
     compare: Compare = "always"
-    """How the reference, on the left, has to compare with the value, both masked."""
+    """The comparison of the reference, on the left, with the value, both masked."""
     fail_op: StencilOperation = "keep"
-    """Where that fails."""
+    """The operation where that comparison fails."""
     depth_fail_op: StencilOperation = "keep"
-    """Where only the depth test fails."""
+    """The operation where only the depth test fails."""
     pass_op: StencilOperation = "keep"
-    """Where both let the fragment through."""
+    """The operation where both tests let the fragment through."""
 
     @property
     def operations(self) -> frozenset[StencilOperation]:
-        """All that may become of a value."""
+        """All operations that may change a value."""
         return frozenset((self.fail_op, self.depth_fail_op, self.pass_op))
 
 
@@ -108,7 +112,7 @@ class StencilState:
     back: StencilSide = StencilSide()
     """Lines have no back."""
     reference: StencilValue = 0
-    """What values are compared with, and what ``replace`` writes."""
+    """The number that values are compared with, and that ``replace`` writes."""
     read_mask: StencilValue = STENCIL_MOST
     """The bits that are compared."""
     write_mask: StencilValue = STENCIL_MOST
@@ -116,40 +120,44 @@ class StencilState:
 
     @property
     def writes(self) -> bool:
-        """Whether values may change."""
+        """True if values may change."""
         operations = self.front.operations | self.back.operations
         return bool(self.write_mask and operations - {"keep"})
 
     @property
     def tests(self) -> bool:
-        """Whether some value may keep a fragment from being drawn."""
+        """True if some value may keep a fragment from being drawn."""
         return any(side.compare != "always" for side in (self.front, self.back))
 
     @property
     def is_used(self) -> bool:
-        """Whether a pass has to do with stencil values at all."""
+        """True if a pass uses stencil values at all."""
         return self.tests or self.writes
 
 
 @frozen
 class RenderState:
-    """What a host sets for all that is drawn with a pass. The defaults hold for what no pass says
-    anything of."""
+    """The state that a host sets for all draws of a pass.
+
+    The defaults hold where the pass says nothing.
+    """
 
     cull: Cull = "none"
     front: Winding = "counter_clockwise"
     fill: Fill = "faces"
     invariant: bool | None = None
-    """Whether all shaders that compute a position in the same way get the same one, to the last
-    bit; ``None`` where the pass leaves that to what its depths are compared for."""
+    """True if all shaders that compute a position in the same way get the same one, to the bit.
+
+    ``None`` leaves it to the comparison of the pass's depths.
+    """
     samples: Samples = 1
-    """At how many places of a pixel it is decided what is seen there, one of ``SAMPLES``."""
+    """The number of places of a pixel where visibility is decided, one of ``SAMPLES``."""
     depth: DepthState = DepthState()
     stencil: StencilState = StencilState()
 
     @property
     def is_invariant(self) -> bool:
-        """Whether positions are the same in all such shaders."""
+        """True if positions are the same in all such shaders."""
         if self.invariant is None:
             return self.depth.compare in HANGS_ON_EQUAL
         return self.invariant

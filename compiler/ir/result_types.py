@@ -47,7 +47,7 @@ def own(node: Node) -> Type | None:
 
 
 def marked(node: Node) -> Type | None:
-    """That of the first operand, about which something is noted."""
+    """The type of the first operand, about which something is noted."""
     return node.operands[0].type
 
 
@@ -74,13 +74,13 @@ def _all_hold(part: Type, count: int, data: object) -> bool:
 
 
 def builtin(node: Node) -> Type | None:
-    """What the signatures of the builtin say."""
+    """The result type by the signatures of the builtin."""
     types = tuple(operand.type for operand in node.operands)
     return signatures.result_type(str(node.data), types)
 
 
 def native(node: Node) -> Type | None:
-    """As a builtin; besides, hardware multiplies a stored matrix with a column."""
+    """The result type of a builtin; besides, hardware multiplies a stored matrix with a column."""
     match [operand.type for operand in node.operands]:
         case [TallMatrix(columns), Vector("float", size)] if node.data == "mul":
             return VEC4 if size == columns else None
@@ -89,7 +89,7 @@ def native(node: Node) -> Type | None:
 
 
 def vector(node: Node) -> Type | None:
-    """As many lanes as all operands have together, of their common kind."""
+    """A vector with the lanes of all operands together, of their common kind."""
     types = [o.type for o in node.operands if isinstance(o.type, Scalar | Vector)]
     kinds = {type_.kind for type_ in types}
     if len(kinds) != 1 or len(types) != len(node.operands):
@@ -121,7 +121,7 @@ def aggregate(node: Node) -> Type | None:
 
 
 def swizzle(node: Node) -> Type | None:
-    """As many lanes as are named, each within the operand."""
+    """A vector with the named lanes, each within the operand."""
     (source,) = node.operands
     lanes = node.data
     if not isinstance(source.type, Vector) or not isinstance(lanes, tuple) or len(lanes) > 4:
@@ -156,14 +156,14 @@ def member(node: Node) -> Type | None:
 
 
 def select(node: Node) -> Type | None:
-    """That of both sides; textures and buffers cannot be selected."""
+    """The type of both sides; textures and buffers cannot be selected."""
     condition, then, otherwise = (operand.type for operand in node.operands)
     fits = condition == BOOL and then == otherwise and not isinstance(then, Opaque)
     return then if fits else None
 
 
 def cross(node: Node) -> Type | None:
-    """That of the operand; only floats have a mean."""
+    """The type of the operand; only floats have a mean."""
     inner, *corner = node.operands
     assert isinstance(node.data, Crossing)
     numbered = node.data.mode == "corner"
@@ -174,14 +174,14 @@ def cross(node: Node) -> Type | None:
 
 
 def fold(node: Node) -> Type | None:
-    """That of the start and of the body, which are numbers or vectors."""
+    """The type of the start and of the body, which are numbers or vectors."""
     count, start, body = (operand.type for operand in node.operands)
     fits = isinstance(node.data, Folding) and count == INT and start == body
     return body if fits and _is_numeric(node.operands[2]) else None
 
 
 def iterate(node: Node) -> Type | None:
-    """That of the only state, or a structure of all of them."""
+    """The type of the only state, or a structure of all of them."""
     data = node.data
     if not isinstance(data, Iterating) or len(node.operands) != 2 + 2 * data.states:
         return None
@@ -193,7 +193,7 @@ def iterate(node: Node) -> Type | None:
 
 
 def apply(node: Node) -> Type | None:
-    """That of the body, with an argument for each variable."""
+    """The type of the body, with an argument for each variable."""
     body, *arguments = node.operands
     data = node.data
     fits = isinstance(data, Applying) and data.arguments == len(arguments)

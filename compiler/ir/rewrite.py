@@ -22,15 +22,15 @@ def rewrite(
 ) -> Roots:
     """The roots, rebuilt with ``rule`` applied to every node they need, operands before users.
 
-    A rule that has something to say of some operations only names them: ``ops``. Where a caller
-    knows that all other nodes stay as they are, it names ``nodes``, operands before users. If
-    nothing changes, these are the roots that were given.
+    A rule for some operations only names them: ``ops``. Where a caller knows that all other nodes
+    stay as they are, it names ``nodes``, operands before users. If nothing changes, these are the
+    roots that were given.
 
-    ``new`` holds what nodes have become, if a caller remembers it from one call to the next, and
-    gets what changes in this call.
+    ``new`` holds the new forms of nodes, if a caller remembers them from one call to the next, and
+    gets those of this call.
 
-    Bodies of folds and applies are ordinary operands here. A replacement therefore stands under
-    the same binders as what it replaces and may use the same ``bound`` variables, no others.
+    Bodies of folds and applies are ordinary operands here. A replacement therefore stands under the
+    same binders as the node that it replaces and may use the same ``bound`` variables, no others.
     """
     wanted = roots if isinstance(roots, Roots) else Roots(roots)
     if ops is not None and nodes is None and not any(op in ops for op in wanted.ops):

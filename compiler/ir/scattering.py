@@ -1,6 +1,6 @@
-"""What is scattered: values, and the elements with which they are joined.
+"""Scattered values, and the elements with which they are joined.
 
-Stages ask it of their outputs for what is emitted, and the reference of a shader's results.
+Stages ask it of their outputs for the texts, and the reference of a shader's results.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Scattered:
 
 
 def scattered(delivered: Iterable[_Delivered]) -> tuple[Scattered, ...]:
-    """What is scattered, once for each buffer that it goes to."""
+    """The scattered values, once for each buffer that they go to."""
     found: dict[Store, dict[str, Node]] = {}
     for each in delivered:
         if each.store is not None and each.store.operator is not None:

@@ -30,11 +30,11 @@ class LightInfo:
     """An entry of a rig: a light, or an array of lights."""
 
     name: str
-    """As a host says it: ``torch``, or ``Studio.torch`` where something else has this name."""
+    """The host's name: ``torch``, or ``Studio.torch`` where that name is taken."""
     kind: str
     """The declaration of the light: ``Lantern``."""
     library: str
-    """Which declaration of the library that is, ``std.lights.Lantern``; empty for others."""
+    """The declaration of the library that it is, ``std.lights.Lantern``; empty for others."""
     doc: str
 
 
@@ -44,17 +44,17 @@ class ParameterInfo:
 
     parameter: Parameter
     declared_type: str
-    """As written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
+    """The type as written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
     range: tuple[float, float] | None
     default: ConstantValue | None
     doc: str
     span: Span
     members: tuple[ParameterInfo, ...] = ()
-    """Of a structure, or of an array's elements: one row for each member."""
+    """One row for each member of a structure, or of an array's elements."""
     light: LightInfo | None = None
     """The rig's entry that it belongs to."""
     library: str = ""
-    """Which declaration of the library it is: ``std.file.Record.name``; empty for others."""
+    """The declaration of the library that it is: ``std.file.Record.name``; empty for others."""
 
 
 @frozen
@@ -62,9 +62,9 @@ class ExternMemberInfo:
     """A member of a block that the host owns."""
 
     name: str
-    """In the text, too."""
+    """The name, also in the text."""
     offset: int
-    """In bytes."""
+    """The offset in bytes."""
     info: ParameterInfo
 
 
@@ -77,7 +77,7 @@ class ExternInfo:
     doc: str
     span: Span
     members: tuple[ExternMemberInfo, ...]
-    """By offset."""
+    """The members, by offset."""
 
 
 @frozen
@@ -88,24 +88,26 @@ class ResourceInfo:
     doc: str
     span: Span
     library: str = ""
-    """Which declaration of the library it is, as for parameters."""
+    """The declaration of the library that it is, as for parameters."""
     is_brought: bool = False
-    """Whether it is a light's that brings the steps to make it, which frames do."""
+    """True if it belongs to a light that brings the steps to make it, which frames run."""
 
 
 @frozen
 class MeshInput:
-    """What a vertex input means of a mesh whose primitives are drawn as instances."""
+    """The meaning of a vertex input for a mesh whose primitives are drawn as instances."""
 
     name: str
     """A vertex input as it is declared, or a number that the pipeline supplies elsewhere."""
     corner: int | None = None
     """The corner of the primitive whose value it is; ``None`` if it is the same at all of them."""
     is_number: bool = False
-    """Whether it is such a number: ``vertex_index``, ``instance_index``, ``primitive_index`` or
-    ``patch_index``."""
+    """True if it is such a number.
+
+    That is ``vertex_index``, ``instance_index``, ``primitive_index`` or ``patch_index``.
+    """
     is_of_pattern: bool = False
-    """Whether the mesh does not have it at all: it is where a vertex lies in its patch."""
+    """True if the mesh does not have it at all: it is the place of a vertex in its patch."""
 
 
 @frozen
@@ -114,17 +116,19 @@ class BufferInfo:
 
     buffer: Buffer
     element: ParameterInfo
-    """What is known of one element, as of a parameter."""
+    """The description of one element, as of a parameter."""
     count: ParameterInfo
     """The parameter that says how many there are."""
     doc: str
     span: Span
     of_mesh: tuple[tuple[str, AttributeInfo], ...] = ()
-    """Where a kernel captures vertices, or the vertex stage has too few inputs for the corners of
-    primitives: the vertex inputs whose values the members of its elements hold, by the members'
-    names."""
+    """The vertex inputs whose values the members of its elements hold, by the members' names.
+
+    A kernel that captures vertices has such a buffer, and a vertex stage that has too few inputs
+    for the corners of primitives.
+    """
     each: int = 1
-    """How many elements an invocation writes."""
+    """The number of elements that an invocation writes."""
 
 
 @frozen
@@ -139,7 +143,7 @@ class AttributeInfo:
     """The declared matrix that this is a column of."""
     column: int = 0
     mesh: MeshInput | None = None
-    """Of a lowered expansion, where it comes from."""
+    """For a lowered expansion, the input of the mesh that it comes from."""
 
 
 @frozen
@@ -148,41 +152,47 @@ class RenderTarget:
 
     format: str
     blend: Blend = REPLACES
-    """What the hardware does behind the shader."""
+    """The blending that the hardware does behind the shader."""
     layers: int = 0
-    """How many it has; 0 where it is a single picture and no array of them. All targets of a shader
-    have equally many."""
+    """The number of layers; 0 where it is a single picture and no array of them.
+
+    All targets of a shader have equally many.
+    """
     mask: Mask = "rgba"
-    """Which lanes are written, of those that the format has."""
+    """The lanes that are written, of those that the format has."""
     clear: tuple[float, float, float, float] | None = None
-    """What the pass wants to be there before anything is drawn, in four lanes; ``None`` where that
-    is a host's affair."""
+    """The value before anything is drawn, in four lanes; ``None`` leaves it to the host."""
 
     @property
     def is_replaced(self) -> bool:
-        """Whether nothing is left of what is there where something is drawn."""
+        """True if a fragment replaces all of the colour in the target."""
         return self.blend == REPLACES and self.mask == "rgba"
 
 
 @frozen(key=True)
 class Store:
-    """Where a result of the kind ``STORE`` goes: a part of an invocation's element. Or what one of
-    the kind ``SCATTER``, and those beside it, is about: an element of its own choice."""
+    """The place of a result of the kind ``STORE``: a part of an invocation's element.
+
+    For results of the kind ``SCATTER``, and those beside it, the element is one of their own
+    choice.
+    """
 
     buffer: Buffer
     path: tuple[str | int, ...] = ()
-    """Members, and numbers of rows, on the way from the element to the part."""
+    """The members, and numbers of rows, on the way from the element to the part."""
     stride: int = 1
-    """How many stored elements hold one value, as the columns of a matrix do."""
+    """The number of stored elements that hold one value, such as the columns of a matrix."""
     offset: int = 0
-    """Which of them this is."""
+    """The number of this one among them."""
     as_bits: bool = False
-    """Whether the bits of the value are written as a uint, whatever its type."""
+    """True if the bits of the value are written as a uint, whatever its type."""
     of_group: int = 0
-    """For what is written once for each work group, how many invocations that has: the first one
-    writes it. 0 where each invocation writes an element of its own."""
+    """The number of invocations of a work group, if only the first one of each group writes.
+
+    It is 0 where each invocation writes an element of its own.
+    """
     operator: ScatterOperator | None = None
-    """How a value is joined with what the element has, of what is scattered."""
+    """The operator that joins a scattered value with the element; ``None`` for others."""
 
 
 @frozen
@@ -195,19 +205,19 @@ class Result:
     """The stage that delivers it, in whose domain the value is."""
     value: Node
     name: str = ""
-    """What a host knows it by. Results with a name get locations, in order."""
+    """The host's name for it. Results with a name get locations, in order."""
     doc: str = ""
     state: RenderTarget | None = None
-    """For a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
+    """The state of a result of the kind ``TARGET``, or ``IMAGE``: then only the format counts."""
     store: Store | None = None
-    """For a result of the kind ``STORE`` or ``SCATTER``, and those beside it."""
+    """The place of a result of the kind ``STORE`` or ``SCATTER``, and of those beside it."""
     span: Span | None = None
-    """Where a result of the kind ``TARGET`` is declared."""
+    """The span that declares a result of the kind ``TARGET``."""
 
 
 @record
 class Notes:
-    """What people want to know about nodes and the graph itself does not say.
+    """Notes about nodes for people, such as names and spans, which the graph itself does not hold.
 
     A side table, so that sharing a node never loses or confuses what was written. Keys are ids.
     """
@@ -218,15 +228,15 @@ class Notes:
     functions: dict[int, str] = fresh(factory=dict)
     """Names for the bodies of ``apply`` nodes."""
     terms: dict[int, str] = fresh(factory=dict)
-    """Those of them that are bodies of terms, once for all lights: sums of these may be fused."""
+    """The ``functions`` that are bodies of terms, once for all lights: their sums may be fused."""
     arguments: dict[int, tuple[str, ...]] = fresh(factory=dict)
     """Names for the variables of the bodies of ``apply`` nodes, in order."""
     variables: dict[int, tuple[str, ...]] = fresh(factory=dict)
     """Names for the variables of loops, in order."""
     roles: dict[int, str] = fresh(factory=dict)
-    """What a value without a name is to the named one that it is a part of."""
+    """The role of a value without a name in the named one that it is a part of."""
     wholes: dict[int, str] = fresh(factory=dict)
-    """What the parts of a value are called after, where that is not its name."""
+    """The name that the parts of a value are called after, where it is not the value's own."""
 
     @cached_property
     def _tables(self) -> tuple[dict[int, Any], ...]:
@@ -241,9 +251,9 @@ class Notes:
         return Notes(*map(dict, self._tables))
 
     def take_over(self, others: Notes, ids: Mapping[int, int]) -> None:
-        """Keep what ``others`` says of nodes that have other ids here.
+        """Takes over the notes of ``others`` about nodes that have other ids here.
 
-        Where several of them are one, what was noted first counts, and the place that comes first.
+        Where several nodes are one here, the first note counts, and the place that comes first.
         """
         for table, other in zip(self._tables, others._tables, strict=True):
             for id_, noted in other.items():
@@ -259,7 +269,7 @@ class Notes:
             table.pop(node.id, None)
 
     def follow(self, old: Node, new: Node) -> None:
-        """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
+        """Hands the notes about a node on to one that replaces it, which keeps its own."""
         id_ = old.id
         for table in self._tables:
             if id_ in table:
@@ -268,12 +278,12 @@ class Notes:
 
 @frozen
 class PatchPattern:
-    """What is known of a vertex of a patch: values of its number and of the levels of the patch."""
+    """A vertex of a patch: values that depend on its number and on the levels of the patch."""
 
     place: Node
-    """Its coordinate in the patch, as the evaluation stage gets it."""
+    """The vertex's coordinate in the patch, as the evaluation stage gets it."""
     is_there: Node
-    """Whether the patch is divided into that many."""
+    """A condition: the patch is divided into that many."""
 
 
 @record
@@ -294,8 +304,11 @@ class Shader:
     resources: tuple[ResourceInfo, ...]
     attributes: tuple[AttributeInfo, ...]
     results: tuple[Result, ...]
-    """All that it delivers. Nothing else says so: what needs the roots of the graph, or where they
-    are written to, reads these rows."""
+    """All results of the shader.
+
+    Nothing else says so: code that needs the roots of the graph, or where they are written to,
+    reads these rows.
+    """
     externs: tuple[ExternInfo, ...] = ()
     """The host's own blocks."""
     buffers: tuple[BufferInfo, ...] = ()
@@ -304,41 +317,55 @@ class Shader:
     chain: Chain = RASTERISED
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None
-    """What each primitive of the mesh turns into, whichever stage does it."""
+    """The expansion of each primitive of the mesh, whichever stage does it."""
     layer: Parameter | None = None
-    """Where render targets have layers and each of these has a draw of its own: what says for which
-    one a draw is."""
+    """The parameter that says for which layer a draw is.
+
+    It exists where render targets have layers and each of these has a draw of its own.
+    """
     capture: Capture | None = None
-    """What is written of each vertex instead of drawing, by a stream output or by a kernel."""
+    """The values that are written of each vertex instead of drawing.
+
+    A stream output or a kernel writes them.
+    """
     tessellation: Tessellation | None = None
-    """What each patch of the mesh is divided into, whichever stage does it."""
+    """The division of each patch of the mesh, whichever stage does it."""
     levels: tuple[Result, ...] = ()
-    """Where the host divides all patches alike, what the control stage would have delivered."""
+    """The tessellation levels, if the host divides all patches alike.
+
+    The control stage would have delivered them otherwise.
+    """
     pattern: PatchPattern | None = None
-    """Where the vertices of a patch lie, for pipelines that do not divide patches; ``None`` where a
-    host makes the pattern for all of them."""
+    """The places of the vertices of a patch, for pipelines that do not divide patches.
+
+    ``None`` where a host makes the pattern for all of them.
+    """
     listed: int = 0
-    """How many vertices each patch turns into at most, where the vertices themselves find out or
-    are captured."""
+    """The largest number of vertices for each patch.
+
+    It is set where the vertices themselves find out their number, or are captured.
+    """
     work_group: WorkGroup | None = None
-    """Which invocations of a kernel run together."""
+    """The work group: the invocations of a kernel that run together."""
     render_state: RenderState = RenderState()
-    """What the pass asks of the pipeline."""
+    """The pipeline state that the pass asks for."""
 
     @property
     def roots(self) -> Roots:
-        """The values of all results: what passes and walks over the graph start from."""
+        """The values of all results, from which passes and walks over the graph start."""
         return Roots([result.value for result in self.results])
 
     @property
     def placing(self) -> frozenset[str]:
-        """The kinds of results whose values all shaders have to compute alike that compute them
-        in the same way."""
+        """The kinds of results that have to be invariant.
+
+        All shaders that compute their values in the same way get the same values.
+        """
         return PLACING if self.render_state.is_invariant else frozenset()
 
     @property
     def layers(self) -> int:
-        """How many layers each render target has; 0 where they are single pictures."""
+        """The number of layers of each render target; 0 where they are single pictures."""
         return max((r.state.layers for r in self.results if r.state is not None), default=0)
 
     def results_of(self, kind: str) -> tuple[Result, ...]:

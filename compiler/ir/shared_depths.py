@@ -1,4 +1,4 @@
-"""Finds the steps of a frame that draw to the same depths, one over what another one has left.
+"""Finds the steps of a frame that draw to the same depths, one over the result of another.
 
 These depths have one format, and are compared with each other. ``semantics/frames`` and
 ``compiler/planning`` ask.
@@ -18,7 +18,7 @@ class SharedDepths:
 
     images: tuple[Image, ...]
     steps: tuple[RenderStep, ...]
-    """Those that draw to them, in order."""
+    """The steps that draw to them, in order."""
 
 
 def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
@@ -34,7 +34,7 @@ def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
             continue
         images, together = {first: None}, dict[RenderStep, None]()
         pending = [first]
-        for image in pending:  # It grows on the way.
+        for image in pending:  # The list grows on the way.
             together.update(dict.fromkeys(drawing[image]))
             beside = {each for step in drawing[image] for each in _depths_of(step)}
             pending += (new := [each for each in beside if each not in images])
@@ -44,7 +44,7 @@ def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
 
 
 def _depths_of(step: RenderStep) -> tuple[Image, ...]:
-    """What a step draws its depths to, and what it draws them over."""
+    """The image that a step draws its depths to, and the one that it draws them over."""
     if step.depth is None:
         return ()
     return (step.depth.image,) if step.depth.over is None else (step.depth.image, step.depth.over)

@@ -32,19 +32,19 @@ from .types import (
 
 @frozen
 class Family:
-    """What a signature letter ranges over."""
+    """The types that a signature letter ranges over."""
 
     kinds: tuple[ScalarKind, ...]
     widths: tuple[int, ...]
     broadcasts: bool = False
-    """Whether a scalar operand may stand for a vector of equal lanes."""
+    """True if a scalar operand may stand for a vector of equal lanes."""
 
     def types(self) -> tuple[Type, ...]:
         """All types of the family, the simplest first."""
         return tuple(with_width(kind, lanes) for lanes in self.widths for kind in self.kinds)
 
     def contains(self, type_: Type) -> bool:
-        """Whether a type belongs to the family."""
+        """True if a type belongs to the family."""
         return (
             isinstance(type_, Scalar | Vector)
             and type_.kind in self.kinds
@@ -69,7 +69,7 @@ TEXTURE_FAMILIES: Mapping[str, frozenset[Texture]] = {
     "H": frozenset(t for t in TEXTURES if t.layered),
     "X": frozenset(TEXTURES),
 }
-"""What a letter for textures ranges over."""
+"""The texture types that a letter ranges over."""
 
 _PREFIXES: tuple[tuple[str, ScalarKind], ...] = (("i", "int"), ("u", "uint"), ("b", "bool"))
 FIXED: Mapping[str, Type] = {
@@ -107,14 +107,14 @@ def result_type(name: str, operands: tuple[Type, ...]) -> Type | None:
 
 
 def meaning(letter: str, bound: Mapping[str, Type]) -> Type:
-    """What a result's letter stands for, once those of the operands are bound."""
+    """The type of a result's letter, once those of the operands are bound."""
     result = bound.get(letter) or FIXED.get(letter) or dependent(letter, bound)
     assert result is not None, letter
     return result
 
 
 def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
-    """What follows from a letter bound before: lanes, columns, how a texture is read."""
+    """The type that follows from a letter bound before: lanes, columns, how a texture is read."""
     if letter == "C" and isinstance(matrix := bound.get("M"), Matrix):
         return Vector("float", matrix.size)
     base = next((bound[source] for source in "NTIP" if source in bound), None)
@@ -128,7 +128,7 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
 
 
 def _of_texture(letter: str, texture: Texture) -> Type | None:
-    """A texture's coordinate, its size, and what a texel holds."""
+    """The type of a texture's coordinate, of its size, or of a texel."""
     match letter:
         case "K":
             return Vector("float", texture.axes)
@@ -141,7 +141,7 @@ def _of_texture(letter: str, texture: Texture) -> Type | None:
 
 
 def _bound(words: tuple[str, ...], operands: tuple[Type, ...]) -> dict[str, Type] | None:
-    """What each letter stands for, where the operands fit."""
+    """The type of each letter, where the operands fit; otherwise ``None``."""
     if len(words) != len(operands):
         return None
     bound: dict[str, Type] = {}
@@ -155,7 +155,7 @@ def _bound(words: tuple[str, ...], operands: tuple[Type, ...]) -> dict[str, Type
 
 
 def _may_be(letter: str, type_: Type, bound: Mapping[str, Type]) -> bool:
-    """Whether a letter can stand for a type."""
+    """True if a letter can stand for a type."""
     if letter in FAMILIES:
         return FAMILIES[letter].contains(type_)
     if letter in TEXTURE_FAMILIES:

@@ -19,7 +19,7 @@ from ...frozen import frozen
 from .types import BOOL, INT, IVEC2, UINT, VEC2, VEC3, VEC4, Type
 
 Domain = str
-"""What a value varies over: one of these names, or that of another stage's row."""
+"""The name of a domain: one of these, or that of another stage's row."""
 VERTICES: Domain = "vertex"
 PATCHES: Domain = "patch"
 """The patches of a mesh that is tessellated."""
@@ -30,7 +30,7 @@ EMITTED: Domain = "emitted"
 FRAGMENTS: Domain = "fragment"
 INVOCATIONS: Domain = "invocation"
 INSTANCES: Domain = "instance"
-"""No stage is run for each instance; but what an instance has, each of its vertices has."""
+"""A domain without a stage: each vertex of an instance has the values of the instance."""
 
 CLIP_POSITION = "clip_position"
 """The kind of the result that places a vertex: a vec4 in clip space."""
@@ -39,8 +39,10 @@ TARGET = "target"
 DISCARD = "discard"
 """The kind of the result that says where nothing is written."""
 EDGE_LEVEL = "edge_level"
-"""The kind of the results that say into how many steps each edge of a patch is divided; in the
-order of ``tessellation.PatchKind.edges``."""
+"""The kind of the results that say into how many steps each edge of a patch is divided.
+
+They are in the order of ``tessellation.PatchKind.edges``.
+"""
 INNER_LEVEL = "inner_level"
 """The kind of those that say the same of the inside: of a quad along u, and then along v."""
 EMITTING = "emitting"
@@ -56,20 +58,26 @@ STORE = "store"
 IMAGE = "image"
 """The kind of a result that is written to a texel of an image."""
 SCATTER = "scatter"
-"""The kind of a result that is joined with an element that the invocation chooses. Each has results
-of the next three kinds beside it, whose ``store`` is the same."""
+"""The kind of a result that is joined with an element that the invocation chooses.
+
+Each has results of the next three kinds beside it, whose ``store`` is the same.
+"""
 PLACE = "place"
-"""Which element that is."""
+"""The kind of a result that says which element that is."""
 CONDITION = "condition"
-"""Whether anything is joined, and that there is such an element."""
+"""The kind of a condition: something is joined, and there is such an element."""
 LENGTH = "length"
-"""How many elements a buffer has, where these are not as many as invocations; only a host asks for
-it."""
+"""The kind of a result that is the number of a buffer's elements.
+
+It exists where a buffer has not as many elements as invocations; only a host asks for it.
+"""
 EXTENT = "extent"
-"""The kind of the result that says for how many elements, or for how many texels in a row and in a
-column, a kernel is run."""
+"""The kind of the result that says for how many elements a kernel is run.
+
+For images, it is the number of texels in a row and in a column.
+"""
 VARYING = "varying"
-"""The kind of what a stage delivers to the next one; packing makes these results."""
+"""The kind of a varying that a stage delivers to the next one; packing makes these results."""
 
 
 InterpolationMode = Literal["perspective", "flat", "corner"]
@@ -80,12 +88,15 @@ class Crossing:
     """The data of a ``cross`` node: how a value gets from the domain of one stage to the next."""
 
     origin: Domain
-    """What its operand varies over."""
+    """The domain of its operand."""
     destination: Domain
-    """What the node varies over."""
+    """The domain of the node."""
     mode: InterpolationMode
-    """A weighted mean of several values, or one of them: that of a corner whose number is the
-    second operand, or (``flat``) always that of the first one."""
+    """The interpolation.
+
+    The value is a weighted mean of several values, or one of them: that of a corner whose number is
+    the second operand, or (``flat``) always that of the first one.
+    """
 
     def __str__(self) -> str:
         return f"{self.origin} to {self.destination}, {self.mode}"
@@ -94,23 +105,23 @@ class Crossing:
 SMOOTH = Crossing(VERTICES, FRAGMENTS, "perspective")
 """Interpolated over a triangle."""
 FLAT = Crossing(VERTICES, FRAGMENTS, "flat")
-"""As the first of a triangle's vertices has it."""
+"""The value at the first of a triangle's vertices."""
 CORNER = Crossing(VERTICES, EMITTED, "corner")
-"""As one corner of the primitive has it that is being expanded."""
+"""The value at one corner of the primitive that is being expanded."""
 TESSELLATED_CORNER = Crossing(TESSELLATED, EMITTED, "corner")
 """The same where the primitive is one of those into which a patch is divided."""
 INTO_EMITTED: Mapping[Domain, Crossing] = {
     crossing.origin: crossing for crossing in (CORNER, TESSELLATED_CORNER)
 }
-"""How values get to emitted vertices from those that the corners of a primitive are."""
+"""The crossings to emitted vertices, from the domains of the corners of a primitive."""
 PATCH_CORNER = Crossing(VERTICES, PATCHES, "corner")
-"""As one control point of the patch has it whose levels are computed."""
+"""The value at one control point of the patch whose levels are computed."""
 CONTROL_POINT = Crossing(VERTICES, TESSELLATED, "corner")
 """The same where a vertex of that patch is computed."""
 SMOOTH_TESSELLATED = Crossing(TESSELLATED, FRAGMENTS, "perspective")
 FLAT_TESSELLATED = Crossing(TESSELLATED, FRAGMENTS, "flat")
 OF_PATCH = Crossing(PATCHES, TESSELLATED, "flat")
-"""What is the same all over a patch."""
+"""The crossing of values that are the same all over a patch."""
 SMOOTH_EMITTED = Crossing(EMITTED, FRAGMENTS, "perspective")
 FLAT_EMITTED = Crossing(EMITTED, FRAGMENTS, "flat")
 
@@ -122,8 +133,10 @@ INTO_FRAGMENTS: Mapping[Domain, tuple[Crossing, Crossing]] = {
         (SMOOTH_EMITTED, FLAT_EMITTED),
     )
 }
-"""How values get to the fragments from the vertices that the triangles around them have: what is
-interpolated, and all else."""
+"""The crossings to fragments from the vertices of the triangles around them.
+
+Of each pair, the first one is interpolated; the second one serves all other values.
+"""
 
 
 @frozen(key=True)
@@ -132,9 +145,9 @@ class SystemInput:
 
     name: str
     type: Type
-    """The type that Burnish gives it; what a language has may differ."""
+    """The type in Burnish; that of a language may differ."""
     domain: Domain
-    """That of the stage that reads it, or ``INSTANCES``."""
+    """The domain of the stage that reads it, or ``INSTANCES``."""
     most: int | None = None
     """The largest value that it can have, of one that counts from 0."""
 
@@ -144,24 +157,26 @@ class SystemInput:
 
 @frozen(key=True)
 class StageRow:
-    """What has to be known of a stage."""
+    """A stage of the pipeline."""
 
     name: str
     domain: Domain
-    """What it is run for, and so what the values vary over that it computes."""
+    """The domain of the values that it computes: it runs once for each element."""
     suffix: str
-    """The file ending before that of the language, which is also what tools call the stage."""
+    """The file ending before that of the language, which is also the tools' name of the stage."""
     entry: str
     """The entry point in a text that holds several stages."""
     inputs: tuple[SystemInput, ...]
-    """What it may read of the pipeline, besides what the stage before it hands on."""
+    """The inputs that it may read from the pipeline, besides those from the stage before it."""
     delivers: tuple[str, ...]
     """The kinds of results that it can have, besides varyings."""
     hands_on: bool = False
-    """Whether the stage behind it reads the same vertices, besides what this one computes."""
+    """True if the stage behind it reads the same vertices, besides the values of this one."""
     has_derivatives: bool = False
-    """Whether it runs beside its neighbours, so that differences between them can be taken: by
-    derivatives, and by reads of textures that choose their level themselves."""
+    """True if it runs beside its neighbours, so that differences between them can be taken.
+
+    Derivatives take them, and reads of textures that choose their level themselves.
+    """
 
 
 VERTEX = StageRow(
@@ -184,13 +199,17 @@ CONTROL = StageRow(
 )  # fmt: skip
 
 PATCH_WEIGHTS = SystemInput("patch_weights", VEC3, TESSELLATED)
-"""Where a vertex lies in a triangle: the weights of its three ends."""
+"""The barycentric coordinates of a vertex in a triangle: the weights of its three ends."""
 PATCH_COORDINATE = SystemInput("patch_coordinate", VEC2, TESSELLATED)
-"""Where it lies in a quad (u, v), or on the lines of an isoline patch: u along a line, and v tells
-the lines apart."""
+"""The coordinates of a vertex in a quad (u, v), or on the lines of an isoline patch.
+
+There u goes along a line, and v tells the lines apart.
+"""
 PATTERN_VERTEX = SystemInput("pattern_vertex", INT, TESSELLATED)
-"""The number of a vertex among those of its patch, as a list. No pipeline supplies it: it becomes
-that of a vertex in a draw of instances."""
+"""The number of a vertex among those of its patch, as a list.
+
+No pipeline supplies it: it becomes that of a vertex in a draw of instances.
+"""
 
 EVALUATION = StageRow(
     "evaluation", TESSELLATED, "tese", "ds_main",
@@ -218,7 +237,7 @@ FRAGMENT = StageRow(
     inputs=(
         # Pixel centres lie at .5, y points down, and w is 1 / clip w.
         SystemInput("frag_coord", VEC4, FRAGMENTS),
-        # Whether the counter-clockwise side is seen.
+        # True if the counter-clockwise side is seen.
         SystemInput("front_facing", BOOL, FRAGMENTS),
     ),
     delivers=(TARGET, DISCARD),
@@ -248,36 +267,38 @@ Chain = tuple[StageRow, ...]
 """The stages of a pipeline in the order in which they run; the first reads the vertex inputs."""
 
 RASTERISED: Chain = (VERTEX, FRAGMENT)
-"""What draws a mesh: the vertices of its triangles, and the fragments that these cover."""
+"""Draws a mesh: the vertices of its triangles, and the fragments that these cover."""
 
 EXPANDED: Chain = (VERTEX, GEOMETRY, FRAGMENT)
-"""What turns each primitive of a mesh into others before these are drawn."""
+"""Turns each primitive of a mesh into others before these are drawn."""
 
 CAPTURED: Chain = (VERTEX,)
-"""What writes the vertices of a mesh's triangles to a buffer, and draws nothing."""
+"""Writes the vertices of a mesh's triangles to a buffer, and draws nothing."""
 
 CAPTURED_EXPANDED: Chain = (VERTEX, GEOMETRY)
-"""What writes what each primitive of a mesh turns into."""
+"""Expands each primitive of a mesh, and writes the vertices to a buffer."""
 
 TESSELLATED_CHAIN: Chain = (VERTEX, CONTROL, EVALUATION, FRAGMENT)
-"""What divides each patch of a mesh into triangles or lines before these are drawn."""
+"""Divides each patch of a mesh into triangles or lines before these are drawn."""
 
 TESSELLATED_EXPANDED: Chain = (VERTEX, CONTROL, EVALUATION, GEOMETRY, FRAGMENT)
-"""What turns each of these triangles or lines into others before these are drawn."""
+"""Divides each patch, and expands each of its triangles or lines before these are drawn."""
 
 COMPUTED: Chain = (COMPUTE,)
-"""What computes the elements of buffers or the texels of images, each by an invocation of its
-own."""
+"""Computes the elements of buffers or the texels of images, each by an invocation of its own."""
 
 
 def inputs_of(chain: Iterable[StageRow]) -> dict[str, SystemInput]:
-    """What the pipeline supplies to these stages, by name."""
+    """The inputs that the pipeline supplies to these stages, by name."""
     return {supplied.name: supplied for row in chain for supplied in row.inputs}
 
 
 def joined_in(chain: Chain) -> set[tuple[Domain, Domain]]:
-    """The domains between which values may cross: those of stages that follow each other, and of
-    those with a stage between them that hands its vertices on."""
+    """The pairs of domains between which values may cross.
+
+    They are those of stages that follow each other, and those with a stage between them that hands
+    its vertices on.
+    """
     found = set(pairwise(row.domain for row in chain))
     for before, row, behind in zip(chain, chain[1:], chain[2:], strict=False):
         if row.hands_on:

@@ -1,4 +1,4 @@
-"""Statements: what a stage or a function computes, in order, with its branches and loops.
+"""Statements: the computation of a stage or a function, in order, with branches and loops.
 
 ``Scheduler`` makes them of a graph, and ``emit`` prints them. All else of a program is in
 ``program.py``.
@@ -21,7 +21,7 @@ class Let:
 
     @property
     def regions(self) -> tuple[Region, ...]:
-        """It has no blocks of its own."""
+        """The blocks of the statement itself: none."""
         return ()
 
 
@@ -43,8 +43,10 @@ class Branch:
 
 @frozen
 class Connective:
-    """``node`` (an ``and`` or ``or`` of bools) computed by a branch: what its right operand needs
-    is evaluated only where the left one does not decide."""
+    """``node`` (an ``and`` or ``or`` of bools) computed by a branch.
+
+    The right operand is evaluated only where the left one does not decide.
+    """
 
     name: str
     node: Node
@@ -70,7 +72,7 @@ class Loop:
     operator: FoldOperator
     body: Region
     value: Node
-    """What each turn adds (multiplies, …), in terms of ``index``."""
+    """The value that each iteration adds (multiplies, …), in terms of ``index``."""
 
     @property
     def regions(self) -> tuple[Region, ...]:
@@ -80,14 +82,14 @@ class Loop:
 
 @frozen
 class State:
-    """A variable of an ``Iterate``, and what a turn makes of it."""
+    """A variable of an ``Iterate``, with its value after an iteration."""
 
     name: str
     formal: Formal
     start: Node
     next: Node
     kept: bool = False
-    """Whether what the turn makes of it has to wait until the other states have followed."""
+    """True if the new value has to wait until the other states have got theirs."""
 
 
 @frozen
@@ -99,10 +101,13 @@ class Iterate:
     bound: int
     index: Formal
     states: tuple[State, ...]
-    """In the order in which a turn sets them; ``positions`` are those in ``node``."""
+    """The states in the order in which an iteration sets them.
+
+    ``positions`` are those in ``node``.
+    """
     positions: tuple[int, ...]
     head: Region
-    """What it takes to know whether to go on."""
+    """The statements that compute whether to go on."""
     going: Node
     body: Region
 
@@ -124,7 +129,7 @@ class Region:
 
 @frozen
 class EmittedGroup:
-    """Strips that a stage emits: what it computes for each of them, and for each vertex."""
+    """Strips that a stage emits, with the statements for each of them, and for each vertex."""
 
     strips: EmittedStrips
     strip: Formal
@@ -132,14 +137,14 @@ class EmittedGroup:
     vertex: Formal
     """The number of a vertex in its strip."""
     count: Node
-    """How many strips there are: a constant, or a value that is the same for all of them."""
+    """The number of strips: a constant, or a value that is the same for all of them."""
     head: Region
-    """What is computed for each strip: what it takes to know whether it is emitted."""
+    """The statements for each strip: they compute whether it is emitted."""
     emitted: Node
     entered: Region
-    """What is computed for a strip that is emitted, before its vertices."""
+    """The statements for a strip that is emitted, before its vertices."""
     body: Region
-    """What is computed for each vertex."""
+    """The statements for each vertex."""
     delivered: tuple[Node, ...]
     """The value of each of the stage's results at a vertex."""
 
@@ -155,7 +160,7 @@ class EmittedPart:
 
     condition: Node
     region: Region
-    """What the groups share."""
+    """The statements that the groups share."""
     groups: tuple[EmittedGroup, ...]
 
     @property

@@ -119,7 +119,7 @@ def stored_struct(struct: Struct) -> Struct:
 
 @cache
 def stored_element(element: Type) -> Type:
-    """What the elements of a storage buffer are that hold values of a type.
+    """The type of the elements of a storage buffer that hold values of ``element``.
 
     All rule sets agree on the distance between scalars, between vectors of two or four lanes, and
     between padded structures. A vector of three lanes takes four. A matrix is several elements, one
@@ -137,7 +137,7 @@ def stored_element(element: Type) -> Type:
 
 
 def stored_elements(element: Type) -> int:
-    """How many elements of the stored type hold one value."""
+    """The number of elements of the stored type that hold one value."""
     return element.size if isinstance(element, Matrix) else 1
 
 
@@ -160,7 +160,7 @@ def _stored_array(element: Type, count: int) -> Array:
 
 
 def elements_in_row(element: Scalar | Vector) -> int:
-    """How many elements of an array share a ``vec4``: 4 scalars, 2 ``vec2``, 1 longer vector."""
+    """The number of elements of an array in a ``vec4``: 4 scalars, 2 ``vec2``, 1 longer vector."""
     match element:
         case Scalar():
             return 4
@@ -192,7 +192,7 @@ def byte_size(stored: Type) -> int:
 
 
 def _is_vector_in_new_row(stored: Type, end: int) -> bool:
-    """Whether a vector would cross the end of a row, so that every rule set moves it to the next.
+    """True if a vector would cross the end of a row: every rule set moves it to the next.
 
     D3D moves it for this reason; std140 and WGSL align vectors to their size, and a vec3 to 16.
     """

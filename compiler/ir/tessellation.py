@@ -1,4 +1,4 @@
-"""What each patch of a mesh is divided into: its kind, its control points, and how its edges lie.
+"""The division of each patch of a mesh: its kind, its control points, and how its edges lie.
 
 Semantics makes a ``Tessellation`` of a ``tessellate`` member. The lowering and the languages with
 tessellation stages draw by it, and the reflection tells it to the host.
@@ -17,8 +17,11 @@ from .stages import PATCH_COORDINATE, PATCH_WEIGHTS, SystemInput
 Patch = Literal["triangle", "quad", "isoline"]
 
 Spacing = Literal["equal", "fractional_even", "fractional_odd"]
-"""Steps that are all alike, of which there is a whole number; or an even or odd number of steps, of
-which two grow out of nothing as the level rises."""
+"""The spacing of the steps of an edge.
+
+``equal``: a whole number of steps that are all alike. ``fractional_even``, ``fractional_odd``: an
+even or odd number of steps, of which two grow out of nothing as the level rises.
+"""
 
 MOST_POINTS = 32
 """No patch has more control points."""
@@ -28,25 +31,30 @@ MOST_LEVEL = 64
 
 @frozen
 class PatchKind:
-    """What all patches of one kind have in common."""
+    """The properties that all patches of one kind share."""
 
     ends: int
-    """How many of its control points are its corners. A quad's go round it: they lie at (0, 0),
-    (1, 0), (1, 1) and (0, 1). A line begins at the first one, and ends at the other."""
+    """The number of control points that are its corners.
+
+    Those of a quad go round it: they lie at (0, 0), (1, 0), (1, 1) and (0, 1). A line begins at the
+    first one, and ends at the other.
+    """
     edges: tuple[tuple[int, int] | None, ...]
-    """For each ``EDGE_LEVEL``, between which ends the edge lies; ``None`` where it says how many
-    lines there are. The order is Direct3D's: the edges of a triangle across from its ends, and
-    those of a quad at u = 0, v = 0, u = 1 and v = 1."""
+    """For each ``EDGE_LEVEL``, between which ends the edge lies; ``None`` for the number of lines.
+
+    The order is Direct3D's: the edges of a triangle across from its ends, and those of a quad at u
+    = 0, v = 0, u = 1 and v = 1.
+    """
     inner: tuple[tuple[int, ...], ...]
     """For each ``INNER_LEVEL``, the numbers of the edges that are divided in its direction."""
     coordinate: SystemInput
-    """Where a vertex lies in the patch."""
+    """The input that holds the place of a vertex in the patch."""
     drawn: DrawnPrimitive
-    """What it is divided into."""
+    """The primitives into which it is divided."""
 
     @property
     def cell(self) -> int:
-        """How many vertices each of its parts has."""
+        """The number of vertices of each of these primitives."""
         return CORNERS[self.drawn]
 
 
@@ -61,18 +69,18 @@ PATCH_KINDS: Mapping[Patch, PatchKind] = {
 
 @frozen
 class Tessellation:
-    """How each patch is divided; the results of the control stage say into how many steps."""
+    """The division of each patch; the results of the control stage are the levels."""
 
     patch: Patch
     points: int
-    """How many control points a patch has, each of which is a vertex of the mesh."""
+    """The number of control points of a patch, each of which is a vertex of the mesh."""
     ends: tuple[int, ...]
-    """Which of them are its corners, in the order of ``PatchKind.ends``."""
+    """The control points that are its corners, in the order of ``PatchKind.ends``."""
     spacing: Spacing
     span: Span
-    """Where the kind of patch is named."""
+    """The span that names the kind of patch."""
 
     @property
     def kind(self) -> PatchKind:
-        """What it shares with others of its kind."""
+        """The properties that it shares with other patches of its kind."""
         return PATCH_KINDS[self.patch]

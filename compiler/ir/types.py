@@ -1,4 +1,4 @@
-"""Representation types: which numbers a value consists of, without what they mean.
+"""Representation types: the numbers of a value, without their meaning.
 
 The types of the language that carry meaning (``rgb``, ``angle``, ``point<world>`` …) cost nothing
 at run time; ``semantics`` maps each of them onto one of these types. All are frozen, and equal
@@ -16,7 +16,7 @@ from ...frozen import frozen
 ScalarKind = Literal["float", "int", "uint", "bool"]
 Dimension = Literal["2d", "2d_array", "3d", "cube"]
 Sample = Literal["float", "depth", "int", "uint"]
-"""What a texture holds: colours, depths to compare with, or whole numbers."""
+"""The content of a texture: colours, depths to compare with, or whole numbers."""
 
 
 @frozen(interned=True)
@@ -107,12 +107,12 @@ class Texture:
 
     @property
     def layered(self) -> bool:
-        """Whether a read says which layer."""
+        """True if a read says which layer."""
         return self.dimension == "2d_array"
 
     @property
     def texel(self) -> Numeric:
-        """What one texel holds."""
+        """The type of one texel."""
         return FLOAT if self.sample == "depth" else Vector(self.sample, 4)
 
     @property
@@ -132,7 +132,7 @@ class Texture:
 Type = Scalar | Vector | Matrix | TallMatrix | Array | RuntimeArray | Struct | Texture
 Numeric = Scalar | Vector
 Opaque = Texture | RuntimeArray
-"""What is read where it is, and is never a value by itself."""
+"""Types that are read in place, and are never values by themselves."""
 
 FLOAT = Scalar("float")
 INT = Scalar("int")
@@ -156,8 +156,11 @@ TEXTURES = (
     *(Texture(dimension, "depth") for dimension in _SUFFIXES if dimension != "3d"),
     *(Texture(d, sample) for sample in ("int", "uint") for d in _SUFFIXES if d != "cube"),
 )
-"""All there are. No API compares volumes, and the texels of a cube cannot be named by numbers, so
-integer cubes could not be read. Arrays of cubes are left out: ES 3.0 and GL 3.3 have none."""
+"""All texture types.
+
+No API compares volumes, and the texels of a cube cannot be named by numbers, so integer cubes could
+not be read. Arrays of cubes are left out: ES 3.0 and GL 3.3 have none.
+"""
 
 
 def width(type_: Type) -> int:
@@ -175,8 +178,10 @@ def width(type_: Type) -> int:
 
 @cache
 def numbers(type_: Type) -> int:
-    """How many numbers a value has, with those of all its elements and members; 0 of what is no
-    value, such as a texture."""
+    """The number of numbers in a value, with those of all its elements and members.
+
+    It is 0 of types that are no values, such as textures.
+    """
     match type_:
         case Scalar() | Vector() | Matrix():
             return width(type_)

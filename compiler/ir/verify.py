@@ -80,8 +80,11 @@ def verify_results(results: Sequence[Result], chain: Chain) -> None:
 
 
 def verify_levels(shader: Shader) -> None:
-    """Raise ``InvalidGraphError`` where a shader with a control stage lacks a level of its patches,
-    or reads a control point that they do not have."""
+    """Checks the levels of a shader with a control stage.
+
+    Raises ``InvalidGraphError`` where it lacks a level of its patches, or reads a control point
+    that they do not have.
+    """
     if CONTROL not in shader.chain:
         return
     patches, roots = shader.tessellation, shader.roots
@@ -136,7 +139,7 @@ def _variables(node: Node, known: Mapping[int, Variables]) -> Variables:
 
 
 def _bound(node: Node, used: Variables) -> Variables:
-    """Of the variables in a body of ``node``, those that it does not bind."""
+    """The variables in a body of ``node`` that it does not bind."""
     if not used:
         return used
     types = _variable_types(node)
@@ -152,7 +155,7 @@ def _bound(node: Node, used: Variables) -> Variables:
 
 
 def _variable_types(node: Node) -> dict[Formal | int, Type]:
-    """What ``node`` binds in its body."""
+    """The types of the variables that ``node`` binds in its body."""
     data = node.data
     assert isinstance(data, Binder)
     types = data.types([operand.type for operand in node.operands])
@@ -163,7 +166,7 @@ def _variable_types(node: Node) -> dict[Formal | int, Type]:
 
 
 def _check_row(node: Node, row: Operation[Any], form: Form) -> None:
-    """Whether data, operands and type are what the table of operations asks for."""
+    """Checks that data, operands and type are as the table of operations demands."""
     if not isinstance(node.data, row.kinds):
         raise InvalidGraphError(node, "operands or data that the operation does not take")
     fits = len(node.operands) == row.arity if row.arity is not None else bool(node.operands)

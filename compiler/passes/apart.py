@@ -16,7 +16,7 @@ from ..ir.node import Node, Roots
 from ..ir.shader import Result
 
 Change = Callable[[Roots, Roots], Sequence[Node]]
-"""What a pass makes of values. It also gets all values that may use them."""
+"""A change that a pass makes to values. It is also given all values that may use them."""
 
 
 @frozen
@@ -28,7 +28,7 @@ class Apart:
 
     @classmethod
     def of(cls, results: Iterable[Result], placing: Set[str]) -> Apart:
-        """Those of the kinds ``placing`` apart from all others."""
+        """Separates the results of the kinds ``placing`` from all others."""
         numbered = list(enumerate(results))
         return cls(
             tuple(number for number, result in numbered if result.kind in placing),
@@ -36,10 +36,10 @@ class Apart:
         )
 
     def each(self, roots: Roots, change: Change) -> Roots:
-        """The values of all results, changed apart.
+        """The values of all results, with positions changed apart.
 
-        Positions do not know of others that use the same values; but these know of positions, as
-        what is only safe for some uses must not be shared with more.
+        Positions do not know of others that use the same values; but these know of positions, as a
+        change that is only safe for some uses must not be shared with more.
         """
         if not self.placing:
             return _as_roots(change(roots, roots))

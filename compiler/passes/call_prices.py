@@ -1,4 +1,4 @@
-"""What calls cost, and what their bodies would cost in their place: ``inline`` decides by it.
+"""Estimates the cost of calls, and of their bodies in their place: ``inline`` decides by it.
 
 A call with constant arguments may leave little of a body. So the price of such a call is found by
 putting these arguments in, and counting what is left.
@@ -22,25 +22,28 @@ WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
 
 DEAR = 1024
-"""Bodies that cost more are alike: such a call is what a body around it mainly costs."""
+"""The limit of a body's price: more expensive bodies are alike.
+
+The cost of a body around such a call is mainly that of the call.
+"""
 
 
 class CallPrices:
-    """What bodies cost, and what is left of them for the arguments of a call."""
+    """Costs of bodies, and of the rest of a body for the arguments of a call."""
 
     def __init__(self, simplifier: Simplifier) -> None:
         self._simplifier = simplifier
         self._constant = DrawConstants()
         self._trivial: dict[Node, bool] = {}
         self._costs: dict[Node, int] = {}
-        """Of bodies, with all that they need."""
+        """The costs of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
-        """What of a body depends on nothing inside it, and so is computed before the call."""
+        """By body, its nodes that depend on nothing inside it, and are computed before the call."""
         self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
-        """By the body and the arguments that are put in."""
+        """The cost of what is left, by the body and the arguments that are put in."""
 
     def is_worth_calling(self, call: Node) -> bool:
-        """Whether a call is better than its body written out."""
+        """True if a call is better than its body written out."""
         body, *arguments = call.operands
         if self._is_trivial(body):
             return False
@@ -52,7 +55,7 @@ class CallPrices:
         return self._price(body, formals, fixed) > max(TRIVIAL, WORTHWHILE * whole)
 
     def _price(self, body: Node, formals: Formals, fixed: tuple[Node | None, ...]) -> int:
-        """The cost of what a call computes, if these arguments are put in, for every pixel."""
+        """The cost of a call's values for every pixel, if these arguments are put in."""
         if (body.id, fixed) not in self._left:
             pairs = zip(formals, fixed, strict=True)
             known = {formal: value for formal, value in pairs if value is not None}
@@ -77,7 +80,7 @@ class CallPrices:
         return self._costs[body]
 
     def _varying_cost(self, root: Node, outside: Container[int]) -> int:
-        """The cost of what may differ from pixel to pixel, but for what is computed ``outside``."""
+        """The cost of nodes that may differ from pixel to pixel, if not computed ``outside``."""
         varying: set[Node] = set()
         price = 0
         for node in visible((root,)):

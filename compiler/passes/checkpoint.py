@@ -28,7 +28,7 @@ Checkpoint = Literal[
     "expand_builtins", "guard", "move_to_vertices", "hoist", "move_to_corners", "lift_lambdas",
     "lower_reads", "rename_variables", "legalise",
 ]  # fmt: skip
-"""What made a graph: a pass, the checks of semantics, or what a profile decides."""
+"""The origin of a graph: a pass, the checks of semantics, or what a profile decides."""
 
 
 def verified(name: Checkpoint, form: Form, roots: Roots) -> Roots:
@@ -47,7 +47,7 @@ def verified(name: Checkpoint, form: Form, roots: Roots) -> Roots:
 
 
 def verified_results(shader: Shader) -> tuple[Result, ...]:
-    """What a shader delivers; where that is wanted, it is verified to fit the shader's stages."""
+    """The results of a shader; where it is wanted, they are verified to fit the shader's stages."""
     if os.environ.get(VARIABLE) == "1":
         from ..ir.verify import verify_levels, verify_results
 

@@ -1,7 +1,8 @@
 """Tells which operations choose, and which of these choices are worth a branch.
 
 A choice is a ``?:``, a ``&&`` or a ``||``. ``schedule`` asks here for each of them whether it shall
-become an ``if``, so that what only one side needs is computed only where that side is chosen.
+become an ``if``, so that values that only one side needs are computed only where that side is
+chosen.
 """
 
 from __future__ import annotations
@@ -21,27 +22,29 @@ from .walks import operands_of
 BRANCH_COST = 32
 """A choice whose sides cost less than this is cheaper than a branch."""
 UNIFORM_BRANCH_COST = 16
-"""The same where the whole draw takes one side, so that no pixel waits for others: a texture read
-is worth skipping."""
+"""The cost of a branch where the whole draw takes one side, so that no pixel waits for others.
+
+A texture read is worth skipping then.
+"""
 
 _SHORT_CIRCUITING = frozenset(name for name, row in BUILTINS.items() if row.short_circuits)
 
 
 def chooses(node: Node) -> bool:
-    """Whether a node is a choice: a ``?:``, ``&&`` or ``||`` where it is printed in place."""
+    """True if a node is a choice: a ``?:``, ``&&`` or ``||`` where it is printed in place."""
     return node.op == "select" or short_circuits(node)
 
 
 def short_circuits(node: Node) -> bool:
-    """Whether a node is a ``&&`` or ``||``."""
+    """True if a node is a ``&&`` or ``||``."""
     return node.op == "native" and node.data in _SHORT_CIRCUITING and node.type == BOOL
 
 
 def may_skip(user: Node, position: int) -> bool:
-    """Whether an operand that is printed in place is computed for some pixels only.
+    """True if an operand that is printed in place is computed for some pixels only.
 
-    A ``?:`` evaluates one of its sides, ``&&`` and ``||`` the right one where the left does not
-    decide.
+    A ``?:`` evaluates one of its sides. ``&&`` and ``||`` evaluate the right one where the left
+    does not decide.
     """
     return position > 0 and chooses(user)
 
@@ -55,20 +58,20 @@ class Choices:
     """The choices of one body: a stage's entry point or a function."""
 
     def __init__(self, order: Sequence[Node], together: frozenset[int]) -> None:
-        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``)."""
+        """``together`` are the nodes that all pixels have to reach (``uniformity.py``)."""
         self._order = order
         self._together = together
         self._constant = DrawConstants()
         self._bodies: dict[Node, int] = {}
 
     def is_uniform(self, choice: Node) -> bool:
-        """Whether all pixels of a draw choose the same side."""
+        """True if all pixels of a draw choose the same side."""
         return choice.operands[0] in self._constant
 
     def is_worth_branching(self, choice: Node, *, uniform: bool) -> bool:
-        """Whether a side costs more than a branch, in ``uniform`` control flow or not.
+        """True if a side costs more than a branch, in ``uniform`` control flow or not.
 
-        Only there a branch can contain what all pixels have to reach.
+        Only in uniform control flow can a branch contain operations that all pixels have to reach.
         """
         limit = UNIFORM_BRANCH_COST if uniform else BRANCH_COST
         kept = frozenset[int]() if uniform else self._together
@@ -79,10 +82,10 @@ class Choices:
         return Counter(operand for node in self._order for operand in operands_of(node))
 
     def _costs_at_least(self, side: Node, limit: int, kept: frozenset[int]) -> bool:
-        """Whether what only one side of a choice needs costs ``limit`` or more.
+        """True if the operations that only one side of a choice needs cost ``limit`` or more.
 
         A value is needed there only if each of its uses is: they are counted off on the way down.
-        What is ``kept`` is computed before the branch.
+        The nodes in ``kept`` are computed before the branch.
         """
         total, pending = 0, [side]
         counted: dict[Node, int] = {}

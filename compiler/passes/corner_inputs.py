@@ -1,8 +1,8 @@
-"""What vertices read of the primitives of a mesh that are drawn as instances.
+"""The vertex inputs for primitives of a mesh that are drawn as instances.
 
-``lower_expansion`` and ``lower_tessellation`` use it, and ``lower_capture`` a part of it. What the
-mesh has at the corners of a primitive are vertex inputs per instance, one for each corner that is
-read.
+``lower_expansion`` and ``lower_tessellation`` use it, and ``lower_capture`` a part of it. The
+attributes of the mesh at the corners of a primitive are vertex inputs per instance, one for each
+corner that is read.
 """
 
 from __future__ import annotations
@@ -31,18 +31,18 @@ def listed_vertex(graph: Graph, count: int) -> Node:
     """The number of a vertex in a draw of so many."""
     last = build.constant(graph, UINT, count - 1)
     index = graph.node("input", UINT, (), VERTEX_INDEX)
-    # The host draws no more vertices: what this says is how large the numbers can become.
+    # The host draws no more vertices, so this is the range of the numbers.
     index = graph.node("call", UINT, (index, last), "min")
     return graph.node("call", INT, (index,), "to_int")
 
 
 def as_attribute(row: SystemInput) -> Attribute:
-    """A vertex input that gives what the pipeline supplies where nothing is lowered."""
+    """A vertex input in place of a number that the pipeline supplies where nothing is lowered."""
     return Attribute(row.name, row.type, row.domain)
 
 
 def placed(shader: Shader, is_there: Node, position: Node) -> Node:
-    """Where a vertex lies in clip space that may have nothing to show."""
+    """The position of a vertex in clip space; outside of the view if there is nothing to show."""
     nowhere = build.constant(shader.graph, VEC4, NOWHERE)
     value = shader.graph.node("select", VEC4, (is_there, position, nowhere))
     shader.notes.names.setdefault(value.id, "placed")
@@ -69,9 +69,9 @@ class CornerInputs:
         """The inputs of the mesh's vertices, with the numbers that they have in it."""
         self._place = {info.attribute: place for place, info in enumerate(self._infos)}
         self._read: dict[tuple[int, int], AttributeInfo] = {}
-        """What is read for each primitive instead: by the place of an input and the corner."""
+        """The inputs per primitive that are read instead, by place of an input and corner."""
         self._known: dict[Node, dict[Node, Node]] = {}
-        """For each corner, what values of the vertices have become there."""
+        """For each corner, the values there by the values of vertices that they replace."""
         self._is_instanced = any(map(_tells_instances_apart, shader.roots.nodes))
 
     @property
@@ -80,7 +80,7 @@ class CornerInputs:
         return tuple(info for _, info in sorted(self._read.items(), key=itemgetter(0)))
 
     def at_corner(self, value: Node, number: Node) -> Node:
-        """A value of the mesh's vertices at one corner, computed from what this corner has."""
+        """A value of the mesh's vertices at one corner, computed from the inputs of this corner."""
 
         def rule(_graph: object, node: Node, _operands: tuple[Node, ...]) -> Node:
             leaf = as_attribute(node.data) if isinstance(node.data, SystemInput) else node.data
@@ -92,8 +92,10 @@ class CornerInputs:
         return rewrite(self._graph, (value,), rule, self._notes.follow, ops, new=known)[0]
 
     def number(self, counted: SystemInput) -> Node:
-        """The number of the primitive: that of the instance, unless the mesh itself is drawn in
-        several."""
+        """The number of the primitive, which is that of the instance.
+
+        If the mesh itself is drawn in several instances, the number is a vertex input.
+        """
         if not self._is_instanced:
             return self._graph.node("input", UINT, (), INSTANCE_INDEX)
         info = _info(self._infos[-1].span, counted)

@@ -22,12 +22,14 @@ from .lower_reads import lower_reads
 from .mesh_buffers import member_name, mesh_buffer
 
 MOST_INPUTS = 16
-"""So many vertex inputs every profile has."""
+"""The number of vertex inputs that every profile has."""
 
 
 def corners_in_buffer(shader: Shader) -> Shader:
-    """The shader with reads of a buffer instead of inputs per instance that are of corners; itself
-    if it has none. The graph is in the form in which memory has what is read, and stays so."""
+    """Replaces inputs per instance at corners by reads of a buffer; changes no other shader.
+
+    The graph is in the form in which memory has the read values, and stays so.
+    """
     graph, notes, roots = shader.graph, shader.notes, shader.roots
     read = {node.data for node in roots.nodes if node.op == "attribute"}
     corners = [info for info in shader.attributes if _is_of_corner(info)]
@@ -65,12 +67,12 @@ def corners_in_buffer(shader: Shader) -> Shader:
 
 
 def _is_of_corner(info: AttributeInfo) -> bool:
-    """Whether an input has a value for each primitive that is drawn as an instance."""
+    """True if an input has a value for each primitive that is drawn as an instance."""
     return info.mesh is not None and info.attribute.step == INSTANCES
 
 
 def _span(shader: Shader) -> Span:
-    """Where the primitives are named, or the patches."""
+    """The span that names the primitives, or the patches."""
     made = shader.tessellation or shader.expansion
     assert made is not None
     return made.span

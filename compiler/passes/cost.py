@@ -38,7 +38,7 @@ def cost(root: Node, limit: int) -> int:
     total = 0
     seen = {root}
     pending = [root]
-    for node in pending:  # It grows on the way.
+    for node in pending:  # The list grows on the way.
         total += cost_of(node)
         if total > limit:
             return limit + 1

@@ -1,4 +1,4 @@
-"""Builds derived tables: arrays of what the host computes for each element of another array.
+"""Builds derived tables: arrays of values that the host computes for each element of an array.
 
 ``hoist`` makes a ``Table`` for an array of parameters, such as a list of lights, when a shader
 computes something from one element and other parameters only.
@@ -19,10 +19,10 @@ from .elements import array_name
 
 
 class Table:
-    """A structure for each element of ``array``, with what the shaders need to know of it.
+    """A structure for each element of ``array``, with the derived values that shaders need of it.
 
-    Members are closed: the number of the element is their free variable, so that what two loops
-    need alike of each element is one member.
+    Members are closed: the number of the element is their free variable, so that a value that two
+    loops need alike of each element is one member.
     """
 
     def __init__(self, array: Node, group: str) -> None:
@@ -37,7 +37,7 @@ class Table:
         self.name = f"{self._array}_derived"
 
     def add(self, graph: Graph, value: Node, position: Node, name: str, fact: Fact) -> str:
-        """Have ``value`` computed for each element, and say what it is called in the table."""
+        """Has ``value`` computed for each element, and returns its name in the table."""
         number = graph.node("bound", position.type, (), 0)
 
         def rule(_graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:

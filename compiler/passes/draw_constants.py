@@ -1,9 +1,9 @@
-"""Which values are the same all over a draw and need no shader to compute them.
+"""Finds the values that are the same all over a draw and need no shader to compute them.
 
 Three passes ask this: ``move_to_vertices``, whose proof needs constant factors; ``inline``, which
 writes a body out if constant arguments leave little of it; and ``expand_builtins``, which keeps
-apart what may be hoisted later. Whether a value then really leaves the shader is for ``hoist`` to
-say, as it depends on the parameters' groups.
+apart what may be hoisted later. ``hoist`` decides whether such a value really leaves the shader, as
+that depends on the parameters' groups.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ class DrawConstants:
     """
 
     def __init__(self, *, elements: bool = False) -> None:
-        """With ``elements``, those of parameters' arrays count too, at whatever position.
+        """With ``elements``, elements of parameters' arrays count too, at whatever position.
 
-        A host can compute for each of them what depends on one.
+        A host can compute the values that depend on one for each of them.
         """
         self._elements = elements
         self._known: dict[int, bool] = {}
 
     def __contains__(self, root: Node) -> bool:
-        """Whether a value is the same all over the draw."""
+        """True if a value is the same all over the draw."""
         known = self._known
         pending = [root]
         while pending:
@@ -44,7 +44,7 @@ class DrawConstants:
         return known[root.id]
 
     def _by_itself(self, node: Node) -> bool | None:
-        """What is known without a look at the operands."""
+        """The answer for a node that needs no look at its operands; ``None`` if they decide."""
         if node.op in ("constant", "parameter") or (self._elements and is_element(node)):
             return True
         if node.op == "cross" or node.op in BINDING or joins_group(node):

@@ -12,12 +12,15 @@ from ..ir.node import Node
 from ..ir.types import Array
 
 MOST = 64
-"""Elements of arrays that are looked at: blocks hold 16 KiB on some devices, and a host computes
-what is derived for all elements whenever one changes."""
+"""The number of elements up to which arrays are looked at.
+
+Blocks hold 16 KiB on some devices, and a host computes the derived values for all elements whenever
+one changes.
+"""
 
 
 def is_element(node: Node) -> bool:
-    """Whether a value is an element, at whatever position, of a parameter's array."""
+    """True if a value is an element, at whatever position, of a parameter's array."""
     if node.op != "index":
         return False
     array, _ = node.operands
@@ -27,7 +30,10 @@ def is_element(node: Node) -> bool:
 
 
 def array_name(array: Node) -> str | None:
-    """What a host calls an array that is a parameter or a part of one: ``lamps``, ``p.weights``."""
+    """The host's name of a parameter's array, or of a part that is one: ``lamps``.
+
+    A part has a name such as ``p.weights``. ``None`` if the array is no such thing.
+    """
     parts: list[str] = []
     while array.op in ("member", "index"):
         if array.op == "member":

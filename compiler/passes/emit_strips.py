@@ -1,4 +1,4 @@
-"""Expansions for pipelines with a geometry stage: what this emits, group by group.
+"""Expansions for pipelines with a geometry stage, which emits them group by group.
 
 ``lower_stages.py`` calls ``count_strips`` before all passes where the stage itself is wanted, and
 ``split_stages`` calls ``groups_of`` at the end. In between, all groups are one graph, in which a
@@ -26,7 +26,7 @@ from .simplify import Simplifier
 
 
 def count_strips(shader: Shader) -> Shader:
-    """The shader with what is known of the numbers of its strips and vertices."""
+    """Notes the ranges of the numbers of a shader's strips and vertices."""
     if shader.expansion is None:
         return shader
     groups = shader.expansion.groups
@@ -55,19 +55,19 @@ class GroupValues:
     strip: Formal
     vertex: Formal
     condition: Node
-    """Whether any strip is emitted."""
+    """True if any strip is emitted."""
     count: Node
-    """How many there are at most."""
+    """An upper bound of the number of strips."""
     emitted: Node
-    """Whether a strip is emitted, if there are any."""
+    """True if this strip is emitted; it is read only where ``condition`` holds."""
     delivered: tuple[Node, ...]
-    """At each vertex."""
+    """The values that are delivered at each vertex."""
 
 
 def groups_of(
     graph: Graph, notes: Notes, expansion: Expansion, emitted: Sequence[Node], roots: Sequence[Node]
 ) -> tuple[GroupValues, ...]:
-    """What each group needs of ``roots``; ``emitted`` says for each whether a strip is there."""
+    """The values that each group needs of ``roots``; ``emitted`` has each group's condition."""
     ranges = Ranges(())
     simplifier = Simplifier(graph, ranges, notes)
     found = []
@@ -92,11 +92,10 @@ def groups_of(
 def _conditions(
     graph: Graph, strips: EmittedStrips, strip: Formal, emitted: Node
 ) -> tuple[Node, Node, Node]:
-    """Whether any strip is emitted, how many there are, and whether one of them is, which all
-    together say what ``emitted`` says.
+    """Splits ``emitted``: is any strip emitted, how many at most, and is one of them.
 
-    A condition may rely on those before it, so it comes before one only if it cannot: if it does
-    not read what that is about.
+    All three together say what ``emitted`` says. A condition may rely on those before it, so it
+    comes before one only if it cannot: if it does not read what that is about.
     """
     count, told = build.constant(graph, INT, strips.strips), _joined(emitted)
     if builtin_of(told[0]) == "lt":
@@ -108,7 +107,7 @@ def _conditions(
 
 
 def _is_about_all(condition: Node, strip: Formal, count: Node) -> bool:
-    """Whether a condition is the same for all strips, and hangs on their number neither."""
+    """True if a condition is the same for all strips, and does not depend on their number."""
     if strip in condition.variables:
         return False
     return count.op == "constant" or count not in reachable([condition])
@@ -128,8 +127,11 @@ def _all_of(graph: Graph, conditions: Sequence[Node]) -> Node:
 
 
 def _nothing(graph: Graph, expansion: Expansion, roots: Sequence[Node]) -> GroupValues:
-    """What is emitted where no condition can hold: compilers want to see some vertex, and one alone
-    makes no triangle and no line; but it is a point, so of these there are none."""
+    """The values of a group where no condition can hold, so that nothing is emitted.
+
+    Compilers want to see some vertex, and one alone makes no triangle and no line. But it is a
+    point, so of points there are none.
+    """
     zeros = []
     for root in roots:
         kind = scalar_kind(root.type)
@@ -149,8 +151,11 @@ def _nothing(graph: Graph, expansion: Expansion, roots: Sequence[Node]) -> Group
 def _known(
     simplifier: Simplifier, numbers: dict[str, Node], roots: Sequence[Node]
 ) -> Sequence[Node]:
-    """The roots with these numbers. Choices between groups are made, and numbers of corners that
-    have become certain. Nothing else is changed: the other passes have done their work."""
+    """The roots with these numbers put in.
+
+    Choices between groups are made, and numbers of corners that have become certain. Nothing else
+    is changed: the other passes have done their work.
+    """
 
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op == "input":

@@ -31,12 +31,12 @@ _HOMELESS = frozenset(
 
 
 class Expanding(Simplifier):
-    """Builds nodes, and on demand what they mean in terms of simpler ones."""
+    """Builds nodes, and on demand their expansions in terms of simpler ones."""
 
     def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
         super().__init__(graph, ranges, notes)
         self.expanded: dict[int, Node] = {}
-        """By the id of the ``call`` that was expanded."""
+        """The expansions, by the id of the ``call`` that was expanded."""
         self._constant = DrawConstants(elements=True)
         self._functions: dict[tuple[Template, tuple[Type | Node, ...]], tuple[Node, Formals]] = {}
 
@@ -130,7 +130,7 @@ def _is_homeless(node: Node) -> bool:
 
 class _WritingOut(Expanding):
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """Expand what no backend has."""
+        """Expands builtins that no backend has."""
         if operands is not node.operands:
             node = super().rule(graph, node, operands)
         if not _is_homeless(node):

@@ -1,4 +1,4 @@
-"""What the corners are of the primitives that are expanded, where each of these has no stage.
+"""The corners of expanded primitives on targets where these primitives have no stage.
 
 ``lower_expansion`` asks for values at these corners. They are vertices of the mesh, or vertices of
 the patches into which a tessellation divides it.
@@ -20,10 +20,10 @@ class MeshCorners:
     """The corners of the primitives of a mesh, each of which is an instance of the draw."""
 
     levels: tuple[Result, ...] = ()
-    """What a host computes that divides patches, of which there are none."""
+    """The tessellation levels that the host computes. A mesh without patches has none."""
     listed = 0
     is_there: Node | None = None
-    """Whether there is such a primitive: nothing else is drawn."""
+    """A condition: the primitive exists. ``None``, as nothing else is drawn."""
 
     def __init__(self, shader: Shader, expansion: Expansion) -> None:
         inputs = CornerInputs(shader, expansion.corners, expansion.span)
@@ -55,9 +55,9 @@ class CellCorners:
         self._cell: Node | None = None
         """The number of the cell, where each vertex finds out itself where it lies."""
         self.levels: tuple[Result, ...] = ()
-        """What the host computes that divides all patches alike."""
+        """The tessellation levels that the host computes, if all patches are divided alike."""
         self.listed = 0
-        """How many vertices a patch is drawn with, where no host divides it."""
+        """The number of vertices that a patch is drawn with, where no host divides it."""
         each = expansion.listed
         if shader.pattern is None:
             self.levels = levels
@@ -78,7 +78,7 @@ class CellCorners:
 
     @property
     def is_there(self) -> Node | None:
-        """Whether the patch has the cell; ``None`` if there is no other in the draw."""
+        """A condition: the patch has the cell. ``None`` if there is no other in the draw."""
         return None if self._cell is None else self._vertices.is_there(self._vertex_at(0))
 
     def at_corner(self, value: Node, number: Node) -> Node:
@@ -86,7 +86,7 @@ class CellCorners:
         return self._vertices.at(value, self._place(number))
 
     def _place(self, number: Node) -> Node:
-        """Where a corner lies in the patch."""
+        """The coordinates of a corner in the patch."""
         if number.op == "constant" and isinstance(number.data, int):
             return self._known_place(number.data)
         if number not in self._places:

@@ -19,7 +19,7 @@ from ..ir.shader import Notes
 from .simplify import Simplifier
 
 SUMMED: frozenset[Op] = frozenset({"fold", "apply"})
-"""What a light contributes, or many lights do."""
+"""The operations that give the contribution of a light (``apply``), or of many (``fold``)."""
 
 
 def fuse(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
@@ -72,7 +72,7 @@ class _Fusing:
             return root
         groups: list[Node] = []
         meeting: dict[Hashable, dict[int, None]] = {}
-        """The groups, by what a term has to have in common with them to be fused."""
+        """The groups, by the keys that a term may have in common with them."""
         for term in terms:
             common = self._common(term)
             near = {position for key in common for position in meeting.get(key, ())}
@@ -102,9 +102,10 @@ class _Fusing:
         return terms
 
     def _common(self, term: Node) -> Sequence[Hashable]:
-        """What two terms have to have in common, one of these at least, to be fused.
+        """The keys of a term. Two terms can be fused only if they have one of these in common.
 
-        Sums turn equally often, from the same start. What lights add shares an argument.
+        Sums have the same number of iterations and the same start. Terms of lights share an
+        argument.
         """
         if term.op == "fold":
             data = FOLD.data(term)
@@ -115,7 +116,7 @@ class _Fusing:
         return [argument for argument in term.operands[1:] if argument.op != "constant"]
 
     def _fusable(self, group: Node, term: Node) -> bool:
-        """Whether a group fuses with a term with which it has something in common."""
+        """True if a group can be fused with a term with which it has a key in common."""
         same = term.op == "apply" and group.operands[0] is term.operands[0]
         return group.op == term.op and group.type == term.type and not same
 

@@ -28,13 +28,13 @@ from .simplify import Simplifier
 
 @frozen
 class Guard:
-    """A builtin that keeps its guard, and what was known of its operands."""
+    """A builtin that keeps its guard, and the known facts of its operands."""
 
     builtin: str
     facts: tuple[Fact, ...]
     span: Span | None
     by_profile: bool = False
-    """Whether there are languages that need none."""
+    """True if there are languages that need no guard here."""
 
     @property
     def reason(self) -> str:
@@ -49,16 +49,16 @@ def _interval(fact: Fact) -> str:
 
 @record
 class Decisions:
-    """What was decided about guards in several parts of a program."""
+    """The decisions about guards in several parts of a program."""
 
     kept: dict[int, Guard] = fresh(factory=dict)
-    """By the id of the ``call`` that was expanded."""
+    """The guards that stay, by the id of the ``call`` that was expanded."""
     remarks: dict[Hashable, Remark] = fresh(factory=dict)
     undecided: bool = False
-    """Whether any call was left to the profiles."""
+    """True if any call was left to the profiles."""
 
     def add(self, guarding: Guarding) -> None:
-        """Take over what was decided in one part."""
+        """Takes over the decisions about one part."""
         self.kept.update(guarding.kept)
         self.remarks.update(guarding.remarks)
         self.undecided = self.undecided or guarding.undecided
@@ -84,12 +84,12 @@ class Guarding(Expanding):
         self._paths = paths
         self._domains = domains
         self.undecided = False
-        """Whether any call was left to the profiles."""
+        """True if any call was left to the profiles."""
         self._branches: set[int] = set()
         self.kept: dict[int, Guard] = {}
-        """By the id of the ``call`` that was expanded."""
+        """The guards that stay, by the id of the ``call`` that was expanded."""
         self._asked: Node | None = None
-        """What is being replaced, with operands as they were."""
+        """The node that is being replaced, with its operands as they were."""
 
     def remark(
         self,
@@ -99,15 +99,16 @@ class Guarding(Expanding):
         conditions: tuple[PathRefinement, ...] = (),
         rule: str = "",
     ) -> None:
-        """As in any simplifier; but what is left away by now was part of an expansion.
+        """Makes a remark as in any simplifier, but not about parts of expansions.
 
-        Nobody has to hear of a builtin that is expanded whatever is known of its operands.
+        A part that is left away by now was part of an expansion. Nobody has to hear of a builtin
+        that is expanded whatever is known of its operands.
         """
         if outcome != "dropped" and BUILTINS[builtin].needs:
             super().remark(builtin, operands, outcome, conditions, rule)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """As ``Simplifier.rule``, with what is known on the path to ``node``.
+        """Like ``Simplifier.rule``, with the facts that are known on the path to ``node``.
 
         A guard that stays is put down to the source of ``node``.
         """
@@ -130,7 +131,7 @@ class Guarding(Expanding):
         return simplest
 
     def _is_safe(self, node: Node) -> bool:
-        """Whether ranges or conditions around ``node`` prove it harmless.
+        """True if ranges or conditions around ``node`` prove it harmless.
 
         Its operands may have been expanded by now. They are the same values, of which more is known
         in the form that they had before.
@@ -143,7 +144,7 @@ class Guarding(Expanding):
         known = [self._paths.known(node, operand) for operand in node.operands]
         if not row.domain(tuple(more.fact for more in known)):
             return False
-        # What is known behind a condition helps only where its select becomes a branch.
+        # Facts behind a condition help only where its select becomes a branch.
         self._branches.update(select.id for more in known for select in more.selects)
         conditions = tuple(one for more in known for one in more.conditions)
         self.remark(row.name, node.operands, "native", conditions)
@@ -178,16 +179,16 @@ class Guarding(Expanding):
         return native
 
     def _is_by_profile(self, row: Builtin, node: Node, facts: tuple[Fact, ...]) -> bool:
-        """Whether a profile has to decide about a call.
+        """True if a profile has to decide about a call.
 
-        What is asked of is the last operand, a divisor or an amount. Where that is constant over
+        The condition is about the last operand, a divisor or an amount. Where that is constant over
         the draw, so is its guard, which leaves the shader and costs no language anything.
         """
         open_ = self._domains is None and row.by_profile(facts)
         return open_ and node.operands[-1] not in self._constant
 
     def _keep(self, node: Node, row: Builtin, by_profile: bool) -> None:
-        """Remember that a guard stays, and what was known of the operands."""
+        """Remembers that a guard stays, and the known facts of the operands."""
         asked = self._asked
         operands = node.operands
         if not self.expanding and asked is not None and asked.data == node.data:

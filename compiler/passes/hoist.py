@@ -37,11 +37,14 @@ _NOT_HOISTED = BINDING | {"cross", "struct", "array"}
 """Loops stay in the shader, and so do arrays that are put together."""
 
 ROW = 16
-"""Bytes of what a block holds in a row: a vector, a column of a matrix."""
+"""Bytes of a row of a block: a vector, or a column of a matrix."""
 
 ROOM = 12 * 1024
-"""Bytes of the tables of a group: blocks hold 16 KiB on some devices, and single values need some
-of them, too. What has no room stays in the shader."""
+"""The size limit of the tables of a group, in bytes.
+
+Blocks hold 16 KiB on some devices, and single values need some of them, too. A value without room
+stays in the shader.
+"""
 
 CHEAP = frozenset({"neg", "not"})
 """Operand modifiers: free in hardware, so a stored value would only cost memory."""
@@ -53,13 +56,16 @@ class Derived:
 
     parameter: Parameter
     expression: Node
-    """Over ``parameter`` leaves and constants only. Of a table, it is the structure for the element
-    whose number is the one free variable, ``bound`` 0."""
+    """The value, over ``parameter`` leaves and constants only.
+
+    For a table, it is the structure for the element whose number is the one free variable,
+    ``bound`` 0.
+    """
 
 
 @frozen(eq=False)
 class _Reads:
-    """What a value is computed from: parameters, and elements of arrays at one position."""
+    """The sources of a value: parameters, and elements of arrays at one position."""
 
     groups: frozenset[str]
     position: Node | None = None
@@ -67,7 +73,7 @@ class _Reads:
     """The shortest of the arrays."""
 
     def joined(self, other: _Reads) -> _Reads | None:
-        """What a value reads that is computed from two; ``None`` at two positions."""
+        """The reads of a value that is computed from two; ``None`` if they are at two positions."""
         if other is self or not other.groups:
             return self
         if not self.groups:
@@ -101,7 +107,7 @@ def _length(array: Node) -> int:
 
 
 def _saves(root: Node, least: int) -> bool:
-    """Whether a stored value saves operations that cost at least so much."""
+    """True if a stored value saves operations that cost at least ``least``."""
     saved, pending, seen = 0, [root], {root.id}
     while pending and saved < least:
         node = pending.pop()
@@ -114,7 +120,7 @@ def _saves(root: Node, least: int) -> bool:
 
 
 def _compares_pixels(node: Node) -> bool:
-    """Whether an operation depends on neighbours, which may be at other positions of an array."""
+    """True if an operation depends on neighbours, which may be at other positions of an array."""
     builtin = builtin_of(node)
     return builtin is not None and BUILTINS[builtin].compares_pixels
 
@@ -140,21 +146,21 @@ class _Hoisting:
         self._ranges = ranges
         self._reads: dict[int, _Reads | None] = {}
         self._groups: dict[str, _Reads] = {}
-        """What a parameter alone reads, by its group."""
+        """The reads of a parameter by itself, by its group."""
         self._positions: set[int] = set()
         """Indices: a shader clamps them itself, whatever a host has put into its memory."""
         self._taken = set(taken)
         self._naming = Naming(notes)
         self._moved: dict[int, Node] = {}
-        """What indices have become: what they are computed from may be hoisted."""
+        """The rebuilt indices: values from which they are computed may be hoisted."""
         self._single: dict[int, Derived] = {}
-        """By the id of the value."""
+        """The derived values, by the id of the value."""
         self._members: dict[int, tuple[Table, str, Node]] = {}
-        """Likewise, where it stands in a table, and the position of the element."""
+        """The values in tables: the table, the member, and the position of the element."""
         self._tables: dict[tuple[int, str], Table] = {}
-        """By the array's id and the group that owns the values."""
+        """The tables, by the array's id and the group that owns the values."""
         self._filled: Counter[str] = Counter()
-        """How many bytes the tables of each group have at most."""
+        """The largest possible size of the tables of each group, in bytes."""
 
     def choose(self, roots: Roots) -> bool:
         """Find the hoistable nodes that some user which is not hoistable needs, if any."""
@@ -189,17 +195,17 @@ class _Hoisting:
         return None
 
     def derived(self) -> list[Derived]:
-        """All that the host may have to compute."""
+        """All values that the host may have to compute."""
         tables = self._tables.values()
         return [
             *self._single.values(),
             *(Derived(t.parameter, t.element(self._graph)) for t in tables),
         ]
 
-    # --- what can go -----------------------------------------------------------------------------
+    # --- candidates -------------------------------------------------------------------------------
 
     def _reads_of(self, node: Node) -> _Reads | None:
-        """What a value is computed from; ``None`` if it reads anything else."""
+        """The sources of a value; ``None`` if it reads anything else."""
         if node.op == "parameter":
             return self._of_group(PARAMETER.data(node).group)
         if node.op == "constant":
@@ -240,7 +246,7 @@ class _Hoisting:
     # --- where it goes ---------------------------------------------------------------------------
 
     def _place(self, node: Node) -> None:
-        """Give a chosen value its place, by the user's name or one that says what it is made of."""
+        """Gives a chosen value its place, by the user's name or one after its operands."""
         reads, name, fact = self._reads[node.id], self._naming.name(node), self._ranges.of(node)
         assert reads is not None and reads.owner is not None
         if reads.position is None:
@@ -252,7 +258,10 @@ class _Hoisting:
             self._members[node.id] = table, member, reads.position
 
     def _has_room(self, reads: _Reads, node: Node) -> bool:
-        """Whether the tables of a group can hold one more value for each element, and then do."""
+        """True if the tables of a group can hold one more value for each element.
+
+        If so, the value is counted.
+        """
         assert reads.array is not None and reads.owner is not None
         columns = node.type.size if isinstance(node.type, Matrix) else 1
         size = ROW * columns * _length(reads.array)

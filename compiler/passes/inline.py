@@ -78,11 +78,11 @@ class _Inlining:
             formal for call in inlined if call.operands[0] in once for formal in formals_of(call)
         )
         self._values: dict[Formal, Node] = {}
-        """What the variables of bodies that are called once stand for."""
+        """The values of the variables of bodies that are called once."""
         self._concerned: set[Node] = set()
         """Calls that are written out, and all that needs them."""
         self._done: tuple[dict[Node, Node], dict[Node, Node]] = ({}, {})
-        """What nodes have become: as they are, and in their simplest form."""
+        """The rebuilt nodes: as they are, and in their simplest form."""
 
     def roots(self, roots: Roots) -> Roots:
         """The roots, rebuilt."""
@@ -113,7 +113,7 @@ class _Inlining:
                     self._notes.follow(node, made)
 
     def _stays(self, node: Node, simplest: bool) -> bool:
-        """Whether a node is what it has to be already."""
+        """True if a node needs no change."""
         if node in self._concerned:
             return False
         if not simplest:
@@ -121,7 +121,7 @@ class _Inlining:
         return self._simplifier.is_simplest(node) and node.variables.isdisjoint(self._bound)
 
     def _needs(self, place: _Place) -> list[_Place]:
-        """What has to be rebuilt before a node can be."""
+        """The nodes that have to be rebuilt before this one can be."""
         node, simplest = place
         if node not in self._inlined or node.operands[0] not in self._once:
             return [(operand, simplest) for operand in node.operands]
@@ -134,7 +134,7 @@ class _Inlining:
         return [(body, True)]
 
     def _made(self, node: Node, simplest: bool) -> Node:
-        """What a node becomes, once all that it needs has been rebuilt."""
+        """The new form of a node, once all that it needs has been rebuilt."""
         if node in self._inlined:
             return self._written_out(node, simplest)
         if isinstance(node.data, Formal):
@@ -156,7 +156,7 @@ class _Inlining:
             rebuilt, *arguments = (self._done[simplest][operand] for operand in call.operands)
             values = dict(zip(formals_of(call), arguments, strict=True))
             written = self._simplifier.substituted(rebuilt, values)
-        # What a light adds keeps the names of its terms, which say what it is.
+        # The part that a light adds keeps the names of its terms, which describe it.
         if written not in self._bodies and body.id not in self._notes.terms:
             self._notes.forget_function(written)
         return written

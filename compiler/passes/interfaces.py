@@ -1,4 +1,4 @@
-"""Packs what crosses between the stages of a chain, from the last stage to the first.
+"""Packs the varyings between the stages of a chain, from the last stage to the first.
 
 ``split_stages`` tells it of each stage in turn, once it is known what the stage has to compute.
 """
@@ -17,21 +17,21 @@ from .pack_varyings import pack_varyings
 
 
 class Interfaces:
-    """What crosses between the stages that are known so far."""
+    """The varyings between the stages that are known so far."""
 
     def __init__(self, notes: Notes, results: Iterable[Result]) -> None:
-        """``results`` are all that the stages deliver besides what crosses."""
+        """``results`` are all results of the stages besides the varyings."""
         self._notes = notes
         self._captured = {result.name for result in results if result.kind == CAPTURE}
         self.all: tuple[Interface, ...] = ()
-        """In pipeline order."""
+        """The interfaces in pipeline order."""
         self._onward: Sequence[Node] = ()
-        """The values of the stage behind, if some of what it reads is handed on to it."""
+        """The values of the stage behind, if some of those that it reads are handed on to it."""
         self._placed_onward: frozenset[Node] = frozenset()
-        """Those of them that are for positions that have to be invariant."""
+        """The values in ``_onward`` that are for positions that have to be invariant."""
 
     def leaving(self, row: StageRow) -> tuple[Varying, ...]:
-        """What a stage has to deliver to the next one; what it only hands on is not among it."""
+        """The varyings that a stage computes for the next one, not those it only hands on."""
         return leaving(self.all, row)
 
     def enter(
@@ -41,11 +41,11 @@ class Interfaces:
         nodes: Sequence[Node],
         placing: frozenset[Node],
     ) -> None:
-        """Pack what crosses from the stage ``before`` to this one, which computes ``nodes``, some
-        of them, ``placing``, for positions that have to be invariant.
+        """Packs the varyings from the stage ``before`` into this one, which computes ``nodes``.
 
-        Where this stage hands its vertices on, what the next stage reads of them goes through it.
-        That has locations behind those of what this stage itself delivers to the next.
+        Those in ``placing`` are for positions that have to be invariant. Where this stage hands its
+        vertices on, values of the vertices that the next stage reads go through it. They have
+        locations behind those of the values that this stage itself delivers to the next.
         """
         taken = {field.name for face in self.all for field in face.fields} | self._captured
         first = len(self.leaving(row)) if row.hands_on else 0

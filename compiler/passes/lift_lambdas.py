@@ -1,4 +1,4 @@
-"""Lambda lifting: gives every function's body what it reads of its surroundings as arguments.
+"""Lambda lifting: gives every function's body the values around it as arguments.
 
 Before this pass a body may read any value of the shader around it. Afterwards it reads its
 parameters, uniforms and constants only, so that it can be printed as a function. A value that does
@@ -75,9 +75,10 @@ class _Lifting:
         return tuple(found.values())
 
     def _source(self, node: Node) -> Node:
-        """What a value costs nothing to be made from, unless the user named what is on the way.
+        """The value that ``node`` is made from at no cost.
 
-        Members of a loop's states or of an element are passed themselves: their whole is no value.
+        The search ends at a value that the user named. Members of a loop's states or of an element
+        are passed themselves: their whole is no value.
         """
         while node.id not in self._notes.names and _is_free(node):
             whole = node.operands[0]
@@ -101,17 +102,17 @@ def _independent(body: Node, nodes: Iterable[Node], own: set[Formal]) -> Iterato
 
 
 def _is_free(node: Node) -> bool:
-    """Whether hardware does an operation on the way to the next."""
+    """True if hardware does an operation for free on the way to the next one."""
     return is_part(node) or node.op == "splat" or (node.op == "native" and node.data == "neg")
 
 
 def _reads(body: Node, formal: Formal) -> bool:
-    """Whether a body needs an argument; passes may have found that it does not."""
+    """True if a body needs an argument; passes may have found that it does not."""
     return formal in body.variables
 
 
 def _global(node: Node) -> bool:
-    """Whether every function can read a value where it is: uniforms, their parts, constants."""
+    """True if every function can read a value where it is: uniforms, their parts, constants."""
     while is_part(node):
         node = node.operands[0]
     return node.op in GLOBALS

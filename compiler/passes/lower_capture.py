@@ -1,12 +1,11 @@
 """Captures without a stream output: a kernel writes the vertices, one by each invocation.
 
 ``lower_stages`` calls ``lower_capture`` before all passes, when expansions and tessellations have
-been lowered. What the mesh has is read from one storage buffer. Each of its elements is a vertex
-that is drawn; or a primitive that is expanded or a patch that is divided, with what is read of its
-corners. The numbers of a vertex
-are written as they lie in the buffer of a stream output, each as the 32 bits that it has. A vertex
-that is not emitted is written, too: one more number says of each vertex whether it is there, and a
-host leaves the others out.
+been lowered. The attributes of the mesh are read from one storage buffer. Each of its elements is a
+vertex that is drawn; or a primitive that is expanded or a patch that is divided, with the
+attributes that are read at its corners. The numbers of a vertex are written as they lie in the
+buffer of a stream output, each as the 32 bits that it has. A vertex that is not emitted is written,
+too: one more number says of each vertex whether it is there, and a host leaves the others out.
 """
 
 from __future__ import annotations
@@ -50,7 +49,7 @@ def lower_capture(shader: Shader) -> Shader:
     results = (
         Result(EXTENT, COMPUTE, reading.extent), *_stores(shader, written, lowered),
     )  # fmt: skip
-    # What is read and counted stands nowhere, but where the first value is that is captured.
+    # The inputs and counts have no place of their own: they get that of the first captured value.
     for node in reachable([result.value for result in results]):
         if node.id >= before:
             shader.notes.spans.setdefault(node.id, reading.span)
@@ -67,16 +66,16 @@ def lower_capture(shader: Shader) -> Shader:
 
 
 class _Reading:
-    """Reads of a buffer what vertices read of the mesh."""
+    """Reads the attributes of the mesh's vertices from a buffer."""
 
     def __init__(self, shader: Shader) -> None:
         self._graph: Graph = shader.graph
         self._notes = shader.notes
         self._of_primitives = shader.expansion is not None or shader.tessellation is not None
         self._listed = listed_each(shader)
-        """How many vertices come of each element of the buffer."""
+        """The number of vertices for each element of the buffer."""
         self.span = _first_span(shader)
-        """Where the first value is that is captured."""
+        """The span of the first captured value."""
         infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
         self._members = {info.attribute: member_name(info.attribute) for info in infos}
         self.mesh = mesh_buffer(shader, infos, is_primitive=self._of_primitives)
@@ -92,7 +91,7 @@ class _Reading:
 
     @property
     def extent(self) -> Node:
-        """How many vertices are written."""
+        """The number of vertices that are written."""
         count = self._graph.node("parameter", INT, (), self.mesh.buffer.count)
         if self._listed == 1:
             return count
@@ -101,7 +100,7 @@ class _Reading:
         return vertices
 
     def rule(self, _graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
-        """What stands for a vertex input, or for a number that the pipeline supplies."""
+        """The replacement of a vertex input, or of a number that the pipeline supplies."""
         leaf = node.data
         if isinstance(leaf, SystemInput):
             if self._of_primitives:
@@ -133,17 +132,17 @@ class _Reading:
 
 
 def listed_each(shader: Shader) -> int:
-    """How many vertices come of each element of the buffer at most."""
+    """The largest number of vertices for each element of the buffer."""
     if shader.listed:
         return shader.listed
     return 1 if shader.expansion is None else shader.expansion.listed
 
 
 def _first_span(shader: Shader) -> Span:
-    """Where the first value is written that is captured and stands somewhere.
+    """The span of the first captured value that is written somewhere.
 
-    Values that the pipeline supplies stand nowhere: if nothing else is captured, it is where
-    anything of the material stands.
+    Values that the pipeline supplies are written nowhere: if nothing else is captured, the span is
+    that of anything in the material.
     """
     spans = shader.notes.spans
     captured = (spans.get(result.value.id) for result in shader.results_of(CAPTURE))

@@ -48,8 +48,10 @@ from .corner_inputs import placed
 from .expanded_corners import CellCorners, Corners, MeshCorners
 
 LAYER_OF_DRAW = "draw.layer"
-"""What the parameter is called that says for which layer a draw is; with ``_`` behind it if a light
-has a parameter of this name."""
+"""The name of the parameter that says for which layer a draw is.
+
+It ends in ``_`` if a light has a parameter of this name.
+"""
 
 
 def lower_expansion(shader: Shader) -> Shader:
@@ -74,7 +76,7 @@ def lower_expansion(shader: Shader) -> Shader:
     if drawn is not None and shader.capture is not None:
         # There is no place for a vertex that is not captured, so it has to be left out.
         delivered.append(Result(EMITTING, VERTEX, drawn))
-    # What tells the vertices apart stands nowhere, but where the expansion does.
+    # The vertices' numbers have no place of their own: they get that of the expansion.
     for node in reachable([result.value for result in delivered]):
         if node.id >= before:
             shader.notes.spans.setdefault(node.id, shader.expansion.span)
@@ -101,7 +103,7 @@ def _placed(shader: Shader, result: Result, drawn: Node | None) -> Result:
 
 
 class _Lowering:
-    """Makes vertices of emitted vertices, and collects what these read of the mesh."""
+    """Turns emitted vertices into vertices of a draw, and collects the inputs that they read."""
 
     def __init__(self, shader: Shader, expansion: Expansion, corners: Corners) -> None:
         self._graph: Graph = shader.graph
@@ -110,7 +112,7 @@ class _Lowering:
         self._expansion = expansion
         self._parameters = shader.parameters
         self.layer: Parameter | None = None
-        """What says for which layer of the render targets a draw is, if they have any."""
+        """The parameter that says for which layer a draw is, if the render targets have layers."""
         self._numbers = EmittedNumbers(shader.graph, expansion, corners.vertex)
 
     def lowered(self, roots: Sequence[Node]) -> Roots:
@@ -118,7 +120,7 @@ class _Lowering:
         return rewrite(self._graph, roots, self._rule, self._notes.follow, ("cross", "input"))
 
     def drawn(self, results: Sequence[Result]) -> Node | None:
-        """Whether the strip of a vertex is there in this draw; ``None`` if all of them are."""
+        """A condition: the strip of a vertex exists in this draw. ``None`` if all of them do."""
         values = [result.value for result in results if result.kind == EMITTING]
         layers = [result.value for result in results if result.kind == LAYER]
         found = [] if all(map(_is_true, values)) else [self._numbers.by_group(values)]
@@ -129,7 +131,10 @@ class _Lowering:
         return reduce(lambda one, other: self._graph.node("call", BOOL, (one, other), "and"), found)
 
     def _is_drawn(self, layer: Node) -> Node:
-        """Whether a draw is for this layer; the host tells for which one it is."""
+        """A condition: a draw is for this layer.
+
+        The host sets a parameter to the layer that it draws.
+        """
         taken = {info.parameter.name for info in self._parameters}
         names = (LAYER_OF_DRAW + "_" * number for number in count())
         self.layer = Parameter(next(n for n in names if n not in taken), INT, "draw")
@@ -138,7 +143,7 @@ class _Lowering:
 
     @property
     def parameters(self) -> tuple[ParameterInfo, ...]:
-        """The parameters, and what the host sets for each of several draws."""
+        """The parameters, and those that the host sets for each of several draws."""
         if self.layer is None:
             return self._parameters
         doc, span = "The layer of the render targets that is drawn", self._expansion.span
@@ -168,7 +173,7 @@ def _is_true(value: Node) -> bool:
 
 
 class EmittedNumbers:
-    """Where a vertex of a list of triangles or lines lies among the groups that are emitted."""
+    """Position of a vertex of a list of triangles or lines among the groups that are emitted."""
 
     def __init__(self, graph: Graph, expansion: Expansion, vertex: Node) -> None:
         """``vertex`` is the number of the vertex in that list."""
@@ -215,8 +220,10 @@ class EmittedNumbers:
         return self._call("add", primitive, corner)
 
     def _turned(self, triangle: Node, corner: Node) -> Node:
-        """A corner of a triangle of a strip: in every second one, those after the first are
-        exchanged."""
+        """A corner of a strip's triangle; every second triangle turns the other way round.
+
+        There, the corners after the first are exchanged.
+        """
         odd = self._call("mod", triangle, self._number(2))
         is_later = (self._call("ne", number, self._number(0)) for number in (odd, corner))
         turned = self._call("sub", self._number(3), corner)

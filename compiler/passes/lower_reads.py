@@ -37,7 +37,7 @@ _READS = frozenset({"parameter", "buffer", "member", "index"})
 """Apart from these and from variables, operations change only where an operand has changed."""
 
 _MADE = frozenset({"array", "struct", "iterate"})
-"""What is put together in the shader, out of plain values; all other aggregates are stored."""
+"""Operations that build aggregates in the shader, of plain values; all others are stored."""
 
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:
@@ -158,7 +158,7 @@ def _whole(graph: Graph, square: Node) -> Node | None:
 
 
 def _from_whole(graph: Graph, node: Node, stored: Node, operands: tuple[Node, ...]) -> Node | None:
-    """A vector that is computed from a stored matrix: the upper rows of what all rows give."""
+    """A vector that is computed from a stored matrix: the upper rows of the result of all rows."""
     if node.op == "index":
         rows = index(graph, stored, operands[1])
     elif node.op == "native" and node.data == "mul":

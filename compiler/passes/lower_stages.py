@@ -1,7 +1,7 @@
-"""Does with the stages of all targets what else takes stages that not every target has.
+"""Rewrites geometry, tessellation and stream-output stages as stages that every target has.
 
-``api.py`` calls ``lower_stages`` before all passes or, if the stages themselves are wanted,
-``keep_stages``.
+These are vertex, fragment and compute stages. ``api.py`` calls ``lower_stages`` before all passes
+or, if the stages themselves are wanted, ``keep_stages``.
 """
 
 from __future__ import annotations
@@ -20,5 +20,5 @@ def lower_stages(shader: Shader) -> Shader:
 
 
 def keep_stages(shader: Shader) -> Shader:
-    """The shader with its stages, and with what is known of the numbers of their vertices."""
+    """The shader with its stages, and with the ranges of the numbers of their vertices."""
     return count_captured(count_strips(shader))

@@ -1,15 +1,15 @@
 """Tessellations without their stages: each patch of the mesh is drawn as an instance.
 
-``lower_stages`` calls ``lower_tessellation`` before all passes. What the mesh has at the control
-points are vertex inputs per instance, one for each that is read. Where the vertices lie in their
-patch:
+``lower_stages`` calls ``lower_tessellation`` before all passes. The attributes of the mesh at the
+control points are vertex inputs per instance, one for each that is read. The places of the vertices
+in their patch are found in one of two ways:
 
-- If all patches of a draw are divided alike, the host computes into how many steps, once for the
-  draw, and makes the pattern of triangles or lines. Its points are the vertices of the draw, and
-  where they lie is a vertex input.
+- If all patches of a draw are divided alike, the host computes the levels once for the draw, and
+  makes the pattern of triangles or lines. Its points are the vertices of the draw, and their places
+  are a vertex input.
 - If not, an instance has as many vertices as its patch can have at most, and each of them finds out
-  by its number where it lies, if it is there at all: the library's tessellator says so. A triangle
-  or line that the patch does not have has all its vertices in one place, beyond the picture. If
+  its place by its number, if it is there at all: the library's tessellator says so. A triangle or
+  line that the patch does not have has all its vertices in one place, beyond the picture. If
   vertices are captured, this is always done, and those that are not there are left out.
 
 Their order is that of the tessellator: patch after patch.
@@ -52,7 +52,7 @@ def lower_tessellation(shader: Shader) -> Shader:
         results.append(changed(result, stage=row, value=value))
     if drawn is not None and shader.capture is not None:
         results.append(Result(EMITTING, VERTEX, drawn))
-    # What tells the vertices apart stands nowhere, but where the tessellation does.
+    # The vertices' numbers have no place of their own: they get that of the tessellation.
     for node in reachable([result.value for result in results]):
         if node.id >= before:
             shader.notes.spans.setdefault(node.id, patches.span)

@@ -1,4 +1,4 @@
-"""Storage buffers that have what vertices read of a mesh, instead of vertex inputs.
+"""Storage buffers with the attributes that vertices read of a mesh, instead of vertex inputs.
 
 ``lower_capture`` has a kernel read such a buffer, and ``corners_in_buffer`` the vertex stage where
 the corners of a primitive need more vertex inputs than there are.
@@ -16,9 +16,9 @@ from ..ir.shader import AttributeInfo, BufferInfo, ParameterInfo, Shader
 from ..ir.types import RuntimeArray, Struct, Type
 
 MESH = "mesh"
-"""The buffer; a host binds it with what it sets for each draw, or what a kernel writes."""
+"""The name of the buffer, which a host binds for each draw, or for a capturing kernel."""
 VERTEX_STRUCT, PRIMITIVE_STRUCT = "MeshVertex", "MeshPrimitive"
-"""What its elements are."""
+"""The names of the structures that are the elements of these buffers."""
 
 
 def mesh_buffer(
@@ -33,7 +33,7 @@ def mesh_buffer(
         tuple((name, info.attribute.type) for name, info in rows),
     )
     span = rows[0][1].span
-    # A mesh's values are taken as they are: what a type says beyond its numbers is not checked.
+    # A mesh's values are taken as they are: contracts beyond their types are not checked.
     described = tuple(
         ParameterInfo(Parameter(name, type_, ""), str(type_), None, None, info.doc, span)
         for (name, type_), (_, info) in zip(struct.members, rows, strict=True)
@@ -44,7 +44,7 @@ def mesh_buffer(
 
 
 def member_name(leaf: Attribute) -> str:
-    """What the member of an element is called that has the values of a vertex input."""
+    """The name of the member of an element that has the values of a vertex input."""
     return leaf.name.replace(".", "_")
 
 
@@ -57,7 +57,7 @@ def buffer_info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInf
 
 
 def names_taken(shader: Shader) -> set[str]:
-    """What parameters, textures and buffers are called."""
+    """The names of all parameters, textures and buffers."""
     return {
         *(info.parameter.name for info in shader.parameters),
         *(info.resource.name for info in shader.resources),

@@ -1,10 +1,10 @@
 """Moves work on one corner of a primitive to the stage before, which does it once for each vertex.
 
-A geometry or evaluation stage reads what the stage before has at corner ``k`` of a primitive or a
-patch. ``f`` of that is what ``f`` of the value is at the corner, for any ``f`` and exactly; but the
-vertex is computed once, and read by several primitives and at several vertices of each. The pass
-moves work only if no more numbers cross for it. It comes after ``move_to_vertices``, whose values
-it often takes further, and after ``hoist``.
+A geometry or evaluation stage reads values of the stage before at corner ``k`` of a primitive or a
+patch. ``f`` of such a value is the same as the value of ``f`` at the corner, for any ``f`` and
+exactly; but the vertex is computed once, and read by several primitives and at several vertices of
+each. The pass moves work only if no more numbers cross for it. It comes after ``move_to_vertices``,
+whose values it often takes further, and after ``hoist``.
 """
 
 from __future__ import annotations
@@ -59,18 +59,18 @@ class _Place:
 
 @record
 class _Family:
-    """Values of the stage before that are read together, and what would cross if work moved.
+    """Values of the stage before that are read together, and the values to cross in their place.
 
-    A value that two later stages read crosses into the first of them for both, so what either of
-    them computes of it belongs to one family.
+    A value that two later stages read crosses into the first of them for both, so all values that
+    either of them computes of it belong to one family.
     """
 
     sources: dict[int, int] = fresh(factory=dict)
     """The lanes of the values that cross now, by their nodes' ids."""
     results: dict[int, int] = fresh(factory=dict)
-    """The lanes of what would cross instead, by what is computed."""
+    """The lanes of the values that would cross instead, by their value numbers."""
     work: list[int] = fresh(factory=list)
-    """The ids of what would move."""
+    """The ids of the nodes that would move."""
     within: _Family | None = None
     """The family that this one has become a part of."""
 
@@ -85,7 +85,7 @@ class _Family:
         return whole
 
     def join(self, other: _Family) -> _Family:
-        """The family that has what both have; the results are not known yet."""
+        """The family with the sources and the work of both; the results are not known yet."""
         small, large = sorted((self.whole, other.whole), key=lambda family: len(family.work))
         if small is not large:
             large.sources.update(small.sources)
@@ -95,19 +95,19 @@ class _Family:
 
     @property
     def pays(self) -> bool:
-        """Whether no more numbers cross if its work moves."""
+        """True if moving the work does not make more numbers cross between the stages."""
         return sum(self.results.values()) <= sum(self.sources.values())
 
 
 class _Corners:
-    """Finds out what is worth moving."""
+    """Finds work that is worth moving."""
 
     def __init__(self, roots: Roots) -> None:
         self._roots = roots
         self._constant = DrawConstants()
         self._places: dict[int, _Place] = {}
         self._computed: dict[int, int] = {}
-        """What nodes at corners compute, as numbers: the same for the same of other corners."""
+        """The results of nodes at corners, as value numbers: equal for equal work elsewhere."""
         self._numbers: dict[object, int] = {}
         self._families: dict[int, _Family] = {}
         """The families of nodes at corners, and of the values that cross."""
@@ -148,7 +148,7 @@ class _Corners:
         return self._computed[node.id] if node.id in self._computed else self._number(node.id)
 
     def _number(self, what: object) -> int:
-        """A number for each different thing. Comparing what a long chain computes takes long."""
+        """A number for each different thing, as comparing the values of a long chain takes long."""
         return self._numbers.setdefault(what, len(self._numbers))
 
     def _ends(self) -> Iterable[Node]:
@@ -161,17 +161,17 @@ class _Corners:
 
 
 def _lanes(node: Node) -> int:
-    """How many numbers cross for a value; only scalars and vectors do."""
+    """The number of floats that cross for a value; only scalars and vectors do."""
     return width(node.type) if isinstance(node.type, Scalar | Vector) else 0
 
 
 def _is_movable(node: Node) -> bool:
-    """Whether an operation can be done in either stage, and does not repeat what it reads."""
+    """True if either stage can do an operation; a swizzle must not repeat lanes."""
     if node.op not in MOVED or scalar_kind(node.type) != "float":
         return False
     return node.op != "swizzle" or len(set(SWIZZLE.data(node))) == len(SWIZZLE.data(node))
 
 
 def _is_corner(node: Node) -> bool:
-    """Whether a node is what one corner of a primitive has."""
+    """True if a node is a value at one corner of a primitive."""
     return node.op == "cross" and CROSS.data(node).mode == "corner"

@@ -18,7 +18,7 @@ from ..ir.types import Scalar, Vector, width
 from .draw_constants import DrawConstants
 
 AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
-"""Builtins that are affine in one operand, and what they make of it."""
+"""Builtins that are affine in one operand, and the word for their result."""
 
 
 def move_to_vertices(graph: Graph, roots: Roots, notes: Notes) -> Roots:
@@ -51,7 +51,7 @@ class _Moving:
         return build.cross(graph, moved, CROSS.data(crossing))
 
     def _moved_operand(self, node: Node, operands: tuple[Node, ...]) -> int | None:
-        """Which operand is a crossing that nothing else needs, if ``node`` is affine in it."""
+        """The place of the only varying operand, if ``node`` is affine in it; else ``None``."""
         if not any(operand.op == "cross" for operand in operands) or not _is_affine(node):
             return None
         varying = [i for i, old in enumerate(node.operands) if old not in self._constant]
@@ -66,7 +66,7 @@ class _Moving:
         return position if fits and self._users[old.id] == 1 else None
 
     def _name_after(self, node: Node, crossing: Node) -> None:
-        """A moved value without a name of its own is called after what crossed before."""
+        """Calls a moved value without a name of its own after the value that crossed before."""
         names = self._notes.names
         source = names.get(crossing.id)
         if source is None and isinstance(attribute := crossing.operands[0].data, Attribute):
@@ -78,12 +78,12 @@ class _Moving:
 
 
 def _crosses(node: Node) -> bool:
-    """Whether an operation has a value that crosses into its stage as an operand."""
+    """True if an operation has a varying as an operand."""
     return any(operand.op == "cross" for operand in node.operands)
 
 
 def _is_affine(node: Node) -> bool:
-    """Whether an operation is affine in any operand while the others are constant."""
+    """True if an operation is affine in any operand while the others are constant."""
     if not isinstance(node.type, Scalar | Vector):
         return False
     if node.op == "swizzle":

@@ -22,7 +22,7 @@ NOUNS = {
     "eq": "is_equal", "ne": "differs", "and": "both", "or": "either", "not": "unless",
     "saturate": "clamped", "max": "at_least", "min": "at_most",
 }  # fmt: skip
-"""What a value is called after where only its builtin is known; others have theirs in their row."""
+"""Names for values of which only the builtin is known; other builtins have theirs in their row."""
 
 
 class Naming:
@@ -53,7 +53,7 @@ class Naming:
         return f"{context}_{role}" if context else role
 
     def _own(self, node: Node) -> str | None:
-        """A name that says by itself what the value is."""
+        """A name that describes the value by itself."""
         body = node.operands[0] if node.op == "apply" else node
         if body.id in self._notes.terms:
             return self._notes.functions[body.id]
@@ -84,7 +84,7 @@ class Naming:
         return NOUNS.get(builtin, builtin)
 
     def _short(self, node: Node) -> str | None:
-        """What a value is called, if it is called anything."""
+        """The name of a value by itself; ``None`` if it has none."""
         if node.id in self._notes.names:
             return self._notes.names[node.id]
         if isinstance(node.data, Parameter | Attribute | Resource | Buffer | Formal):

@@ -48,7 +48,7 @@ def _taken_apart(roots: Roots) -> set[tuple[int, int]]:
 
 
 def _is_stored(node: Node) -> bool:
-    """Whether an aggregate is read from a block or a buffer as it stands there."""
+    """True if an aggregate is read from a block or a buffer as it is stored there."""
     while node.op in ("member", "index"):
         node = node.operands[0]
     return node.op in ("parameter", "buffer")

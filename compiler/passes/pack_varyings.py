@@ -113,7 +113,7 @@ def _apart(name: str, taken: Collection[str]) -> str:
 
 
 def _name(node: Node, notes: Notes, users: Mapping[int, str]) -> str:
-    """The value's own name, else that of the attribute it is, else of what it is used for."""
+    """The value's own name, otherwise that of its attribute, or of its use."""
     value = node.operands[0]
     named = notes.names.get(value.id) or notes.names.get(node.id)
     if named is None and isinstance(value.data, Attribute):

@@ -35,12 +35,12 @@ from .corner_inputs import CornerInputs
 
 
 def levels_of(shader: Shader) -> tuple[Result, ...]:
-    """Into how many steps a patch is divided."""
+    """The tessellation levels: into how many steps a patch is divided."""
     return tuple(result for result in shader.results if result.stage == CONTROL)
 
 
 def most_cells(patches: Tessellation, levels: Sequence[Result]) -> int:
-    """Into how many triangles or lines a patch is divided at most."""
+    """The largest number of triangles or lines into which a patch is divided."""
     from ..reference.tessellation import divided
 
     ranges = Ranges(())
@@ -52,8 +52,10 @@ def most_cells(patches: Tessellation, levels: Sequence[Result]) -> int:
 
 
 def count_captured(shader: Shader) -> Shader:
-    """The shader with the number of vertices that stages make of each patch at most, if it captures
-    them: a host has to make room for so many."""
+    """Notes the largest number of vertices that stages make of each patch, if it captures them.
+
+    A host has to make room for so many.
+    """
     patches, expansion = shader.tessellation, shader.expansion
     if patches is None or shader.capture is None:
         return shader
@@ -62,7 +64,7 @@ def count_captured(shader: Shader) -> Shader:
 
 
 class PatchVertices:
-    """Makes vertices of a draw of those in patches, and collects what these read of the mesh."""
+    """Makes vertices of a draw of those in patches, and collects the inputs that they read."""
 
     def __init__(self, shader: Shader, patches: Tessellation) -> None:
         self._shader = shader
@@ -70,7 +72,7 @@ class PatchVertices:
         self._row = patches.kind.coordinate
         self._inputs = CornerInputs(shader, patches.points, patches.span)
         self._known: dict[Node, dict[Node, Node]] = {}
-        """For each vertex, by where it lies or by its number, what values have become there."""
+        """For each vertex, by its place or its number, the values there by those they replace."""
 
     @property
     def attributes(self) -> tuple[AttributeInfo, ...]:
@@ -87,17 +89,17 @@ class PatchVertices:
         return self._with(value, self._row, place)
 
     def place(self, number: Node) -> Node:
-        """Where the vertex with this number lies in its patch."""
+        """The place in its patch of the vertex with this number."""
         place = self._with(self._pattern.place, PATTERN_VERTEX, number)
         self._shader.notes.names.setdefault(place.id, self._row.name)
         return place
 
     def is_there(self, number: Node) -> Node:
-        """Whether the patch is divided into so many that it has the vertex with this number."""
+        """A condition: the patch is divided so finely that it has the vertex with this number."""
         return self._with(self._pattern.is_there, PATTERN_VERTEX, number)
 
     def given_place(self, corner: int | None = None) -> Node:
-        """Where the vertex lies, or that ``corner`` of what it is a part of, as a vertex input."""
+        """The place of the vertex, or of a ``corner`` of its primitive, as a vertex input."""
         row = self._row
         of_corner = "" if corner is None else f"corner{corner}."
         leaf = Attribute(f"pattern.{of_corner}{row.name}", row.type, VERTICES)
@@ -131,5 +133,5 @@ class PatchVertices:
         if crossing.mode == "corner":
             return self._inputs.at_corner(*operands)
         if crossing.destination == TESSELLATED:
-            return operands[0]  # What a patch has, each of its vertices can compute.
+            return operands[0]  # Each vertex can compute the values of its patch.
         return build.cross(graph, operands[0], FLAT if crossing.mode == "flat" else SMOOTH)

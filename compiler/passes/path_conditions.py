@@ -1,4 +1,4 @@
-"""Path conditions: what the conditions of branches say about the values computed behind them.
+"""Path conditions: facts that the conditions of branches imply for values computed behind them.
 
 In ``if x > 0 then 1 / x else 0`` the divisor is positive wherever the quotient is used. ``guard``
 and ``simplify`` may rely on this if *all* uses of a node are behind the condition. The node then
@@ -41,7 +41,7 @@ class Path:
     depth: int
 
     def outward(self) -> Iterator[Path]:
-        """This region and those around it."""
+        """Iterates over this region and those around it, from the inside out."""
         path: Path | None = self
         while path is not None:
             yield path
@@ -50,7 +50,7 @@ class Path:
 
 @frozen
 class PathRefinement:
-    """What a condition around a region says of a value, and the select that it belongs to."""
+    """The fact that a condition around a region implies for a value, and the condition's select."""
 
     select: Node
     refinement: Refinement
@@ -58,7 +58,7 @@ class PathRefinement:
 
 @frozen
 class KnownOnPath:
-    """What holds of a value on a path, and what that follows from."""
+    """The range of a value on a path, and the conditions from which it follows."""
 
     fact: Fact
     conditions: tuple[PathRefinement, ...]
@@ -80,7 +80,7 @@ class PathConditions:
             self._find(roots, needing_uniform_flow(roots.nodes))
 
     def known(self, user: Node, operand: Node) -> KnownOnPath:
-        """What holds of ``operand`` where ``user`` is computed.
+        """The range of ``operand`` where ``user`` is computed.
 
         A condition may bound the operand itself, or values from which it is computed.
         """
@@ -101,7 +101,7 @@ class PathConditions:
         return KnownOnPath(facts.get(operand.id, self._ranges.of(operand)), tuple(used))
 
     def _refined(self, path: Path | None) -> dict[int, list[PathRefinement]]:
-        """What the conditions around a region say, by the id of the value that they bound."""
+        """The refinements by the conditions around a region, by the id of the bounded value."""
         if path is None or rulebook.AROUND in self._ranges.without:
             return {}
         if path not in self._refined_at:
@@ -116,7 +116,7 @@ class PathConditions:
         return self._refined_at[path]
 
     def _find(self, roots: Roots, together: frozenset[int]) -> None:
-        """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
+        """Finds the paths of all nodes; nodes that all pixels reach precede all branches."""
         for root in roots:
             self._of[root.id] = None
         for node in reversed(roots.nodes):
@@ -134,7 +134,7 @@ class PathConditions:
 
 
 def _cone(operand: Node, about: Collection[int]) -> list[Node]:
-    """The values between ``operand`` and what some condition bounds, operands first."""
+    """The values between ``operand`` and those that some condition bounds, operands first."""
     near: dict[int, Node] = {operand.id: operand}
     front = [operand]
     while front and len(near) < WIDEST:

@@ -40,30 +40,34 @@ class Options:
     """Choices that change a program but not its meaning."""
 
     hoist: bool = True
-    """Compute what depends on parameters only on the host side."""
+    """True if the host computes the values that depend on parameters only."""
     without: frozenset[str] = frozenset()
-    """Names of rules of range analysis (``rulebook.py``) and of simplification (``rules``) to do
-    without, to see what they are good for."""
+    """Names of rules to do without, to see what they are good for.
+
+    They are rules of range analysis (``rulebook.py``) and of simplification (``rules``).
+    """
 
 
 @frozen
 class Evidence:
-    """What ``proofs.py`` explains: decisions of the passes, on the grounds of these ranges."""
+    """The evidence that ``proofs.py`` explains: decisions of passes, and the ranges behind them."""
 
     remarks: tuple[Remark, ...]
     ranges: Ranges
     notes: Notes
-    """As they were when the last decision was made: later passes name values of their own."""
+    """The notes when the last decision was made: later passes name values of their own."""
 
 
 @frozen
 class Undecided:
-    """The input of ``split_stages``, for programs with calls that each profile decides about;
-    ``legalise`` builds the program again from it."""
+    """The input of ``split_stages``, for programs with calls that each profile decides about.
+
+    ``legalise`` builds the program again from it.
+    """
 
     shader: Shader
     results: tuple[Result, ...]
-    """As they are before ``split_stages``."""
+    """The results before ``split_stages``."""
     derived: tuple[Derived, ...]
     ranges: Ranges
 
@@ -73,15 +77,15 @@ class Form:
     """The program of a shader in the form in which some profiles have it."""
 
     shader: Shader
-    """With the results that this form delivers, and the stages that do."""
+    """The shader with the results that this form delivers, and the stages that do so."""
     program: Program
     undecided: Undecided | None = None
-    """Where the program has calls that each profile decides about."""
+    """The calls in the program that each profile decides about."""
 
 
 @frozen
 class Staged:
-    """A program with what else is to be told about it."""
+    """A program with further results of the passes."""
 
     shader: Shader
     """The shader that it was made of."""
@@ -90,9 +94,9 @@ class Staged:
     guards: tuple[Guard, ...]
     evidence: Evidence
     undecided: Undecided | None = None
-    """Where the program has such calls."""
+    """The calls in the program that each profile decides about."""
     full_screen: Form | None = None
-    """Of a kernel over images, the pass that draws these."""
+    """For a kernel over images, the pass that draws these."""
 
     @property
     def own(self) -> Form:
@@ -108,7 +112,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = verified("semantics", "semantics", Roots([result.value for result in results]))
     roots = verified("open_binders", "opened", open_binders(graph, roots, notes))
     roots = verified("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
-    # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
+    # Passes keep values, so facts of a node, or of a variable, stay true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
     apart = Apart.of(results, shader.placing)
@@ -140,17 +144,21 @@ def stage(shader: Shader, options: Options) -> Staged:
 
 
 def _without_lengths(shader: Shader) -> Shader:
-    """A kernel without what only the host has to know: how long buffers are of which invocations do
-    not write an element each, and how large images are, since what is written beyond the end of an
-    image is dropped in all APIs."""
+    """A kernel without the values that only the host has to know.
+
+    They are the lengths of buffers of which invocations do not write an element each, and the sizes
+    of images, since writes beyond the end of an image are dropped in all APIs.
+    """
     dropped = {LENGTH, EXTENT} if writes_images(shader) else {LENGTH}
     results = tuple(result for result in shader.results if result.kind not in dropped)
     return changed(shader, results=results)
 
 
 def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -> Form:
-    """A shader whose results have been through all other passes; ``ranges`` where it has calls that
-    each profile decides about."""
+    """The form of a shader whose results have been through all other passes.
+
+    ``ranges`` are given where it has calls that each profile decides about.
+    """
     program = split_stages(shader, shader.results, derived)
     undecided = None if ranges is None else Undecided(shader, shader.results, derived, ranges)
     return Form(shader, program, undecided)
@@ -159,7 +167,7 @@ def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -
 def _simplified(
     graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier, apart: Apart
 ) -> Roots:
-    """Simplify, fuse sums over lights, and write out what is used once."""
+    """Simplifies, fuses sums over lights, and inlines bodies that are used once."""
     roots = verified("simplify", "flat", simplifier.simplified(roots))
     fused = apart.each(roots, lambda some, _: fuse(graph, some, notes, simplifier))
     roots = verified("fuse", "flat", fused)

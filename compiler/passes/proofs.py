@@ -28,19 +28,19 @@ LONGEST = 16
 """Steps of one proof that are shown."""
 
 WIDEST = 400
-"""Values that are searched for what is unknown of them."""
+"""The number of values that are searched for unknown facts."""
 
 
 @frozen
 class ProofStep:
-    """One link of the chain: what is known of a value, and by which rule."""
+    """One link of the chain: the fact of a value, and the rule that derives it."""
 
     depth: int
-    """How far from the operation; what a step rests on follows it, one deeper."""
+    """Distance from the operation. The steps that this one rests on follow it, one deeper."""
     text: str
     fact: str
     rule: str
-    """Its name in the ``rulebook``, or a builtin's; empty where nothing is known."""
+    """The name of the rule in the ``rulebook``, or of a builtin; empty where nothing is known."""
     span: Span | None
     where: str = ""
     """The condition behind which it holds."""
@@ -48,25 +48,25 @@ class ProofStep:
 
 @frozen
 class Proof:
-    """What became of one operation, and what shows that it had to."""
+    """The decision about one operation, and the facts that made it necessary."""
 
     builtin: str
     outcome: Outcome
     text: str
     span: Span | None
     needs: str
-    """What has to hold of the operands, in words."""
+    """The condition on the operands, in words."""
     steps: tuple[ProofStep, ...]
     omitted: int = 0
     """Further steps that there are."""
     missing: tuple[str, ...] = ()
-    """What is not known and would have to be, of a guard that stays."""
+    """The facts that are not known and would be needed, for a guard that stays."""
     otherwise: str = ""
     """The defined result that the guard is for."""
     rule: str = ""
     """The simplification rule that has removed it."""
     equation: str = ""
-    """What that rule says."""
+    """The equation of that rule."""
 
 
 class Proofs:
@@ -125,7 +125,7 @@ class Proofs:
         ]
 
     def _chain(self, root: Node, shallow: bool) -> Iterator[ProofStep]:
-        """What is known of a value and, unless ``shallow``, what that rests on."""
+        """Yields the known facts about a value and, unless ``shallow``, those they rest on."""
         seen: set[int] = set()
         pending = [(root, 1)]
         while pending:
@@ -143,7 +143,7 @@ class Proofs:
                 pending += [(need, depth + 1) for need in reversed(self._supports(node, fact))]
 
     def _supports(self, node: Node, fact: Fact) -> list[Node]:
-        """What the fact of a value rests on; constants speak for themselves."""
+        """The values on which the fact of a value rests; constants need no support."""
         needs = self._ranges.needs(node)
         known = [self._ranges.of(need) for need in needs]
         return [
@@ -167,7 +167,7 @@ class Proofs:
             )
 
     def _unknown(self, operands: Sequence[Node]) -> Iterator[str]:
-        """The leaves about which nothing is known, with what could be done about it."""
+        """The leaves about which nothing is known, each with a way to make it known."""
         pending = [o for o in reversed(operands) if not self._ranges.of(o).unit]
         seen: set[int] = set()
         told: set[str] = set()
@@ -197,7 +197,7 @@ class Proofs:
 
 
 def _equation(name: str) -> str:
-    """What a simplification rule says, with its conditions."""
+    """The equation of a simplification rule, with its conditions."""
     for rule in RULES:
         if rule.name == name:
             where = conditions(rule)
@@ -206,7 +206,7 @@ def _equation(name: str) -> str:
 
 
 def _tells(fact: Fact) -> bool:
-    """Whether a fact says more than the type does."""
+    """True if a fact says more than the type does."""
     return described(fact) not in ("anything", "any int", "any uint", "true or false")
 
 

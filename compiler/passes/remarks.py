@@ -19,7 +19,7 @@ Outcome = Literal["native", "dropped", "guarded"]
 
 @frozen
 class Remark:
-    """What was decided about one operation of the user's text."""
+    """A decision about one operation of the user's text."""
 
     builtin: str
     operands: tuple[Node, ...]

@@ -19,7 +19,7 @@ NESTED_MATRICES = 8
 """Matrices are chosen by branches; of choices inside of more choices, each column by itself."""
 
 _Read = tuple[Node, str | Node]
-"""What is read of an aggregate: a member, by its name, or an element, by its number."""
+"""A read of an aggregate: of a member, by its name, or of an element, by its number."""
 
 
 def replace_aggregates(graph: Graph, roots: Roots, notes: Notes) -> Roots:
@@ -34,10 +34,10 @@ class _Dissolving:
         self._notes = notes
         self._read: dict[_Read, Node] = {}
         self._nesting: dict[int, int] = {}
-        """Of choices between matrices."""
+        """The depth of nested choices between matrices."""
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
-        """Resolve what is read of an aggregate; its own parts have been resolved already."""
+        """Resolves reads of an aggregate; its own parts have been resolved already."""
         if node.op == "member":
             return self._resolved((operands[0], MEMBER.data(node)))
         if node.op == "index" and isinstance(node.operands[0].type, Array):
@@ -47,7 +47,7 @@ class _Dissolving:
         return None
 
     def _resolved(self, wanted: _Read) -> Node:
-        """What is read, without the choices and arrays that it is read through."""
+        """The value of a read, without the choices and arrays that it goes through."""
         pending = [wanted]
         while pending:
             read = pending[-1]
@@ -60,7 +60,7 @@ class _Dissolving:
         return self._read[wanted]
 
     def _needs(self, read: _Read) -> list[_Read]:
-        """What has to be read first: the same part of each side, or of each element."""
+        """The reads that come first: of the same part of each side, or of each element."""
         source, part = read
         if source.op == "select":
             return [(side, part) for side in source.operands[1:]]
@@ -69,7 +69,7 @@ class _Dissolving:
         return []
 
     def _made(self, read: _Read) -> Node:
-        """What is read, once all that it needs has been."""
+        """The value of a read, once the values of all that it needs are there."""
         source, part = read
         if source.op == "select":
             then, otherwise = (self._read[need] for need in self._needs(read))
@@ -94,7 +94,7 @@ class _Dissolving:
         return build.index(self._graph, self._array(flat, rows), place)
 
     def _array(self, parts: list[Node], source: Node, member: str = "") -> Node:
-        """An array of what is read of the elements of ``source``, called after it."""
+        """An array of the parts that are read of the elements of ``source``, called after it."""
         array = self._graph.node("array", Array(parts[0].type, len(parts)), tuple(parts))
         name = self._notes.names.get(source.id)
         if name is not None:
@@ -125,12 +125,12 @@ class _Dissolving:
 
 
 def _in_made_array(source: Node) -> bool:
-    """Whether an aggregate is an element of an array that was put together."""
+    """True if an aggregate is an element of an array that the shader built."""
     return source.op == "index" and source.operands[0].op == "array"
 
 
 def _is_flattened(source: Node, part: str | Node) -> bool:
-    """Whether an element, by a number that the shader computes, is read of one row of many."""
+    """True if an element, at a position that the shader computes, is read of one row of many."""
     rows = source.operands[0]
     is_computed = isinstance(part, Node) and part.op != "constant"
     return is_computed and all(row.op == "array" for row in rows.operands)

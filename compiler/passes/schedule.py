@@ -1,4 +1,4 @@
-"""Turns the graph of a stage or function into statements: what is computed where, in which order.
+"""Turns the graph of a stage or function into statements: their regions and their order.
 
 ``split_stages`` makes a ``Scheduler`` for each stage and function. Every node is computed once, in
 the innermost region that encloses all of its uses; a value that does not depend on a loop's
@@ -44,7 +44,7 @@ INLINE_SIZE = 12
 
 
 _COUNTED = frozenset({"formal", "constant"})
-"""Variables of loops, and what is known of them from the start."""
+"""Variables of loops, and values that are known from the start."""
 BOUND = (0, 0)
 """Size and depth, where it is used, of a value that has a name, and of a leaf."""
 
@@ -58,14 +58,14 @@ class _Block:
     """The variables, where this is the body of a loop."""
     depth: int = 0
     uniform: bool = True
-    """Whether all pixels of a draw take the same branches to it."""
+    """True if all pixels of a draw take the same branches to this region."""
     skipped: bool = False
-    """Whether it may be left out, so that nothing that is computed in it moves out of it."""
+    """True if the region may be skipped at run time. No computation then moves out of it."""
     statements: list[Statement] = fresh(factory=list)
 
     @property
     def region(self) -> Region:
-        """What it becomes, once all of its statements are known."""
+        """The finished region, once all of its statements are known."""
         return Region(tuple(self.statements))
 
 
@@ -81,7 +81,7 @@ class _Strips:
 
     @property
     def group(self) -> EmittedGroup:
-        """What they become, once all of their statements are known."""
+        """The finished group, once all statements of its blocks are known."""
         values = self.values
         return EmittedGroup(
             values.strips, values.strip, values.vertex, values.count, self.strip.region,
@@ -100,8 +100,10 @@ class Scheduler:
         together: frozenset[int],
         groups: Sequence[GroupValues] = (),
     ) -> None:
-        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``).
-        ``groups`` are those of the strips that a body emits."""
+        """``together`` are the nodes that all pixels have to reach (``uniformity.py``).
+
+        ``groups`` are those of the strips that a body emits.
+        """
         self._notes = notes
         self._naming = naming
         self._top = _Block(None)
@@ -119,14 +121,16 @@ class Scheduler:
         """Branches of which both sides are computed before, since they would nest too deeply."""
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
-        """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
+        """Nodes that are computed before the loop or choice that uses them: they need names."""
         self._coordinates: set[int] = set()
-        """Operands of texture reads and derivatives. One in which a ``?:``, ``&&`` or ``||`` would
-        be printed has a name in every language, where it is easier to read. glslang needs this
-        name: it makes blocks for each of these operations, and they come between the read and what
-        joins texture and sampler for it, which SPIR-V wants in one block. This is no row of a
-        profile, because statements are the same for all profiles: it is one of the two exceptions
-        that the architecture page names."""
+        """Operands of texture reads and derivatives.
+
+        One in which a ``?:``, ``&&`` or ``||`` would be printed has a name in every language, where
+        it is easier to read. glslang needs this name: it makes blocks for each of these operations,
+        and they come between the read and the operation that joins texture and sampler for it,
+        which SPIR-V wants in one block. This is no row of a profile, because statements are the
+        same for all profiles: it is one of the two exceptions that the architecture page names.
+        """
         self._choosing: set[int] = set()
         """Expressions with such an operation printed in them."""
         self._together = together
@@ -155,7 +159,7 @@ class Scheduler:
         """The statements that compute the roots."""
         self._place()
         self._results = self._region_results()
-        # Operands come before users, so what stands inside a loop or a branch comes before it.
+        # Operands come before users, so the body of a loop or a branch is filled before it.
         for node in self._order:
             statement = self._statement(node)
             if statement is not None:
@@ -164,7 +168,7 @@ class Scheduler:
 
     @property
     def emitted(self) -> tuple[EmittedPart, ...]:
-        """The groups of strips, once ``schedule`` has said what is computed for them."""
+        """The groups of strips, once ``schedule`` has filled their blocks."""
         parts = (list(part) for _, part in groupby(self._strips, lambda each: id(each.part)))
         return tuple(
             EmittedPart(
@@ -183,22 +187,29 @@ class Scheduler:
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
         optional: set[int] = set()
         for node in reversed(self._order):
+            # All users have been placed by now, so the regions of all uses are known. The node is
+            # computed in the innermost region around them, or further out (loop-invariant code).
             home = _enclosing(homes[node.id])
             self._home[node.id] = self._lifted(node, home)
+            # Outside of the region that uses it, the node cannot be printed in place.
             lifted = self._home[node.id] is not home
             if lifted or (node.id in optional and node.id in self._together):
                 self._apart.add(node.id)
             home = self._home[node.id]
             self._open_blocks(node, home)
+            # Texture reads and derivatives need coordinates without choices in them.
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             elif node.id in self._coordinates and is_access(node):
                 # It is never named itself.
                 self._coordinates.update(operand.id for operand in node.operands)
+            # A part without a name is printed as an access to its whole, which then needs the name
+            # and has all uses of the part.
             stands_for_whole = self._stands_for_whole(node)
             if stands_for_whole and node.id in self._apart:
                 self._apart.add(node.operands[0].id)
             uses = self._uses[node.id] if stands_for_whole else 1
+            # Hand the regions of the uses on to the operands, which come later in this walk.
             for position, operand in enumerate(operands_of(node)):
                 if operand.op in LEAVES:
                     continue
@@ -228,21 +239,23 @@ class Scheduler:
             )
 
     def _branches(self, choice: Node, home: _Block) -> bool:
-        """Whether a choice in a region becomes a branch."""
+        """True if a choice in a region becomes a branch."""
         if has_to_branch(choice):
             return True
         uniform = home.uniform and self._choices.is_uniform(choice)
         return home.depth < DEEPEST and self._choices.is_worth_branching(choice, uniform=uniform)
 
     def _stands_for_whole(self, node: Node) -> bool:
-        """Whether a use of ``node`` counts as one of the value that it is a part of: the user named
-        that, and not the part."""
+        """True if a use of ``node`` counts as one of the value that it is a part of.
+
+        The user named that value, and not the part.
+        """
         names = self._notes.names
         return is_part(node) and node.id not in names and node.operands[0].id in names
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
         if user.op in LOOPS and position in (inside := bodies_of(user)):
-            # Of a fold the whole body; of a loop with states first what says whether to go on.
+            # A fold has one block for its body; a loop with states has its condition in the header.
             head, tail = self._loops[user.id]
             return head if position == inside.start else tail
         if user.id in self._sides and position > 0 and user.id not in self._flat:
@@ -250,12 +263,16 @@ class Scheduler:
         return home
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
-        """Out of loops that a value does not depend on; what all pixels have to reach also out of
-        branches that some of them do not take. A step from the variable of an outer loop is no
-        shorter with a name."""
+        """Lifts a value's region out of loops that the value does not depend on.
+
+        Values that all pixels have to reach are also lifted out of branches that some pixels do not
+        take. A step from the variable of an outer loop is no shorter with a name.
+        """
         together = node.id in self._together
         if node.id not in self._notes.names and all(o.op in _COUNTED for o in node.operands):
             return home
+        # Walk outwards as far as the value means the same; ``best`` is the outermost region where
+        # this saves work, so that a value does not leave a branch for nothing.
         block, best = home, home
         while block.parent is not None:
             if not block.loop.isdisjoint(node.variables):
@@ -323,25 +340,27 @@ class Scheduler:
         )  # fmt: skip
 
     def _bound(self, node: Node) -> bool:
-        """Whether a node gets a statement of its own."""
+        """True if a node gets a statement of its own."""
         access = is_access(node)
         size, depth = self._measure(node, 0 if access else 1)
         if access or self._is_part_of_bound(node):
             return False
         if node.op == "array" or joins_group(node):
-            # What follows may be no place for a barrier.
+            # Later uses may be no place for a barrier.
             return True
+        # A name is needed for a value that is used twice, or outside of the region of its user.
         if self._uses[node.id] > 1 or node.id in self._apart:
             return True
         if node.id in self._coordinates and node.id in self._choosing:
             return True
         if node.id in self._results:
             return False
+        # Everything else is a matter of taste: names of the user stay, long expressions are cut.
         named = node.id in self._notes.names and size > 1
         return named or size > INLINE_SIZE or depth > INLINE_DEPTH
 
     def _is_part_of_bound(self, node: Node) -> bool:
-        """Whether a node that the user did not name is a part of what a statement has bound."""
+        """True if a node without a name of the user's is a part of a value that has a statement."""
         unnamed = node.id not in self._notes.names
         return unnamed and is_part(node) and self._size.get(node.operands[0].id) == BOUND
 
@@ -373,7 +392,7 @@ def is_part(node: Node) -> bool:
 
 
 def is_access(node: Node) -> bool:
-    """Reads of parts of what is at hand anyway; naming them would only add lines."""
+    """True for parts of values that are at hand anyway; naming them would only add lines."""
     if node.op in PARTS:
         whole = node.operands[0]
         return whole.op in LEAVES or whole.op == "iterate" or is_access(whole)
@@ -390,6 +409,7 @@ def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[t
     needed = Counter(formal for value in nexts for formal in value.variables)
     order: list[tuple[int, bool]] = []
     while remaining:
+        # A state may be set once no other one that is still to be set reads its old value.
         free = [k for k in remaining if needed[formals[k]] == (formals[k] in nexts[k].variables)]
         k = free[0] if free else remaining[0]
         remaining.remove(k)

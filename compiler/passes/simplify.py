@@ -32,14 +32,14 @@ class Simplifier(Builder):
         super().__init__(graph, ranges, notes)
         self._candidates = rule_table(ranges.without).candidates
         self.at: Span | None = None
-        """The source of what is being built."""
+        """The source of the node that is being built."""
         self.expanding = 0
-        """How many expansions deep."""
+        """The number of expansions around the current node."""
         self.remarks: dict[Hashable, Remark] = {}
         self._simplest: set[Node] = set()
-        """What was built here: it is in its simplest form, and so is all that it needs."""
+        """Nodes that were built here: they are in simplest form, with all that they need."""
         self._arguments: dict[Node, Node] = {}
-        """The simplest forms of arguments, and of what they need: many share most of it."""
+        """The simplest forms of arguments and of all nodes below them: many share most of these."""
 
     def remark(
         self,
@@ -49,7 +49,7 @@ class Simplifier(Builder):
         conditions: tuple[PathRefinement, ...] = (),
         rule: str = "",
     ) -> None:
-        """Remember what became of a builtin that stands in somebody's text."""
+        """Remembers the decision about a builtin of a user's text."""
         if not self.expanding:
             key = builtin, operands, outcome
             if key not in self.remarks:
@@ -57,12 +57,12 @@ class Simplifier(Builder):
                 self.remarks[key] = remark
 
     def simplified(self, roots: Roots) -> Roots:
-        """The roots in their simplest form; what is in this form already is not looked at."""
+        """The roots in their simplest form; nodes in this form already are not looked at."""
         nodes = self._affected(roots, frozenset()) if self._simplest else None
         return rewrite(self.graph, roots, self.rule, self.notes.follow, nodes=nodes)
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """For ``rewrite``: the same operation in its simplest form."""
+        """The same operation in its simplest form, for ``rewrite``."""
         self.at = self.notes.spans.get(node.id, self.at)
         return self.make(node.op, node.type, operands, node.data) if operands else node
 
@@ -100,27 +100,27 @@ class Simplifier(Builder):
         return simplified
 
     def _simplified_arguments(self, arguments: Roots) -> Roots:
-        """As ``simplified``, but looks at no node again that an earlier argument needed."""
+        """Like ``simplified``, but looks at no node again that an earlier argument needed."""
         known = self._arguments
         nodes = self._affected(arguments, frozenset(), known)
         return rewrite(self.graph, arguments, self.rule, self.notes.follow, nodes=nodes, new=known)
 
     def is_simplest(self, node: Node) -> bool:
-        """Whether a node is known to be in its simplest form, with all that it needs."""
+        """True if a node is known to be in its simplest form, with all that it needs."""
         return node in self._simplest or not node.operands
 
     def _affected(
         self, roots: Iterable[Node], formals: frozenset[Formal], known: Collection[Node] = ()
     ) -> list[Node]:
-        """What of ``roots`` is not in its simplest form, or depends on ``formals``.
+        """The nodes below ``roots`` that are not in their simplest form, or depend on ``formals``.
 
-        What is below a ``known`` node is left out, like the node itself.
+        A ``known`` node is left out, with all nodes below it.
         """
         simplest = self._simplest
         seen = set(roots).difference(known)
         pending = list(seen)
         found: list[Node] = []
-        for node in pending:  # It grows on the way.
+        for node in pending:  # The list grows on the way.
             if node in simplest and (not formals or node.variables.isdisjoint(formals)):
                 continue
             found.append(node)

@@ -1,6 +1,6 @@
 """Splits the graph of a shader into the stages of a program; this is the last pass.
 
-It walks the chain of stages backwards from what the shader delivers. A stage has to compute its
+It walks the chain of stages backwards from the results of the shader. A stage has to compute its
 results and the values that the next stage reads. The crossings among the operands of these are
 values that the stage before has to deliver.
 """
@@ -58,7 +58,8 @@ def split_stages(
 ) -> Program:
     """The program of a shader whose ``results`` have been through all other passes.
 
-    It is the last pass, and what ``targets/legalise`` ends with that has changed some values.
+    It is the last pass, and also the last step of ``targets/legalise`` if that has changed some
+    values.
     """
     blocks = _blocks(shader, derived)
     _name_levels(results, shader.notes)
@@ -100,7 +101,7 @@ def split_stages(
 
 
 def _corner_buffer(shader: Shader) -> Buffer | None:
-    """What the vertex stage of a draw reads the mesh of, if that are no vertex inputs."""
+    """The storage buffer from which the vertex stage of a draw reads the mesh, if it has one."""
     if shader.chain[0] != VERTEX:
         return None
     return next((info.buffer for info in shader.buffers if info.of_mesh), None)
@@ -139,7 +140,7 @@ def _roots(groups: Sequence[GroupValues], outputs: Sequence[Output]) -> list[Nod
 def _placing(
     shader: Shader, groups: Sequence[GroupValues], outputs: Sequence[Output]
 ) -> frozenset[Node]:
-    """What a stage computes for positions that have to be invariant."""
+    """The nodes that a stage computes for positions that have to be invariant."""
     numbers = [
         number
         for number, output in enumerate(outputs)
@@ -221,14 +222,14 @@ def _attributes(shader: Shader, nodes: Iterable[Node]) -> tuple[Field, ...]:
 
 @frozen
 class _Work:
-    """What a stage has to do."""
+    """The work of a stage."""
 
     row: StageRow
     outputs: tuple[Output, ...]
     emitting: tuple[Node, ...]
     groups: tuple[GroupValues, ...]
     nodes: list[Node]
-    """What it computes for its outputs, what is computed in bodies included."""
+    """The nodes that it computes for its outputs, including those in bodies."""
 
 
 def _stage(
@@ -239,7 +240,7 @@ def _stage(
     is_first = row == shader.chain[0]
     entering = [face for face in interfaces if face.destination == row.domain]
     handing = [face for face in interfaces if face.through == row.domain]
-    # What asks whether there is anything to do comes before all statements.
+    # A condition for there being anything to do comes before all statements.
     roots = [] if groups else [output.value for output in outputs if output.kind != EXTENT]
     naming = Naming(shader.notes)
     together = needing_uniform_flow(nodes)

@@ -17,7 +17,7 @@ _COMPARING = frozenset(name for name, row in BUILTINS.items() if row.uniform_con
 
 
 def compares(node: Node) -> bool:
-    """Whether an operation compares neighbouring pixels."""
+    """True if an operation compares neighbouring pixels."""
     return node.head in _COMPARING
 
 
@@ -34,7 +34,7 @@ def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:
     found: set[int] = set()
     inside: set[Node] = set()
     turning: set[Node] = set()
-    """What contains a comparison, and one that differs."""
+    """Nodes that contain a comparison of pixels, and among these the nodes that differ."""
     for node in nodes:
         own = compares(node)
         if own or not inside.isdisjoint(node.operands):

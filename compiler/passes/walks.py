@@ -14,8 +14,11 @@ _PARTLY = frozenset({"apply", "cross"})
 
 
 def operands_of(node: Node) -> tuple[Node, ...]:
-    """The operands that a body computes itself: not a called function's body, nor what is behind a
-    crossing, which an earlier stage has computed; but the number of the corner where it crosses."""
+    """The operands that a body computes itself.
+
+    A called function's body is none, nor is the operand of a crossing, which an earlier stage has
+    computed; but the number of the corner of a crossing is one.
+    """
     return node.operands[1:] if node.op in _PARTLY else node.operands
 
 
@@ -26,7 +29,7 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
     """
     seen = set(roots)
     found = list(seen)
-    for node in found:  # It grows on the way.
+    for node in found:  # The list grows on the way.
         is_whole = node.op not in _PARTLY or (into_bodies and node.op == "apply")
         for operand in node.operands if is_whole else operands_of(node):
             if operand not in seen:

@@ -1,1 +1,1 @@
-"""Plans: what a host does to draw a frame, in order, and which memory it needs for that."""
+"""Plans: the steps of a host that draws a frame, in order, and the memory for them."""

@@ -1,4 +1,4 @@
-"""What a plan waits for: textures and buffers that are used in another way from some step on.
+"""The barriers of a plan, in front of steps that use textures and buffers in another way.
 
 ``plan.py`` tells ``Waits`` step by step what is used, and gets the barriers that stand before.
 """
@@ -25,14 +25,14 @@ _WRITES = frozenset(("target", "depth", "image", "copied_to"))
 
 @record
 class Waits:
-    """How everything is used at some place of the plan."""
+    """The uses of all textures and buffers at some place of the plan."""
 
     is_rare: Callable[[int | Elements], bool]
-    """Whether a texture, or a buffer, is used in the first frame only."""
+    """True for a texture, or a buffer, that is used in the first frame only."""
     textures: dict[int, TextureState] = fresh(factory=dict)
     buffers: dict[Elements, BufferState] = fresh(factory=dict)
     uses: dict[int, dict[TextureUse, None]] = fresh(factory=dict)
-    """All that a texture is used as."""
+    """All uses of each texture."""
 
     def add(self, texture: int, left: TextureUse | None = None) -> None:
         """Begin with a texture: one without contents, or one that the last frame has ``left``."""
@@ -42,7 +42,7 @@ class Waits:
     def before(
         self, used: Iterable[tuple[int, TextureUse]], buffers: Iterable[tuple[Elements, BufferUse]]
     ) -> WaitingRow:
-        """What stands before something that uses textures and buffers in these ways."""
+        """The barriers in front of a step that uses textures and buffers in these ways."""
         textures = [self._barrier(*each) for each in dict.fromkeys(used)]
         others = [self._buffer_barrier(*each) for each in dict.fromkeys(buffers)]
         return WaitingRow(

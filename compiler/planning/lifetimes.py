@@ -1,4 +1,4 @@
-"""From which step to which a frame needs what its steps leave."""
+"""Lifetimes of results: from which step to which a frame needs them."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from ..ir.frame import (
 )
 
 Left = Image | Elements
-"""What a step leaves."""
+"""A result of a step: an image or a buffer."""
 
 ALWAYS = 1 << 30
-"""A step after the last one: what is needed then lives on."""
+"""A step after the last one: results that it needs live on."""
 
 
 def uses_of(step: Step) -> Iterator[Use]:
-    """The shaders of a step, with what they are given."""
+    """The shaders of a step, with their inputs."""
     if isinstance(step, KernelStep):
         yield step.use
     else:
@@ -37,19 +37,19 @@ def uses_of(step: Step) -> Iterator[Use]:
 
 
 def sources_of(step: Step) -> Iterator[Source]:
-    """Where the inputs of a step come from; several may come from one place."""
+    """The sources of a step's inputs; several inputs may have one source."""
     for use in uses_of(step):
         for given in use.given:
             yield given.source
 
 
 def attachments_of(step: Step) -> tuple[Attachment, ...]:
-    """What a pass draws to, its depths last."""
+    """The attachments that a pass draws to, its depths last."""
     return step.drawn_to if isinstance(step, RenderStep) else ()
 
 
 def written_by(step: Step) -> Iterator[Left]:
-    """What a step leaves."""
+    """Yields the results of a step."""
     if isinstance(step, KernelStep):
         yield from step.images.values()
         yield from step.buffers.values()
@@ -58,7 +58,7 @@ def written_by(step: Step) -> Iterator[Left]:
 
 
 def read_by(step: Step) -> Iterator[Left]:
-    """What a step reads that others have left in this frame."""
+    """Yields the results of others in this frame that a step reads."""
     for source in sources_of(step):
         found = source.initially if isinstance(source, Previous) else source
         if isinstance(found, Image | Elements):
@@ -72,11 +72,11 @@ class Lifetimes:
     first: dict[Left, int] = fresh(factory=dict)
     last: dict[Left, int] = fresh(factory=dict)
     kept: dict[Left, None] = fresh(factory=dict)
-    """What the next frame reads, in order."""
+    """The results that the next frame reads, in order."""
 
     @classmethod
     def of(cls, frame: Frame) -> Lifetimes:
-        """Those of a frame's steps, which are numbered in order."""
+        """The lifetimes of the results of a frame's steps, which are numbered in order."""
         found, rare = cls(), only_first(frame)
         for number, step in enumerate(frame.steps):
             for left in written_by(step):
@@ -98,13 +98,15 @@ class Lifetimes:
         return found
 
     def is_over(self, left: Left, step: int) -> bool:
-        """Whether nothing needs something any more behind a step."""
+        """True if no step behind this one needs a result."""
         return left not in self.kept and self.last[left] <= step
 
 
 def only_first(frame: Frame) -> frozenset[str]:
-    """The names of steps that are needed in the first frame only, as ``previous`` reads what they
-    leave before there is a last one."""
+    """The names of steps that are needed in the first frame only.
+
+    ``previous`` reads their results before there is a last frame.
+    """
     makers: dict[Left, list[Step]] = {}
     for step in frame.steps:
         for left in written_by(step):
@@ -124,7 +126,7 @@ def only_first(frame: Frame) -> frozenset[str]:
 
 
 def _always_read(step: Step) -> Iterator[Left]:
-    """What a step needs in every frame."""
+    """Yields the results that a step needs in every frame."""
     for source in sources_of(step):
         if isinstance(source, Previous):
             if source.of is not None:

@@ -1,4 +1,4 @@
-"""Who needs what a step has drawn, behind this step: whether it is stored, resolved, or drawn over.
+"""Finds who needs a result behind a step: whether it is stored, resolved, or drawn over.
 
 ``plan.py`` asks for each target of each step, by the number of the step.
 """
@@ -14,7 +14,7 @@ DrawnPart = tuple[Image, int | None, int]
 
 
 def part_of(attachment: Attachment) -> DrawnPart:
-    """What an attachment draws to."""
+    """The part of an image that an attachment draws to."""
     return attachment.image, attachment.layer, attachment.level
 
 
@@ -40,15 +40,15 @@ class Needs:
         return found
 
     def is_needed(self, number: int, image: Image) -> bool:
-        """Whether somebody reads an image behind a step that draws it."""
+        """True if somebody reads an image behind a step that draws it."""
         return image in self.lifetimes.kept or self.last_use.get(image, -1) > number
 
     def is_resolved(self, number: int, image: Image) -> bool:
-        """Whether somebody reads the means of a result's samples behind a step."""
+        """True if somebody reads the means of a result's samples behind a step."""
         return not image.is_depth and self.is_needed(number, image)
 
     def resolves(self, number: int, attachment: Attachment) -> bool:
-        """Whether somebody reads what a step has drawn before another one draws there, too."""
+        """True if somebody reads a step's result before another one draws there, too."""
         image, part = attachment.image, part_of(attachment)
         if not self.is_resolved(number, image):
             return False
@@ -60,7 +60,7 @@ class Needs:
         return True
 
     def finds_samples(self, number: int, attachment: Attachment) -> bool:
-        """Whether a later step draws on where a step with several samples has drawn."""
+        """True if a later step draws on where a step with several samples has drawn."""
         image, layer, level = part_of(attachment)
         return any(
             part_of(each) == (image, layer, level)
@@ -73,8 +73,10 @@ class Needs:
         )
 
     def is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
-        """Whether nobody needs what is there from a step on but those that draw an image over it:
-        there may be a step for each of its layers."""
+        """True if from a step on only those need ``over`` that draw ``image`` over it.
+
+        There may be a step for each of its layers.
+        """
         if over in self.lifetimes.kept or self.lifetimes.last[over] == ALWAYS:
             return False
         return all(

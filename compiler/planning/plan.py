@@ -1,7 +1,7 @@
 """Makes a plan of a frame: textures that results share, copies, loads and stores, barriers.
 
 ``compiled.py`` calls ``plan`` when somebody asks for a frame's plan, and ``reflection/plan.py``
-writes what comes of it as JSON.
+makes a document of the result.
 """
 
 from __future__ import annotations
@@ -28,21 +28,23 @@ from .unchanging import unchanging
 
 @frozen(eq=False)
 class Target:
-    """An attachment of a step with what happens to its texture."""
+    """An attachment of a step, with the loads and stores of its texture."""
 
     attachment: Attachment
     texture: int
     loads: bool
-    """Whether what is there is kept; else it is cleared."""
+    """True if the contents are kept at the start; otherwise they are cleared."""
     stores: bool
-    """Whether anybody needs what is drawn."""
+    """True if anybody needs the result."""
     has_stencil: bool = False
-    """Whether there are stencil values, too."""
+    """True if there are stencil values, too."""
     stores_stencil: bool = False
-    """Whether a later step finds these."""
+    """True if a later step reads the stencil values."""
     resolved: int | None = None
-    """The texture to which the means of the samples are written behind the step, in the
-    attachment's layer and level."""
+    """The texture to which the means of the samples are written behind the step.
+
+    They go to the attachment's layer and level.
+    """
 
     @property
     def place(self) -> tuple[int, int | None, int]:
@@ -53,8 +55,10 @@ class Target:
 
 @frozen(eq=False)
 class Copy:
-    """What is there before a step draws over it, where others still need what was there, or where
-    what is drawn is kept."""
+    """A copy of an image before a step draws over it.
+
+    It is made where others still need the image as it was, or where the new one is kept.
+    """
 
     image: Image
     into: Image
@@ -66,14 +70,16 @@ class PlannedStep:
 
     step: Step | Copy
     waiting: WaitingRow
-    """What is waited for before it."""
+    """The barriers before it."""
     targets: tuple[Target, ...] = ()
     depth: Target | None = None
     only_first: bool = False
-    """Whether the first frame is enough: it leaves the same in every frame, or only the first frame
-    needs it."""
+    """True if the first frame is enough.
+
+    The step leaves the same in every frame, or only the first frame needs its results.
+    """
     continues: bool = False
-    """Whether it draws on where the step before has drawn, and nothing happens in between."""
+    """True if it draws on where the step before has drawn, and nothing happens in between."""
 
     @property
     def places(self) -> list[tuple[int, int | None, int]]:
@@ -82,14 +88,17 @@ class PlannedStep:
 
     @property
     def drawn_to(self) -> tuple[Target, ...]:
-        """All that it draws to, its depths last."""
+        """All targets that it draws to, its depths last."""
         return self.targets if self.depth is None else (*self.targets, self.depth)
 
 
 @frozen(eq=False)
 class Kept:
-    """Something that the next frame reads: of two textures, or buffers, one is drawn while the
-    other one still has what the last frame left; after the frame they are exchanged."""
+    """A texture or buffer that the next frame reads.
+
+    Of two textures, or buffers, one is drawn while the other one still has the result of the last
+    frame; after the frame they are exchanged.
+    """
 
     left: Left
     texture: int | None
@@ -99,7 +108,7 @@ class Kept:
 
 @frozen(eq=False)
 class Plan:
-    """What a host does for a frame."""
+    """The plan of a host for a frame."""
 
     frame: Frame
     textures: tuple[PlannedTexture, ...]
@@ -109,12 +118,15 @@ class Plan:
     steps: tuple[PlannedStep, ...]
     kept: tuple[Kept, ...]
     end: WaitingRow
-    """What is waited for behind the last step, so that the host and the next frame can read."""
+    """The barriers behind the last step, so that the host and the next frame can read."""
 
 
 def plan(frame: Frame, *, shares: bool = True) -> Plan:
-    """The plan of a frame. Unless it ``shares``, every result has a texture of its own: this needs
-    more memory, and says what the frame means even if sharing is wrong."""
+    """The plan of a frame.
+
+    Unless it ``shares``, every result has a texture of its own: this needs more memory, and says
+    what the frame means even if sharing is wrong.
+    """
     return _Planning(frame, shares=shares).plan()
 
 
@@ -131,10 +143,12 @@ class _Planning:
         self._samples_of: dict[DrawnPart, int] = {}
         """The textures that steps with several samples draw to."""
         self._drawn: set[DrawnPart] = set()
-        """What has been drawn to."""
+        """The parts of images that have been drawn to."""
         self._rare = only_first(frame) | unchanging(frame)
-        """The names of the steps of the first frame only, which share no textures: they may be left
-        out."""
+        """The names of the steps of the first frame only.
+
+        They share no textures, as they may be left out.
+        """
         self._rare_buffers = {
             left
             for step in frame.steps
@@ -172,7 +186,7 @@ class _Planning:
         )
 
     def _is_rare(self, used: int | Elements) -> bool:
-        """Whether a texture, or a buffer, is used in the first frame only."""
+        """True if a texture, or a buffer, is used in the first frame only."""
         if isinstance(used, Elements):
             return used in self._rare_buffers
         return self._textures.lasts(used)
@@ -193,7 +207,7 @@ class _Planning:
         return Shape.of(self._frame, self._stencils, image)
 
     def _placed(self, number: int, step: Step) -> Iterator[Copy]:
-        """Find a texture for everything that a step draws; what has to be copied before it."""
+        """Finds a texture for everything that a step draws; yields the copies before it."""
         read = set(read_by(step))
         for attachment in attachments_of(step):
             image, over = attachment.image, attachment.over
@@ -203,7 +217,7 @@ class _Planning:
             if over is None or self._lifetimes.first[image] < number:
                 continue
             if image in self._texture_of:
-                yield Copy(over, image)  # What is kept has a texture of its own.
+                yield Copy(over, image)  # A kept result has a texture of its own.
             elif (
                 self._shares and over not in read and self._needs.is_drawn_over(over, image, number)
             ):
@@ -232,7 +246,7 @@ class _Planning:
         self._samples_of[part_of(attachment)] = texture
 
     def _found(self, step: Step, image: Image, shape: Shape) -> int:
-        """A texture for what a step leaves."""
+        """A texture for a result of a step."""
         if step.name in self._rare:
             return self._textures.new(shape, image, lasts=True)
         return self._textures.allot(shape, image)
@@ -293,8 +307,11 @@ class _Planning:
                 yield target.resolved, "target"
 
     def _draws_on(self, steps: Sequence[PlannedStep], planned: PlannedStep) -> bool:
-        """Whether a step and those before it can be one render pass: they draw to the same places,
-        each over what the last one leaves, and it waits for nothing else."""
+        """True if a step and those before it can be one render pass.
+
+        They draw to the same places, each over what the last one leaves, and it waits for nothing
+        else.
+        """
         before, places = steps[-1], planned.places
         if not isinstance(before.step, RenderStep) or not isinstance(planned.step, RenderStep):
             return False
@@ -313,8 +330,7 @@ class _Planning:
         )
 
     def _read_in_pass(self, steps: Sequence[PlannedStep]) -> Iterator[int]:
-        """The textures that are read in the render pass which the last one of the steps is part
-        of."""
+        """The textures that are read in the render pass of the last one of the steps."""
         for planned in reversed(steps):
             if isinstance(planned.step, Copy):
                 return
@@ -324,7 +340,7 @@ class _Planning:
             if not planned.continues:
                 return
 
-    # --- what is left ---
+    # --- results ---
 
     def _images_left(self) -> Iterator[tuple[int, TextureUse]]:
         """The textures that the host or the next frame reads."""
@@ -333,7 +349,7 @@ class _Planning:
                 yield self._texture_of[left], "sampled"
 
     def _buffers_left(self) -> Iterator[tuple[Elements, BufferUse]]:
-        """Likewise."""
+        """The buffers that are left for the host and the next frame, with their uses."""
         for left in self._left():
             if isinstance(left, Elements):
                 yield left, "read"

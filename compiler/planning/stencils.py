@@ -1,7 +1,7 @@
 """Finds the depths of a frame that need stencil values beside them.
 
 ``plan.py`` asks once for each frame. A step's depths have stencil values if a pass uses them that
-draws there, or over what is there: then all of these have one format.
+draws there, or draws over them: then all of these have one format.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from ..ir.shared_depths import shared_depths
 from .lifetimes import uses_of
 
 STENCIL_FORMATS: Mapping[str, str] = {"depth32f": "depth32f_stencil8"}
-"""What formats of depths become, so that depths stay the same numbers."""
+"""The format with stencil values for each format of depths: depths stay the same numbers."""
 
 
 @record
 class Stencils:
-    """Which images have stencil values, and how long steps need them."""
+    """The images that have stencil values, and how long steps need them."""
 
     frame: Frame
     images: frozenset[Image]
 
     @classmethod
     def of(cls, frame: Frame) -> Stencils:
-        """Those of a frame."""
+        """The stencils of a frame."""
         found = (d.images for d in shared_depths(frame.steps) if any(map(_uses_stencil, d.steps)))
         return cls(frame, frozenset(chain.from_iterable(found)))
 
@@ -36,7 +36,7 @@ class Stencils:
         return STENCIL_FORMATS[image.format] if image in self.images else image.format
 
     def are_needed(self, number: int, attachment: Attachment) -> bool:
-        """Whether a later step than the one of this number finds the values that it leaves."""
+        """True if a step after this number reads the stencil values that it leaves."""
         for step in self.frame.steps[number + 1 :]:
             depth = step.depth if isinstance(step, RenderStep) else None
             if depth is None:

@@ -19,13 +19,13 @@ from .stencils import Stencils
 
 @frozen
 class Shape:
-    """What results have in common that can share a texture."""
+    """The properties of results that can share a texture."""
 
     format: str
     size: Node | str
     """The value that says it, or the name of the step whose kernel does."""
     halved: int
-    """How often both sides are halved then."""
+    """The number of times that both sides are halved then."""
     dimension: ImageDimension = "2d"
     layers: int = 1
     levels: int = 1
@@ -33,7 +33,7 @@ class Shape:
 
     @classmethod
     def of(cls, frame: Frame, stencils: Stencils, image: Image) -> Shape:
-        """That of the texture in which others find a result."""
+        """The shape of the texture in which other steps find a result."""
         return cls(
             stencils.format_of(image), _size(frame, image), image.size.level, image.dimension,
             image.layers, image.levels,
@@ -41,7 +41,7 @@ class Shape:
 
     @classmethod
     def of_samples(cls, frame: Frame, stencils: Stencils, image: Image, level: int) -> Shape:
-        """That of the texture with the samples of one layer of a result, in one of its levels."""
+        """The shape of the texture with the samples of one layer of a result, in one level."""
         size, halved = _size(frame, image), image.size.level + level
         return cls(stencils.format_of(image), size, halved, samples=image.samples)
 
@@ -59,9 +59,9 @@ class PlannedTexture:
     images: list[Image]
     """Each once, also where several layers or levels of one are drawn here, each with samples."""
     uses: tuple[TextureUse, ...] = ()
-    """All that it is used as, also where it is exchanged with the one that the last frame left."""
+    """All uses, also those of the texture of the last frame with which it is exchanged."""
     kept: bool = False
-    """Whether its contents are needed in the next frame."""
+    """True if its contents are needed in the next frame."""
 
 
 class Textures:
@@ -75,7 +75,7 @@ class Textures:
         self._free: dict[Shape, list[int]] = {}
         self._lasting: set[int] = set()
         self._held: dict[int, Image] = {}
-        """What each texture holds by now."""
+        """The image that each texture holds by now."""
 
     def new(self, shape: Shape, image: Image, *, lasts: bool = False) -> int:
         """A texture of its own; one that ``lasts`` is never shared."""
@@ -88,7 +88,7 @@ class Textures:
         return number
 
     def lasts(self, number: int) -> bool:
-        """Whether a texture is never shared, as steps of the first frame only draw to it."""
+        """True if a texture is never shared, as steps of the first frame only draw to it."""
         return number in self._lasting
 
     def allot(self, shape: Shape, image: Image) -> int:
@@ -112,12 +112,12 @@ class Textures:
             self._free.setdefault(self.made[number].shape, []).append(number)
 
     def exchange(self, one: int, other: int) -> None:
-        """Have two textures take turns from frame to frame: the next one finds what they hold."""
+        """Has two textures take turns: the next frame reads the one that this frame writes."""
         for number in (one, other):
             self.made[number].kept = True
 
     def join_uses(self, exchanged: Iterable[tuple[int, int]]) -> None:
-        """Say what each texture is used as; of two that are exchanged, what either is."""
+        """Notes all uses of each texture; two that are exchanged share theirs."""
         uses = self._waits.uses
         for number, texture in enumerate(self.made):
             texture.uses = tuple(uses[number])

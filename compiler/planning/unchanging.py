@@ -15,8 +15,11 @@ from .lifetimes import Left, attachments_of, read_by, sources_of, uses_of, writt
 
 
 def unchanging(frame: Frame) -> frozenset[str]:
-    """The names of these steps. What the host gets of a frame, what others draw over, and what is
-    exchanged with what the last frame left, is drawn anew in each."""
+    """The names of these steps.
+
+    Outputs for the host, results that others draw over, and textures that are exchanged with those
+    of the last frame are drawn anew in each frame.
+    """
     drawn_anew: set[Left | None] = {output.source for output in frame.outputs}
     for step in frame.steps:
         drawn_anew.update(each.over for each in attachments_of(step))
@@ -33,7 +36,7 @@ def unchanging(frame: Frame) -> frozenset[str]:
 
 
 def _is_among(frame: Frame, step: Step, found: Iterable[str]) -> bool:
-    """Whether all steps are among the found ones that make what this one reads or draws to."""
+    """True if all steps are in ``found`` whose results this step reads or draws to."""
     images = {*written_by(step), *read_by(step)}
     return all(
         other.name in found for other in frame.steps if not images.isdisjoint(written_by(other))
@@ -41,7 +44,10 @@ def _is_among(frame: Frame, step: Step, found: Iterable[str]) -> bool:
 
 
 def _is_known(frame: Frame, step: Step) -> bool:
-    """Whether nothing that a step is given, or draws to, is the host's or the last frame's."""
+    """True if all inputs and attachments of a step are known.
+
+    They are neither the host's nor the last frame's.
+    """
     given = list(sources_of(step))
     numbers = [source for source in given if isinstance(source, int)]
     for left in written_by(step):
@@ -68,7 +74,7 @@ def _is_constant(value: Node) -> bool:
 
 
 def _is_given_all(use: Use) -> bool:
-    """Whether the frame sets all that a shader reads."""
+    """True if the frame sets all that a shader reads."""
     names = {given.name for given in use.given}
     return all(
         node.data.name in names

@@ -1,1 +1,1 @@
-"""The reference: what programs mean, as functions of numbers and of whole pictures."""
+"""The reference: the meaning of programs, as functions of numbers and of whole pictures."""

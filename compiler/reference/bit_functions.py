@@ -1,4 +1,4 @@
-"""Defines what the builtins that work on bits mean, and those that pack numbers.
+"""Defines the meaning of builtins that work on bits, and of those that pack numbers.
 
 ``functions.py`` has them in its table. Most functions work lane by lane. Integers come in and go
 out as numbers of either sign; ``functions.py`` wraps the result to 32 bits. Floats are rounded to
@@ -76,7 +76,7 @@ def _field(xp: Namespace, offset: Lane, count: Lane) -> tuple[Lane, Lane]:
 
 
 def extract_bits(xp: Namespace, x: Lane, offset: Lane, count: Lane) -> Lane:
-    """For ``uint``; ``extract_signed_bits`` is the meaning for ``int``."""
+    """The meaning for ``uint``; ``extract_signed_bits`` is that for ``int``."""
     first, width = _field(xp, offset, count)
     return ((x & _MASK) >> first) & ((1 << width) - 1)
 
@@ -105,7 +105,7 @@ def bits_of(xp: Namespace, x: Lane) -> Lane:
 
 
 def _rising(xp: Namespace, function: Callable[[Namespace, Lane], Lane], x: Lane) -> Lane:
-    """A function that never falls, which is known between two numbers by what it is for these."""
+    """A function that never falls: the values at two numbers are bounds of those between."""
     return xp.rising(function, x) if isinstance(xp, OwnFunctions) else function(xp, x)
 
 

@@ -24,8 +24,7 @@ Spend = Callable[[], None]
 
 @record
 class Frame:
-    """One evaluation of a binder's body; without a parent, of everything that is under no
-    binder."""
+    """One evaluation of a binder's body; without a parent, that of all nodes under no binder."""
 
     parent: Frame | None = None
     bound: tuple[Lanes, ...] = ()
@@ -143,7 +142,7 @@ class _Iteration(Opened):
         self._following: list[Lanes] = []
         """The next states, as far as they are known."""
         self._position = 0
-        """Which of the bodies is evaluated next; the first is the condition."""
+        """The number of the body that is evaluated next; the first one is the condition."""
 
     def following(self) -> tuple[Node, Frame] | None:
         if self._position == 0:
@@ -172,7 +171,7 @@ class _Iteration(Opened):
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:
-    """Whether all conditions hold; a plain ``bool`` unless one of them is an array or unsure."""
+    """True if all conditions hold; a plain ``bool`` unless one is an array or unsure."""
     found: Lane = True
     for condition in conditions:
         found = xp.logical_and(found, condition)

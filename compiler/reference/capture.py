@@ -1,4 +1,4 @@
-"""Computes what a pass captures: every value of every vertex at once, with bounds.
+"""Computes the captured values of a pass: all those of all vertices at once, with bounds.
 
 It evaluates the same graphs by the same definitions as the pictures, at the mesh's vertices and, if
 primitives are expanded, at the vertices that are emitted: these are listed as triangles, lines or
@@ -50,13 +50,13 @@ class Listed:
     """All vertices that may be captured, in order."""
 
     values: tuple[tuple[Bounded, ...], ...]
-    """Of each member, its lanes, each of shape (vertices,)."""
+    """The lanes of each member, each of shape (vertices,)."""
     certain: Bools
-    """Which vertices every device captures."""
+    """True for the vertices that every device captures."""
     possible: Bools
-    """Which vertices some device may capture."""
+    """True for the vertices that some device may capture."""
     meant: Bools
-    """Which vertices are captured if nothing is rounded."""
+    """True for the vertices that are captured if nothing is rounded."""
 
 
 def captured(
@@ -67,7 +67,7 @@ def captured(
     errors: Errors,
     rules: RasterRules,
 ) -> Listed:
-    """What a pass captures of a mesh's primitives, whose corners ``geometry.triangles`` are.
+    """The captured vertices of a mesh's primitives, whose corners are ``geometry.triangles``.
 
     ``values`` are those of parameters and buffers by name. Raises ``ValueError`` for a shader that
     captures nothing, and where a value is missing.
@@ -89,7 +89,7 @@ def captured_by_kernel(
     errors: Errors,
     rules: RasterRules,
 ) -> Listed:
-    """What a kernel captures that stands for a stream output, of so many vertices."""
+    """The vertices that a kernel in place of a stream output captures, of ``count``."""
     assert shader.capture is not None
     lengths = {info.buffer.name: count for info in shader.written}
     lanes = computed(shader, values, textures, count, lengths, errors, rules)
@@ -196,7 +196,7 @@ class _Capturing:
 
 
 def _numbered(expansion: Expansion, primitives: int) -> dict[str, Ints]:
-    """For each listed vertex its primitive and the numbers that tell it apart."""
+    """The primitive of each listed vertex, and the numbers that tell the vertex apart."""
     rows = [
         (number, strip, vertex)
         for number, group in enumerate(expansion.groups)
@@ -240,8 +240,10 @@ def _taken(lanes: Lanes, vertices: Ints) -> tuple[Bounded, ...]:
 
 
 def _at_corner(lanes: Lanes, corner: Any, corners: Ints) -> Lanes:
-    """Values of the mesh's vertices at one corner of each primitive; at any of those that it may
-    be, where rounding tips which."""
+    """Values of the mesh's vertices at one corner of each primitive.
+
+    Where rounding tips which corner it is, the bounds contain those at all possible ones.
+    """
     last = corners.shape[1] - 1
     number = _whole((corner,), (len(corners),))[0]
     rows = np.arange(len(corners))

@@ -1,10 +1,10 @@
-"""Counts how many operations an evaluation takes, before it begins.
+"""Estimates the cost of an evaluation in operations, before it begins.
 
 Those who draw pictures and run kernels of sources that anybody may have written multiply this by
-the number of pixels or elements, and refuse what would not end. A loop counts as often as its
+the number of pixels or elements, and refuse work that would not end. A loop counts as often as its
 bound says: that is known of every loop. An operation with vectors or matrices counts as often as
-they have numbers, and one that takes longer as often as simpler ones fit into its time: two
-units for one pixel are about a nanosecond, which is one of the operations that are limited.
+they have numbers, and one that takes longer as often as simpler ones fit into its time: two units
+for one pixel are about a nanosecond, which is one of the operations that are limited.
 """
 
 from __future__ import annotations
@@ -18,34 +18,36 @@ from ..ir.operations import FOLD, ITERATE
 from ..ir.types import Texture, numbers
 
 _CALL = 1 << 12
-"""What calling an operation of NumPy costs beside its work, in numbers that it computes with."""
+"""The cost of calling an operation of NumPy beside its work, in numbers that it computes with."""
 _STEP = 2
-"""What an operation costs beside the numbers that it reads and makes."""
+"""The cost of an operation beside the numbers that it reads and makes."""
 _READ = 100
-"""What a read of a texture costs: it blends several texels, of which it has to find each."""
+"""The cost of a texture read: it blends several texels, and has to find each."""
 _SLOW = {"inverse": 6, "determinant": 3}
-"""How many times as much functions of matrices cost that do not look at each number once."""
+"""The factor for functions of matrices that look at each number more than once."""
 _PARTS = ("swizzle", "member")
 """Operations that only pick something of a value, however large it is."""
 
 
 class _Cost(NamedTuple):
-    """What a node with bodies takes besides its own operation."""
+    """The cost of a node with bodies, besides its own operation."""
 
     inside: int
-    """What its bodies take, in all turns."""
+    """The cost of its bodies, in all iterations."""
     outside: tuple[Node, ...]
-    """What its bodies use that hangs on none of its variables, and so is computed once."""
+    """The nodes in its bodies that depend on none of its variables, and so are computed once."""
 
 
 def check_operations(roots: Sequence[Node], lanes: int, name: str) -> None:
-    """Raise ``BudgetError`` if it takes too long to compute these nodes for so many pixels,
-    vertices or elements at once, before anybody is told how far it is."""
+    """Checks that it does not take too long to compute these nodes for so many lanes at once.
+
+    Raises ``BudgetError`` before anybody is told how far the work is.
+    """
     check("operations", operations(roots) * (_CALL + lanes) // 2, f"`{name}` takes")
 
 
 def operations(roots: Sequence[Node]) -> int:
-    """How much the evaluator computes at most for the values of these nodes, for one pixel."""
+    """The largest cost of evaluating these nodes, for one pixel."""
     costs: dict[int, _Cost] = {}
     for node in reachable(roots):  # Operands come first, and so do inner loops.
         if bodies_of(node):
@@ -60,7 +62,7 @@ def _cost_of(node: Node, costs: dict[int, _Cost]) -> _Cost:
 
 
 def _weight(node: Node) -> int:
-    """What a node takes by itself, without its bodies."""
+    """The cost of a node by itself, without its bodies."""
     if not node.operands:
         return 1
     if any(isinstance(operand.type, Texture) for operand in node.operands):
@@ -72,14 +74,14 @@ def _weight(node: Node) -> int:
 
 
 def _turns(node: Node) -> int:
-    """How often the bodies of a node are evaluated at most."""
+    """The largest number of evaluations of a node's bodies."""
     if node.op == "fold":
         return FOLD.data(node).bound
     return ITERATE.data(node).bound if node.op == "iterate" else 1
 
 
 def _walk(roots: Sequence[Node], costs: dict[int, _Cost], binder: Node | None) -> _Cost:
-    """What one evaluation takes of nodes under a binder; without one, of all that is left."""
+    """The cost of one evaluation of nodes under a binder; without one, of all that is left."""
     pending, seen, outside, count = list(roots), set[int](), [], 0
     while pending:
         node = pending.pop()
@@ -100,8 +102,10 @@ def _walk(roots: Sequence[Node], costs: dict[int, _Cost], binder: Node | None) -
 
 
 def _is_under(node: Node, binder: Node) -> bool:
-    """Whether a node in the body of a binder is computed anew in each of its turns, as
-    ``Evaluator`` finds its home."""
+    """True if a node in the body of a binder is computed anew in each of its iterations.
+
+    ``Evaluator`` finds its home in the same way.
+    """
     if node.free:
         return True
     return not binders(binder) and not node.variables.isdisjoint(formals_of(binder))

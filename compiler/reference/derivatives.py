@@ -1,4 +1,4 @@
-"""Defines what derivatives mean: differences between neighbouring pixels.
+"""Defines the meaning of derivatives: differences between neighbouring pixels.
 
 ``functions.py`` has them in its table. Arrays hold quads of 2 × 2 pixels in their last two axes:
 first the row, counted downwards, then the column. A plain number, or an axis of length 1, has the

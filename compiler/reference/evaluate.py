@@ -22,10 +22,11 @@ from .operations import NotConstantError, apply, constant_lanes
 __all__ = ["Evaluator", "LeafValues", "NotConstantError", "Observer", "TooLongError", "evaluate"]
 
 LeafValues = Callable[[Node], Lanes | None]
-"""Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
-``texture_reads.Reader``, that of a buffer a ``storage_buffers.BufferReader``.
+"""A function that returns the value of a leaf, or ``None`` if it has none.
 
-It is also called for crossings (``cross``); one without a value has that of its operand.
+The value of a texture is a ``texture_reads.Reader``, that of a buffer a
+``storage_buffers.BufferReader``. It is also called for crossings (``cross``); one without a value
+has that of its operand.
 """
 
 Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
@@ -33,14 +34,17 @@ Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 Evaluation continues with the value that it returns."""
 
 Stored = Callable[[Lanes], Lanes]
-"""Called with the states of an iteration before each turn and after the last one. Evaluation
-continues with the value that it returns."""
+"""A function that is called with the states of an iteration.
+
+It is called before each iteration and after the last one. Evaluation continues with the value that
+it returns.
+"""
 
 _ASKED = OUTSIDE | {"cross"}
-"""What ``LeafValues`` may have a value for."""
+"""Operations for which ``LeafValues`` may have a value."""
 
 _GIVEN = _ASKED | {"bound", "formal"}
-"""What may have a value without an operation."""
+"""Operations that may have a value without being evaluated."""
 
 
 class TooLongError(Exception):
@@ -71,7 +75,7 @@ class _Walk:
     root: Node
     frame: Frame
     pending: list[Node]
-    """What is still to be evaluated; the last one comes first."""
+    """The nodes that are still to be evaluated; the last one comes first."""
 
 
 class Evaluator:
@@ -89,15 +93,15 @@ class Evaluator:
         self._stored = stored or _as_it_is
         self._most = most_operations
         self.computed = 0
-        """How many operations and turns have been computed, if that is limited."""
+        """The number of operations and iterations computed so far, if that is limited."""
         self._leaves = leaves
         self._xp = xp
         self._observer = observer
         self._is_lazy = xp is scalars and observer is None
-        """Whether of a choice only the side that is taken is evaluated."""
+        """True if only the side of a choice that is taken is evaluated."""
         self._outermost = Frame()
         self._uses: Counter[int] = Counter()
-        """For a node's id, how many users of its value are still to come, if ``values`` knows."""
+        """By a node's id, the number of users of its value still to come, for ``values``."""
 
     def values(self, roots: Sequence[Node]) -> list[Lanes]:
         """The lanes of several roots.
@@ -191,9 +195,9 @@ class Evaluator:
         return None if missing else values
 
     def _used(self, operands: Sequence[Node]) -> None:
-        """Forget what a node has used that is evaluated only once, unless others need it, too.
+        """Forgets values that only this node, which is evaluated once, still needs.
 
-        Users under binders, which may need a value in every turn, are never done.
+        Users under binders, which may need a value in every iteration, are never done.
         """
         for operand in operands:
             self._uses[operand.id] -= 1
@@ -201,7 +205,7 @@ class Evaluator:
                 del self._outermost.values[operand.id]
 
     def _condition_or_side(self, node: Node, frame: Frame) -> tuple[Node]:
-        """Of a choice, the side that is taken; the condition, as long as that is not known."""
+        """The side of a choice that is taken; the condition, as long as that is not known."""
         condition, then, otherwise = node.operands
         if condition.id not in self._home(condition, frame).values:
             return (condition,)

@@ -1,4 +1,4 @@
-"""Defines what builtins mean for floats, lane by lane.
+"""Defines the meaning of builtins for floats, lane by lane.
 
 ``functions.py`` has them in its table. The names are those of the builtins, with an underscore if
 Python already has the name. An operand outside of the domain of Python's or NumPy's function is
@@ -18,7 +18,7 @@ NARROWEST = 2.0**-64
 
 
 def _is_tiny(x: Lane) -> Lane:
-    """Whether a device may treat the number as zero."""
+    """True if a device may treat the number as zero."""
     return abs(x) < SMALLEST_NORMAL
 
 

@@ -1,4 +1,4 @@
-"""The table of what every builtin means, for Python numbers and for arrays.
+"""The table of the meaning of every builtin, for Python numbers and for arrays.
 
 ``evaluate`` is called for constants while compiling, for pictures of the reference, and by the
 runtime for derived values. Nothing here imports NumPy, so that compiling does not need it; the

@@ -1,4 +1,4 @@
-"""What the host holds for a shader: parameters and storage buffers as leaves of a graph.
+"""The values that the host holds for a shader: parameters and storage buffers as leaves of a graph.
 
 Pictures, kernels and the attribution of errors read these leaves through ``HeldValues``. A graph
 may have them as they are declared or, after the pass ``lower_reads``, as they are stored.
@@ -25,8 +25,10 @@ class HeldValues:
     def __init__(
         self, values: Mapping[str, Any], seen: Callable[[Lanes], Lanes] | None = None
     ) -> None:
-        """``seen`` makes of a parameter's value what a device has of it; buffers hold numbers of
-        the device already."""
+        """``seen`` makes a device's value of a parameter's value.
+
+        Buffers hold numbers of the device already.
+        """
         self._values = values
         self._seen = seen
         self._found: dict[tuple[Parameter | Buffer, Type], Lanes] = {}
@@ -65,8 +67,8 @@ class HeldValues:
 def as_rounded(value: Any) -> Any:
     """A value, floats of which a device has as the nearest float32.
 
-    So it has the constants of a text, and what a host computes in float64 and rounds. What is a
-    float32 stays exact.
+    This is so for the constants of a text, and for numbers that a host computes in float64 and
+    rounds. A number that is a float32 stays exact.
     """
     if isinstance(value, tuple):
         return tuple(map(as_rounded, value))
@@ -74,6 +76,6 @@ def as_rounded(value: Any) -> Any:
 
 
 def rounded_constants(node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
-    """What an ``Evaluator`` makes of each node's value: a constant is as a text has it."""
+    """The value of a node for an ``Evaluator``: a constant is rounded as in a text."""
     made: Lanes = as_rounded(value) if node.op == "constant" else value
     return made

@@ -1,4 +1,4 @@
-"""Defines what the hyperbolic functions mean, lane by lane.
+"""Defines the meaning of the hyperbolic functions, lane by lane.
 
 ``functions.py`` has them in its table.
 """

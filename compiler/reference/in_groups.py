@@ -19,7 +19,7 @@ from .namespace import Binary, Lane, WorkGroups
 
 
 class Groups(WorkGroups):
-    """Joins what ``count`` invocations have, in groups of ``size``."""
+    """Joins the values of ``count`` invocations, in groups of ``size``."""
 
     def __init__(self, count: int, size: int) -> None:
         self._count, self._size = count, size
@@ -27,7 +27,7 @@ class Groups(WorkGroups):
         self._place = self._index % size
         first = self._index - self._place
         self._present = np.minimum(count - first, size)
-        """How many invocations the group of each one has."""
+        """The number of invocations of the group of each one."""
 
     @abstractmethod
     def where(self, condition: Any, x: Any, y: Any, /) -> Lane:
@@ -49,7 +49,7 @@ class Groups(WorkGroups):
         return found.take(self._index - self._place, 0)
 
     def joined_through(self, join: Binary, x: Lane) -> Lane:
-        """What is before is joined from a distance of 1, then of 2, of 4 … (Hillis and Steele)."""
+        """Joins with earlier lanes at a distance of 1, then of 2, of 4 … (Hillis and Steele)."""
         found = self._of_each(x)
         reach = 1
         while reach < self._size:
@@ -66,7 +66,7 @@ class Groups(WorkGroups):
         return self.where(self._place > 0, before, at_first)
 
     def anywhere(self, condition: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Whether a condition holds anywhere in the group of each invocation."""
+        """True where a condition holds anywhere in the group of an invocation."""
         group = self._index // self._size
         found: NDArray[np.bool_] = np.bincount(group, condition)[group] > 0
         return found

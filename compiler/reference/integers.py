@@ -1,4 +1,4 @@
-"""Defines what builtins mean for 32-bit integers, lane by lane, before the result is wrapped.
+"""Defines the meaning of builtins for 32-bit integers, lane by lane, before wrapping.
 
 ``functions.py`` has them in its table, and calls ``wrap``.
 """

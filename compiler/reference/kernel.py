@@ -1,8 +1,8 @@
-"""Computes what a kernel writes: every result for many elements at once, with bounds.
+"""Computes the results of a kernel, each for many elements at once, with bounds.
 
 So many work groups are computed at once that NumPy is fast, and that a long kernel needs no more
-memory than others for what it computes in between. It evaluates the same graphs by the same
-definitions as the pictures. A device's value of each lane has to lie between two numbers.
+memory than others for the values in between. It evaluates the same graphs by the same definitions
+as the pictures. A device's value of each lane has to lie between two numbers.
 """
 
 from __future__ import annotations
@@ -41,15 +41,17 @@ from .texture_reads import Reader
 Array = NDArray[Any]
 
 _AT_ONCE = 1 << 15
-"""How many invocations are computed at once, or a work group if that has more."""
+"""The number of invocations computed at once, or a work group if that has more."""
 _OF_A_LANE = 100
-"""Bytes that one lane of one element takes until a host has it: what it is and between which
-numbers, as an array of its own and as a part of the buffer."""
+"""The bytes that one lane of one element takes until a host has it.
+
+They hold its value and its bounds, as an array of its own and as a part of the buffer.
+"""
 
 
 @dataclass(frozen=True, slots=True)
 class Lane:
-    """One lane of what a result writes, for all elements."""
+    """One lane of a written result, for all elements."""
 
     store: Store
     lane: int
@@ -59,8 +61,11 @@ class Lane:
     low: Array
     high: Array
     undecided: Array
-    """Where nothing is defined: it hangs on a promise that is broken, or on an operation without a
-    guard that has left its domain."""
+    """True where the value is undefined.
+
+    It depends on a promise that is broken, or on an operation without a guard that has left its
+    domain.
+    """
 
 
 def computed(
@@ -173,7 +178,7 @@ def _leaves(
 
 
 def _stored(result: Result, lanes: Sequence[Bounded], undecided: Array) -> Iterator[Lane]:
-    """What each invocation writes, or the first one of each work group."""
+    """Yields the lanes that each invocation writes, or the first one of each work group."""
     store = result.store
     assert store is not None
     for number, lane in enumerate(lanes):
@@ -185,15 +190,15 @@ def _stored(result: Result, lanes: Sequence[Bounded], undecided: Array) -> Itera
 def _joined(
     row: Scattered, lanes: Mapping[int, Sequence[Bounded]], length: int, undecided: Array
 ) -> Lane:
-    """What the elements of a buffer become that is scattered to."""
+    """The new elements of a buffer that is scattered to."""
     parts = (lanes[part.id][0] for part in (row.value, row.place, row.condition))
     ends = joined(row.store, length, *parts)
-    # What an invocation scatters of which nothing is defined may go anywhere.
+    # An undefined value that an invocation scatters may go anywhere.
     return Lane(row.store, 0, "i", *ends, np.full(length, undecided.any()))
 
 
 class _Watch(Watch):
-    """Observes some invocations at once, and what their work groups join."""
+    """Observes some invocations at once, and the values that their work groups join."""
 
     def __init__(
         self, found: Found, shape: tuple[int, ...], rules: RasterRules, groups: Groups,

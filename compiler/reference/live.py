@@ -1,7 +1,7 @@
-"""How many numbers an evaluation needs at the same time for each pixel, vertex or invocation.
+"""Liveness: how many numbers an evaluation needs at once for each pixel, vertex or invocation.
 
-Most programs need a few dozens. But whoever chooses between two arrays has all their elements for
-each pixel, so few pixels are evaluated at once then.
+Most programs need a few dozens. But a choice between two arrays needs all their elements for each
+pixel, so few pixels are evaluated at once then.
 """
 
 from __future__ import annotations
@@ -13,23 +13,28 @@ from ..ir.node import Node, reachable
 from ..ir.types import numbers
 
 MOST = 1 << 21
-"""How many numbers of all pixels together an evaluation may need at the same time."""
+"""The limit of the numbers that an evaluation needs at once, of all pixels together."""
 
 _VARYING = frozenset(("input", "cross", "bound", "formal"))
-"""What differs from pixel to pixel, besides vertex inputs, or may do so from turn to turn."""
+"""Operations that differ from pixel to pixel, besides vertex inputs.
+
+Some of them may do so from iteration to iteration.
+"""
 
 
 def at_once(roots: Sequence[Node], usual: int) -> int:
-    """How many pixels, vertices or invocations to evaluate at once: fewer than usual, if each has
-    very many numbers."""
+    """The number of pixels, vertices or invocations to evaluate at once.
+
+    It is smaller than ``usual`` if each has very many numbers.
+    """
     return max(min(usual, MOST // max(most_live(roots), 1)), 1)
 
 
 def most_live(roots: Sequence[Node]) -> int:
-    """How many numbers there are of one pixel at the same time, at most.
+    """The largest number of live numbers of one pixel.
 
     Values are forgotten after their last use, as ``Evaluator.values`` does; those that are computed
-    in turns of a loop, when the turn ends.
+    in iterations of a loop, when the iteration ends.
     """
     nodes = reachable(roots)
     uses = Counter(root.id for root in roots)
@@ -51,12 +56,12 @@ def most_live(roots: Sequence[Node]) -> int:
 
 
 def _is_in_turn(node: Node) -> bool:
-    """Whether a node is computed anew in each turn of a loop, or for each call of a function."""
+    """True if a node is computed anew in each iteration of a loop, or each call of a function."""
     return bool(node.free or node.variables)
 
 
 def _sizes(nodes: Sequence[Node]) -> dict[int, int]:
-    """How many numbers each node has for one pixel; none, if it has the same for all pixels."""
+    """The number of numbers of each node for one pixel; 0 if it is the same for all pixels."""
     sizes: dict[int, int] = {}
     for node in nodes:
         varies = (

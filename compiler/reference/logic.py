@@ -1,4 +1,4 @@
-"""Defines what comparisons, logic and choices mean; ``functions.py`` has them in its table."""
+"""Defines the meaning of comparisons, logic and choices; ``functions.py`` has them in its table."""
 
 from __future__ import annotations
 

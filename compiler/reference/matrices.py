@@ -1,4 +1,4 @@
-"""Defines what builtins mean for matrices, which are tuples of columns.
+"""Defines the meaning of builtins for matrices, which are tuples of columns.
 
 ``functions.py`` has them in its table.
 """
@@ -10,11 +10,11 @@ from .namespace import Lane, Lanes, Namespace
 from .vectors import inner, scaled
 
 Numbers = tuple[int, ...]
-"""Of columns or rows."""
+"""Numbers of columns or rows."""
 
 
 def is_matrix(value: Lanes) -> bool:
-    """Whether a value is a tuple of columns."""
+    """True if a value is a tuple of columns."""
     return isinstance(value[0], tuple)
 
 
@@ -73,8 +73,10 @@ class _Minors:
         self._known: dict[tuple[Numbers, Numbers], Lane] = {}
 
     def determinant(self, columns: Numbers, rows: Numbers) -> Lane:
-        """That of some columns and rows, by expansion along the first column (Laplace); a matrix
-        without columns has the determinant 1."""
+        """The determinant of some columns and rows, by expansion along the first column (Laplace).
+
+        A matrix without columns has the determinant 1.
+        """
         if not columns:
             return 1.0
         part = columns, rows
@@ -87,7 +89,7 @@ class _Minors:
         return self._known[part]
 
     def cofactor(self, columns: Numbers, rows: Numbers, column: int, row: int) -> Lane:
-        """That of an element of such a part."""
+        """The cofactor of an element of such a part."""
         minor = self.determinant(_without(columns, column), _without(rows, row))
         return minor * (-1.0) ** (column + row)
 

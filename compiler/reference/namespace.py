@@ -111,7 +111,7 @@ class Namespace(Protocol):
 
 
 class WorkGroups(ABC):
-    """How an array library joins what the invocations of a work group have.
+    """The operations of an array library that join the values of a work group's invocations.
 
     ``in_groups.InGroups`` is such a library: its arrays have an element for each invocation of a
     kernel. In others there is one value and no group, so that nothing is joined.
@@ -119,15 +119,15 @@ class WorkGroups(ABC):
 
     @abstractmethod
     def all_joined(self, join: Binary, x: Lane) -> Lane:
-        """What the lanes of all invocations of a group come to, at each of them."""
+        """The joined lanes of all invocations of a group, at each of them (a reduction)."""
 
     @abstractmethod
     def joined_through(self, join: Binary, x: Lane) -> Lane:
-        """What those of the invocations up to each one come to, and its own."""
+        """The joined lanes of the invocations up to each one, and its own (an inclusive scan)."""
 
     @abstractmethod
     def at_the_one_before(self, x: Lane, first: Lane) -> Lane:
-        """What the invocation before each one has, and ``first`` at the first of a group."""
+        """The lane of the invocation before each one, and ``first`` at the first of a group."""
 
 
 class OwnFunctions(ABC):

@@ -28,8 +28,10 @@ if TYPE_CHECKING:
 
 
 class NotConstantError(Exception):
-    """The graph has a leaf without a value, or joins values that are not at hand, so it is not a
-    constant."""
+    """The graph has a leaf without a value, so it is no constant.
+
+    It may also join values that are not at hand.
+    """
 
     def __init__(self, node: Node) -> None:
         super().__init__(f"{node} has no value")
@@ -71,8 +73,11 @@ def _constant(node: Node, _operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 @cache
 def builtins() -> Callable[[str, Sequence[Lanes], Namespace, LaneKind], Lanes]:
-    """What evaluates a builtin by name. Its table is loaded with ten modules when it is first asked
-    for: most compiles only fold operations of the graph."""
+    """The function that evaluates a builtin by name.
+
+    Its table is loaded with ten modules when it is first asked for: most compiles only fold
+    operations of the graph.
+    """
     from .functions import evaluate
 
     return evaluate

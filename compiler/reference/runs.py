@@ -23,10 +23,10 @@ class Extremes:
         """``choose`` is NumPy's ``minimum`` or ``maximum``."""
         self._choose = choose
         self._levels = [numbers]
-        """By the exponent of two that is their length: of the run that begins at each number."""
+        """By exponent of two, the extremes of runs of that length: one begins at each number."""
 
     def of(self, first: Array, last: Array) -> Array:
-        """Of many runs at once, which have at least one number."""
+        """The extremes of many runs at once, which have at least one number."""
         first, last = np.broadcast_arrays(first, last)
         found = np.empty(first.shape, self._levels[0].dtype)
         for exponent, here in _by_length(first, last):
@@ -76,7 +76,9 @@ def added_to_runs(numbers: Array, first: Array, last: Array, values: Array) -> A
 
 
 def _by_length(first: Array, last: Array) -> list[tuple[int, Array]]:
-    """Which runs are at least as long as a power of two, and less than twice as long: with its
-    exponent."""
+    """The runs by length: at least a power of two, and less than twice as long.
+
+    Each group comes with the exponent.
+    """
     _, above = np.frexp((last - first + 1).astype(np.float64))
     return [(int(each) - 1, above == each) for each in np.unique(above)]

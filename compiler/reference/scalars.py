@@ -49,17 +49,17 @@ def int64(x: float, /) -> int:
 
 
 def logical_and(x: bool, y: bool, /) -> bool:
-    """Whether both conditions hold."""
+    """True if both conditions hold."""
     return x and y
 
 
 def logical_or(x: bool, y: bool, /) -> bool:
-    """Whether at least one condition holds."""
+    """True if at least one condition holds."""
     return x or y
 
 
 def logical_not(x: bool, /) -> bool:
-    """Whether the condition does not hold."""
+    """True if the condition does not hold."""
     return not x
 
 

@@ -1,7 +1,7 @@
-"""What comes of the values that the invocations of a kernel scatter, and what may on a device.
+"""Joins the values that the invocations of a kernel scatter, with the bounds of a device.
 
-``kernel.py`` calls ``joined`` for each buffer that is scattered to. All that counts is which
-values are joined, as the order does not matter. Where rounding may tip whether, where or what an
+``kernel.py`` calls ``joined`` for each buffer that is scattered to. All that counts is which values
+are joined, as the order does not matter. Where rounding may tip whether, where or what an
 invocation joins, a device may have any of the results.
 """
 
@@ -35,7 +35,7 @@ JOINING: Mapping[ScatterOperator, Any] = {
 def joined(
     store: Store, length: int, value: Bounded, place: Bounded, condition: Bounded
 ) -> tuple[Array, Array, Array]:
-    """What ``length`` elements become, and the least and the most that a device may have."""
+    """The new values of ``length`` elements, and the least and the most that a device may have."""
     operator = store.operator
     assert operator is not None
     signed = store.buffer.type.element == INT
@@ -55,16 +55,16 @@ def joined(
 
 @dataclass(frozen=True, slots=True)
 class _Joins:
-    """What the invocations may join that join anything."""
+    """The values that invocations may join, without those that join nothing."""
 
     low: Array
     high: Array
-    """Between which numbers the value is."""
+    """The least and the greatest value."""
     first: Array
     last: Array
-    """Between which elements the one is that it is joined with."""
+    """The first and the last element that it may be joined with."""
     certain: Array
-    """Whether it is joined for certain, and with which element."""
+    """True if it is joined for certain, and its element is known."""
 
     @classmethod
     def of(cls, length: int, value: Bounded, place: Bounded, condition: Bounded) -> _Joins:
@@ -76,7 +76,7 @@ class _Joins:
         return cls(*(each[here] for each in (low, high, first, last, certain)))
 
     def chosen(self, which: Array) -> _Joins:
-        """Some of them."""
+        """The joins that ``which`` selects."""
         every = (self.low, self.high, self.first, self.last, self.certain)
         return _Joins(*(each[which] for each in every))
 

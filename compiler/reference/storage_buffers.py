@@ -1,4 +1,4 @@
-"""Reads elements of storage buffers: what ``index`` of a buffer means, for all pixels at once.
+"""Reads elements of storage buffers: the meaning of ``index``, for all pixels at once.
 
 ``HeldValues`` makes a ``BufferReader`` for each buffer and each type in which a graph reads it. It
 is the value of the ``buffer`` leaf.
@@ -53,17 +53,22 @@ _ANYTHING: Mapping[ScalarKind, tuple[int, int]] = {
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """What a storage buffer holds: at least one element."""
+    """The content of a storage buffer: at least one element."""
 
     data: bytes
     ends: NDArray[np.float64] | None = None
-    """Of what a kernel has written: for each four bytes the number that they stand for, and between
-    which numbers that of a device is, (3, words). It is not rounded to 32 bits, and float64 has
-    every integer of 32 bits. NaN stands for what is not defined. Without it, devices have just what
-    ``data`` says."""
+    """The numbers that a kernel has written, with their bounds on a device, (3, words).
+
+    There is one for each four bytes. It is not rounded to 32 bits, and float64 has every integer of
+    32 bits. NaN stands for undefined numbers. Without it, devices have just the numbers of
+    ``data``.
+    """
     written: UUID = field(default_factory=uuid4, compare=False)
-    """A name of its own. Two kernels that have written the same here may not on a device, but
-    whoever reads the same contents finds the same numbers there."""
+    """A name of its own.
+
+    Two kernels that have written the same here may not on a device, but whoever reads the same
+    contents finds the same numbers there.
+    """
 
 
 class BufferReader:
@@ -79,7 +84,7 @@ class BufferReader:
         self._ends = None if written is None else written.reshape(3, -1, stride // LANE)
         self._table: Table = self._lanes(type_.element, 0, is_stored=is_stored)
         self._undecided = None if self._ends is None else np.isnan(self._ends[0]).any(axis=-1)
-        """Of which elements nothing is defined; ``None`` if all are defined."""
+        """True for elements that are undefined in part; ``None`` if all are defined."""
 
     def element(self, position: Any) -> Lanes:
         """The elements at these positions, which lie within bounds or do not matter.
@@ -96,7 +101,7 @@ class BufferReader:
         return lanes
 
     def is_undecided(self, position: Any) -> NDArray[np.bool_] | bool:
-        """Whether anything of the elements at these positions is not defined."""
+        """True where any of the elements at these positions is undefined."""
         if self._undecided is None or not self._undecided.any():
             return False
         found: NDArray[np.bool_] = self._undecided[np.clip(position, 0, len(self._rows) - 1)]
@@ -145,18 +150,17 @@ class _Column:
     """One lane of all elements."""
 
     def __init__(self, value: NDArray[Any], *off: NDArray[Any]) -> None:
-        """``off`` are the lower and the upper ends of what a device may have, if it may have
-        anything else."""
+        """``off`` are the bounds of a device's values, if they may differ."""
         self._value = value
         self._ends = off
 
     def plain(self, at: NDArray[Any]) -> Any:
-        """What it means at these positions; a plain number at a single one."""
+        """The value at these positions; a plain number at a single one."""
         found = self._value[at]
         return found if at.ndim else found.item()
 
     def bounded(self, position: Bounded, last: int) -> Bounded:
-        """What a device may have at these positions, of which ``last`` is the largest one."""
+        """The values of a device at these positions, of which ``last`` is the largest one."""
         value, low, high = (
             np.clip(end, 0, last) for end in (position.value, position.low, position.high)
         )

@@ -1,4 +1,4 @@
-"""Defines what texture reads mean, by asking the value of the texture.
+"""Defines the meaning of texture reads, by asking the value of the texture.
 
 ``functions.py`` has them in its table. How texels are found, blended and compared depends on the
 texture and its sampler. So the single lane of a texture is a ``Reader``, such as those of

@@ -1,4 +1,4 @@
-"""Defines what builtins mean for whole vectors; ``functions.py`` has them in its table."""
+"""Defines the meaning of builtins for whole vectors; ``functions.py`` has them in its table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Defines what it means to join the values of a work group: in which order, and with what.
+"""Defines how the values of a work group are joined: in which order, and with what.
 
 ``functions.py`` asks for these definitions by the rows of the builtins. Which invocations make a
 group is known to the array library that a kernel is evaluated with (``in_groups.py``).
@@ -11,7 +11,7 @@ from .namespace import Binary, Lane, Lanes, WorkGroups
 
 
 def joined(xp: WorkGroups, join: Binary, row: OfGroup, value: Lanes) -> Lanes:
-    """The value of a builtin that joins by ``join`` what the invocations have, lane by lane."""
+    """The value of a builtin that joins the invocations' lanes by ``join``, lane by lane."""
     return tuple(_lane(xp, join, row, lane) for lane in value)
 
 

@@ -1,4 +1,4 @@
-"""The storage buffers' side of the reflection: what a host binds, and how elements lie in it."""
+"""The storage buffers' side of the reflection: the host's bindings, and the layout of elements."""
 
 from __future__ import annotations
 

@@ -41,8 +41,10 @@ def _layout_id(members: Sequence[BlockMember], structs: Sequence[StructRow]) -> 
 
 
 def _fnv_1a(text: str) -> int:
-    """A hash of 64 bits (Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv). Python's
-    better ones take several milliseconds to import."""
+    """A hash of 64 bits (Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv).
+
+    Python's better ones take several milliseconds to import.
+    """
     found = 0xCBF29CE484222325
     for byte in text.encode():
         found = (found ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
@@ -85,7 +87,7 @@ def struct_row(struct: Struct) -> StructRow:
 
 
 def layout_row(packing: Packing) -> LayoutRow:
-    """What a writer has to know of a value."""
+    """The layout of a value, for a writer."""
     is_matrix, is_array = bool(packing.column_stride), packing.count is not None
     return LayoutRow(
         stored=str(packing.stored),

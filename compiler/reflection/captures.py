@@ -8,7 +8,7 @@ from ..ir.shader import Shader
 
 
 def capture_row(shader: Shader) -> CaptureRow:
-    """What a host has to know of the buffer into which a pass captures."""
+    """The buffer into which a pass captures, for a host."""
     capture = shader.capture
     assert capture is not None
     written = next(iter(shader.written), None)
@@ -33,14 +33,14 @@ def capture_row(shader: Shader) -> CaptureRow:
 
 
 def _primitive(shader: Shader) -> DrawnPrimitive:
-    """What the captured vertices are."""
+    """The kind of primitives of the captured vertices."""
     if shader.expansion is not None:
         return shader.expansion.emits
     return "triangle" if shader.tessellation is None else shader.tessellation.kind.drawn
 
 
 def _vertices_each(shader: Shader) -> int:
-    """How many vertices come of each primitive or patch that is drawn, at most."""
+    """The largest number of vertices for each primitive or patch that is drawn."""
     if shader.listed:
         return shader.listed
     return 3 if shader.expansion is None else shader.expansion.listed

@@ -26,8 +26,11 @@ class Filtered:
 
 
 def filtered_in(frame: Frame, program_of: Callable[[FrameShader], Program]) -> Iterator[Filtered]:
-    """All of them. Whether a shader filters shows in its program, which is asked for only where it
-    is given such a format."""
+    """All filtered results of a frame whose format many devices cannot filter.
+
+    Whether a shader filters shows in its program, which is asked for only where it is given such a
+    format.
+    """
     for step in frame.steps:
         for use in uses_of(step):
             given = list(_unfilterable(use))
@@ -38,7 +41,7 @@ def filtered_in(frame: Frame, program_of: Callable[[FrameShader], Program]) -> I
 
 
 def _unfilterable(use: Use) -> Iterator[tuple[Given, Image]]:
-    """What a shader is given that cannot be filtered."""
+    """Yields the inputs of a shader that cannot be filtered."""
     for given in use.given:
         source = given.source.of if isinstance(given.source, Previous) else given.source
         if isinstance(source, Image) and source.format in UNFILTERABLE:

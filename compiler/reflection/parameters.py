@@ -1,4 +1,4 @@
-"""The parameters' side of the reflection: what a host sets, and where it lies."""
+"""The parameters' side of the reflection: the values that a host sets, and their places."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Places:
         return _place(found, 0, packing(parameter.type))
 
     def table_rows(self, parameter: Parameter) -> list[tuple[str, Placed]]:
-        """Of each member of a table's structures its name, and as above."""
+        """The name and the place of each member of a table's structures."""
         found = self._places.get((parameter.name, parameter.derived))
         table = packing(parameter.type)
         return [(m.name, _place(found, m.offset, spread(table, m))) for m in table.members]
@@ -101,7 +101,7 @@ def _declaration(info: ParameterInfo) -> Declared:
 
 
 def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> tuple[MemberRow, ...]:
-    """Members of a struct or of an array's elements, with what was declared about them."""
+    """Members of a struct or of an array's elements, with their declarations."""
     declared = {info.parameter.name.rpartition(".")[2]: info for info in infos}
     return tuple(_member(member, declared.get(member.name)) for member in packed.members)
 
@@ -127,7 +127,7 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> MemberRow:
 
 
 def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> tuple[DerivedRow, ...]:
-    """What the host computes, with the steps that compute it."""
+    """The values that the host computes, with the steps that compute them."""
     rows: list[DerivedRow] = []
     for member in places.derived():
         parameter = member.parameter

@@ -61,7 +61,7 @@ VERSION: Literal[2] = 2
 
 
 def plan_document(plan: Plan) -> FramePlan:
-    """Everything that a host needs to draw a frame, but for the reflections of its shaders."""
+    """The document that a host needs to draw a frame, but for the reflections of its shaders."""
     return _Document(plan).made()
 
 
@@ -124,10 +124,10 @@ class _Document:
             ),
         )
 
-    # --- what there is ---
+    # --- resources ---
 
     def _sources(self) -> Iterator[tuple[str, PlaceRow]]:
-        """Where everything is declared that the host sets."""
+        """Yields the declarations of everything that the host sets."""
         frame = self._frame
         for info in frame.parameters:
             yield info.parameter.name, _place(info.span)
@@ -182,7 +182,7 @@ class _Document:
     def _texture(self, left: Image | Elements) -> int | None:
         return self._plan.texture_of.get(left) if isinstance(left, Image) else None
 
-    # --- what is done ---
+    # --- steps ---
 
     def _step(self, planned: PlannedStep) -> DrawStep | RunStep | CopyStep:
         waiting = planned.waiting
@@ -280,7 +280,7 @@ class _Document:
         return InputRow(name=given.name, source=self._read(source))
 
     def _before(self, previous: Previous) -> PreviousSource | ResultSource | HostSource:
-        """What the last frame has left; or, if nothing is kept of it, what is read initially."""
+        """The result of the last frame; or, if none of it is kept, the initial one."""
         assert previous.of is not None
         initially = None if previous.initially is None else self._read(previous.initially)
         if initially is not None and previous.of not in self._previous:
@@ -342,7 +342,7 @@ def _host_texture_row(info: ResourceInfo) -> HostTextureRow:
 
 
 def _place(span: Span) -> PlaceRow:
-    """Where something is declared: lines and columns count from 1."""
+    """The place of a declaration: lines and columns count from 1."""
     line, column = span.source.position(span.start)
     return PlaceRow(
         file=span.source.name_in_outputs,

@@ -110,7 +110,7 @@ def reflect(
 
 
 def _render_state_row(state: RenderState) -> RenderStateRow:
-    """What a host sets of the pipeline, as the pass asks for it."""
+    """The state of the pipeline that a host sets, as the pass asks for it."""
     return RenderStateRow(
         cull=state.cull,
         front=state.front,
@@ -148,7 +148,7 @@ def _vertex_input_rows(
 
 
 def _mesh_buffer_rows(shader: Shader) -> Iterator[VertexInputRow]:
-    """What a kernel that captures reads of the mesh: vertex inputs that are storage buffers."""
+    """Vertex inputs that are storage buffers, for a kernel that captures."""
     for info in shader.buffers:
         for member, read in info.of_mesh:
             leaf = read.attribute
@@ -186,7 +186,7 @@ def _mesh_row(mesh: MeshInput | None) -> MeshInputRow | None:
 
 
 def _draw_row(shader: Shader) -> DrawRow:
-    """What a host draws: the triangles of a mesh, or what its primitives or patches turn into."""
+    """The draw of a host: the triangles of a mesh, or of its expanded primitives or patches."""
     expansion, patches = shader.expansion, shader.tessellation
     row = DrawRow(
         primitive="triangle", corners=3, expanded_by=None, vertices=None,
@@ -234,8 +234,7 @@ def _levels_row(shader: Shader) -> PatchLevels:
 
 
 def _layers_row(shader: Shader) -> LayersRow | None:
-    """How many layers the render targets have, and what a host sets if it draws to one of them at a
-    time."""
+    """The number of layers of the render targets, and the parameter of a draw to a single one."""
     if not shader.layers:
         return None
     return LayersRow(

@@ -1,4 +1,4 @@
-"""What a program that shows scenes has for a parameter: the camera, the place of an object.
+"""Roles of parameters for a program that shows scenes: the camera, the place of an object.
 
 ``parameters.py`` marks the rows of the reflection and of plans by it, and
 ``targets/runner/scene.py`` sets scenes up by the same file of the library.
@@ -17,13 +17,13 @@ _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
 
 @cache
 def scene_names() -> Mapping[str, Mapping[str, str]]:
-    """What the declarations of the library mean in a scene, by kind."""
+    """The meanings of the library's declarations in a scene, by kind."""
     import tomllib
 
     return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
 
 
 def role_of(info: ParameterInfo) -> str | None:
-    """What a scene calls the value of a parameter, if it has one for it."""
+    """The scene's name for the value of a parameter, if it has one for it."""
     names = scene_names()
     return names["parameters"].get(info.library) or names["types"].get(info.declared_type)

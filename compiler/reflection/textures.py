@@ -1,4 +1,4 @@
-"""The textures' side of the reflection, with what a WebGPU layout says of each."""
+"""The textures' side of the reflection, with the entry of a WebGPU layout for each."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class TextureRows:
         )
 
     def _has_sampler(self, resource: Resource) -> bool:
-        """Whether a host has to make one: not for textures that are only loaded."""
+        """True if a host has to make a sampler: not for textures that are only loaded."""
         return bool(resource.state) and resource not in self._loaded
 
     def _sampler_type(
@@ -74,7 +74,7 @@ class TextureRows:
     def _sample_type(
         self, resource: Resource
     ) -> Literal["float", "unfilterable-float", "depth", "sint", "uint"]:
-        """GPUTextureSampleType: what is never filtered may have a format that cannot be."""
+        """GPUTextureSampleType; a texture that nothing filters may have an unfilterable format."""
         match _type(resource).sample:
             case "int":
                 return "sint"

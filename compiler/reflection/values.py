@@ -16,8 +16,10 @@ from ..ir.node import Folding, Node, reachable
 
 
 def steps(value: Node) -> tuple[StepRow, ...]:
-    """The steps that compute ``value``, which is the last of them. Raises ``ValueError`` for an
-    operation that no host computes."""
+    """The steps that compute ``value``, which is the last of them.
+
+    Raises ``ValueError`` for an operation that no host computes.
+    """
     nodes = reachable([value])
     numbers = {node.id: number for number, node in enumerate(nodes)}
     return tuple(_step(node, numbers) for node in nodes)

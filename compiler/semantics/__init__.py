@@ -1,1 +1,1 @@
-"""From syntax to one typed graph: names, types, inheritance, rigs, passes."""
+"""Semantics, from syntax to one typed graph: names, types, inheritance, rigs, passes."""

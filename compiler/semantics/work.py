@@ -1,4 +1,4 @@
-"""How much may be computed while compiling.
+"""Limits of computation while compiling.
 
 All elaborations of one compile share a ``Work``: each value that has to be known has a limit of its
 own, and so have all of them together, since a file can have any number of them.
@@ -13,35 +13,40 @@ from ...frozen import fresh, record
 MOST_OPERATIONS = 500_000
 """Operations that are computed for one value, and each turn of a loop is one: about two seconds."""
 MOST_TOGETHER = 1_000_000
-"""Those of all values of a compile. What is written in one place counts once: it is computed again
-for each material, say, that the compiler makes of it."""
+"""The limit of operations for all values of a compile.
+
+A value that is written in one place counts once: it is computed again for each material, say, that
+the compiler makes of it.
+"""
 MOST_NODES = 500_000
-"""Nodes of the trees of all materials, kernels and frames, which take about twenty seconds. Each
-counts with all that it inherits and calls."""
+"""The largest number of nodes in the trees of all materials, kernels and frames.
+
+They take about twenty seconds. Each counts with all that it inherits and calls.
+"""
 
 
 @record
 class Work:
-    """What has been computed, by the places where it is written."""
+    """The computation so far, by the places where values are written."""
 
     nodes: int = 0
-    """How many nodes all trees have so far."""
+    """The number of nodes of all trees so far."""
     is_told: bool = False
-    """Whether it has been reported that these are too many."""
+    """True if it has been reported that these are too many."""
     left: int = MOST_TOGETHER
     counted: set[Hashable] = fresh(factory=set)
     steps: int = 0
     """The steps of all frames so far."""
     refused: dict[Hashable, str] = fresh(factory=dict)
-    """The places of values that take too long, and of what these take more than."""
+    """The places of values that take too long, with the limit that they exceed."""
 
     @property
     def is_spent(self) -> bool:
-        """Whether there are so many nodes that nothing more may be elaborated."""
+        """True if there are so many nodes that nothing more may be elaborated."""
         return self.nodes > MOST_NODES
 
     def allowed(self, place: Hashable) -> int:
-        """How many operations the value at a place may take."""
+        """The number of operations that the value at a place may take."""
         return MOST_OPERATIONS if place in self.counted else min(MOST_OPERATIONS, self.left)
 
     def took(self, place: Hashable, operations: int) -> None:

@@ -1,4 +1,4 @@
-"""Hints for syntax errors: what was probably meant, and where possible the edit that writes it.
+"""Hints for syntax errors: the probable meaning, and where possible the edit that writes it.
 
 ``SyntaxErrors`` asks here after it has decided which token is wrong.
 """
@@ -35,9 +35,9 @@ _LAYOUTS: Mapping[str, str] = MappingProxyType(
         "`map name : texture2d`; the compiler lays out their blocks",
     }
 )
-"""What to write instead of ``layout(…)``, by the word behind it."""
+"""The replacement for ``layout(…)``, by the word behind it."""
 _STAGES = frozenset(("vertex", "fragment", "compute"))
-"""What WGSL writes behind ``@`` in front of an entry point."""
+"""The names of stages that WGSL writes behind ``@`` in front of an entry point."""
 _EXTENDS = frozenset(("extends", "inherits", "implements", "from", "is"))
 """Words of other languages in front of a base."""
 _OPENED_BY = {")": "(", "]": "[", "}": "{"}
@@ -48,7 +48,7 @@ _MARKS: Mapping[str, str] = MappingProxyType(
 
 
 def _called(word: str) -> str:
-    """What to write instead of a function that other languages call for its effect."""
+    """The hint for a function that other languages call for its effect."""
     from ...stdlib.builtins.elsewhere import FUNCTIONS
 
     instead = FUNCTIONS.get(word)
@@ -112,7 +112,7 @@ class Advice(TokenView):
         return ""
 
     def _of_header(self, index: int, expected: set[str]) -> Hint:
-        """About what follows the name of a material, light or pass."""
+        """The hint for a token behind the name of a material, light or pass."""
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))
         if "blend" not in expected or "{" not in expected:
             return ""
@@ -202,7 +202,7 @@ class Advice(TokenView):
         return function_hint(self, begin + 1) if word == "fn" else DECLARATIONS[word]
 
     def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> Hint:
-        """About what stands where a member or declaration begins."""
+        """The hint for a token where a member or declaration begins."""
         found, previous, before = (self.token(index - back) for back in range(3))
         begins = may_begin_member(expected) or may_begin_declaration(expected)
         if begins and found.kind in _MARKS:
@@ -254,7 +254,7 @@ class Advice(TokenView):
         return ""
 
     def _of_layout(self, index: int) -> str:
-        """About ``layout(…) in vec2 uv`` and its like, by what follows the parentheses."""
+        """The hint for ``layout(…) in vec2 uv`` and the like, by the word behind parentheses."""
         return _LAYOUTS.get(self.text(self.closing(index) + 1)) or elsewhere("layout")
 
     def _of_function(self, index: int, outside: bool) -> Hint:
@@ -274,7 +274,7 @@ class Advice(TokenView):
         return self.replace(f"names have no `-`: `{name}`", index - 1, index + 1, name)
 
     def _follows_value(self, index: int) -> bool:
-        """Whether a name stands directly behind a value, on its line."""
+        """True if a name stands directly behind a value, on its line."""
         before = self.token(index - 1).kind
         is_called = before == "NAME" and not self.outline.begins_line(index - 1)
         ends = before in ("NUMBER", "COLOR", ")", "]") or is_called
@@ -291,7 +291,7 @@ class Advice(TokenView):
         return rewritten(row, in_body=not outside) if index - start < 4 else ""
 
     def _of_two_words(self, index: int, start: int, outside: bool) -> Hint:
-        """About what follows a word in which no equation can go on."""
+        """The hint for a token behind a word in which no equation can go on."""
         found, previous = self.token(index), self.token(index - 1)
         if found.kind == "(":
             if self.token(index + 1).kind == "STRING":
@@ -313,7 +313,7 @@ class Advice(TokenView):
         return ""
 
     def _goes_on(self, index: int) -> bool:
-        """Whether the token behind a declared name belongs there elsewhere, or begins a line."""
+        """True if the token behind a declared name belongs there elsewhere, or begins a line."""
         return self.token(index).kind in ("=", ":", ";", "[", ",") or self.outline.begins_line(
             index
         )
@@ -330,7 +330,7 @@ class Advice(TokenView):
         return Row(words, length, self._row_value(end), self.span(first, end - 1))
 
     def _row_value(self, end: int) -> str:
-        """What ``= …`` at ``end`` gives to a name, as messages show it; empty if nothing is."""
+        """The value of ``= …`` at ``end``, as messages show it; empty if there is none."""
         if self.token(end).kind != "=":
             return ""
         elements = array_elements(self, end + 1)
@@ -339,7 +339,7 @@ class Advice(TokenView):
         return self.quoted(end + 1, self.value_end(end + 1))
 
     def _of_declaration(self, start: int, begin: int) -> str:
-        """How the declaration around is written, where that is what the mistake is about."""
+        """The form of the declaration around, where the mistake is about that."""
         word = self.text(begin)
         inside = word in ("struct", "rig", "extern")
         if start != begin and not inside:
@@ -348,5 +348,5 @@ class Advice(TokenView):
 
 
 def _placed(word: str) -> str:
-    """Where a member belongs that begins with ``word``."""
+    """The place of a member that begins with ``word``."""
     return f"`{word}` belongs in {MEMBERS[word].places}"

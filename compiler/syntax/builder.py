@@ -1,7 +1,7 @@
 """Makes the nodes of the AST.
 
-There is one method for each production of ``burnish.lark``, of the same name, but for members: the
-table of their kinds says what makes them.
+There is one method for each production of ``burnish.lark``, of the same name. Members have none:
+the table of their kinds has the functions that make them.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Builder:
         self._report = report
 
     def doc(self, span: Span) -> str:
-        """The comment about what stands at ``span``."""
+        """The doc comment of the node at ``span``."""
         return self._docs.of(span.start, span.end)
 
     # --- file ---
@@ -395,7 +395,7 @@ class Builder:
 
 
 def maker(production: str) -> Maker | None:
-    """What makes the node of a production; None where its parts are handed on as they are."""
+    """The function that makes the node of a production; None where its parts are handed on."""
     kind = _KINDS.get(production)
     if kind is None:
         method: Maker | None = getattr(Builder, production, None)

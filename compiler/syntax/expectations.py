@@ -1,4 +1,4 @@
-"""Words for the message of a syntax error: what was expected, and what was found instead."""
+"""Words for the message of a syntax error: the expected symbols, and the one found instead."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ _WORDS = {
 
 
 def may_begin_member(expected: Set[str]) -> bool:
-    """Whether a member may stand where the parser accepts these symbols."""
+    """True if a member may stand where the parser accepts these symbols."""
     return not expected.isdisjoint(MEMBERS)
 
 
 def may_begin_declaration(expected: Set[str]) -> bool:
-    """Whether a declaration may stand where the parser accepts these symbols."""
+    """True if a declaration may stand where the parser accepts these symbols."""
     return "material" in expected
 
 

@@ -68,7 +68,7 @@ class ExpressionAdvice(TokenView):
     def at(self, index: int, expected: set[str], member: str) -> Hint:
         """The hint for the token at ``index``, in a member that begins with the word ``member``.
 
-        About what stands where an expression is to begin or to go on.
+        An expression is to begin or to go on there.
         """
         found, previous = self.token(index), self.token(index - 1)
         if expected & {"then", "else"} and not may_begin_member(expected):
@@ -129,7 +129,7 @@ class ExpressionAdvice(TokenView):
         return self.replace(said, index - 1, index + 1, f"{type_}({operand.text})")
 
     def _of_operand(self, index: int, expected: set[str]) -> Hint:
-        """About a token that no expression has in its place, by what it is."""
+        """The hint for a token that no expression has in its place, by the kind of token."""
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))
         if found.kind == "STRING" and found.text.startswith('"#'):
             color = found.text[1:-1]
@@ -146,7 +146,7 @@ class ExpressionAdvice(TokenView):
         return elsewhere(found.text) if found.kind == "NAME" and "+" in expected else ""
 
     def _of_missing_name(self, index: int, member: str) -> Hint:
-        """About what stands where only a name can: a type, a space, what a texture is at first."""
+        """The hint for a token where only a name can stand: a type, a space, a default."""
         found, previous, before = (self.token(index - back) for back in range(3))
         if found.kind == "STRING" and member == "map":
             return "the host binds the picture; the default is a colour such as `white` or `black`"

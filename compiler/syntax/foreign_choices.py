@@ -14,7 +14,10 @@ UNFINISHED_IF = "every `if` needs both branches: `if condition then a else b`"
 _PATTERN = "a choice is written `if condition then a else b`"
 _OPENING, _CLOSING = "([{", ")]}"
 _FAR = 200
-"""How many characters around a `?` are looked at: the work must not grow with the file."""
+"""The number of characters around a ``?`` that are looked at.
+
+It is limited, so that the work does not grow with the file.
+"""
 
 
 def statement_hint(view: TokenView, index: int) -> Hint:
@@ -76,9 +79,10 @@ def ternary_hint(span: Span) -> Hint:
 
 
 def _forward(text: str, start: int, wanted: str) -> int:
-    """Where an expression from ``start`` on ends; -1 if it has to end with ``wanted`` and does not.
+    """The end of an expression from ``start`` on.
 
-    It ends with its line, in front of a separator, a comment, or a bracket that it did not open.
+    It is -1 if the expression has to end with ``wanted`` and does not. Otherwise the expression
+    ends with its line, in front of a separator, a comment, or a bracket that it did not open.
     """
     depth, limit = 0, min(len(text), start + _FAR)
     for index in range(start, limit):
@@ -92,7 +96,7 @@ def _forward(text: str, start: int, wanted: str) -> int:
 
 
 def _backward(text: str, end: int) -> int:
-    """Where an expression begins that goes on at ``end``."""
+    """The start of an expression that goes on at ``end``."""
     depth = 0
     for index in range(end - 1, max(end - _FAR, 0) - 1, -1):
         character = text[index]

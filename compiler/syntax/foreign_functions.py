@@ -24,7 +24,7 @@ _NO_RESULT = frozenset(("fn", "void", "def", "func", "function"))
 
 
 def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
-    """What to write instead of the function whose name stands at ``name``.
+    """The hint for the foreign function whose name stands at ``name``.
 
     Only ``outside`` of materials may functions be declared, so only there an edit is offered.
     """
@@ -47,7 +47,7 @@ def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
 
 
 def _head(view: TokenView, name: int) -> tuple[str, int]:
-    """The head of the function, with ``…`` for arguments that cannot be, and what follows it."""
+    """The head of the function, with ``…`` for impossible arguments, and the index behind it."""
     closing = view.closing(name + 1)
     arguments = _arguments(view, name + 2, closing)
     listed = "…" if arguments is None else ", ".join(arguments)
@@ -76,7 +76,7 @@ def _arguments(view: TokenView, first: int, closing: int) -> list[str] | None:
 
 
 def _argument(view: TokenView, first: int, end: int) -> str:
-    """``float x``, ``in float x`` or ``x: f32``; empty for others, and for what is handed out."""
+    """``float x``, ``in float x`` or ``x: f32``; empty for others, and for output arguments."""
     words = [token.text for token in view.tokens[first:end]]
     if {"out", "inout"} & set(words):
         return ""
@@ -87,7 +87,7 @@ def _argument(view: TokenView, first: int, end: int) -> str:
 
 
 def _body(view: TokenView, opening: int) -> str:
-    """What a body in braces returns, with names for its parts behind ``where``.
+    """The result of a body in braces, with names for its parts behind ``where``.
 
     Empty where it has statements that no expression can stand for.
     """

@@ -35,26 +35,26 @@ def types() -> Mapping[str, str]:
 
 
 def elsewhere(word: str) -> str:
-    """What to write instead of a statement of another language that begins with ``word``."""
+    """The hint for a statement of another language that begins with ``word``."""
     from ...stdlib.builtins.elsewhere import KEYWORDS
 
     return KEYWORDS.get(word, "")
 
 
 class Row(NamedTuple):
-    """Several names in a row, with what follows them on the line."""
+    """Several names in a row, with the text behind them on the line."""
 
     words: Sequence[str]
     length: str
     """The number in brackets after them, which is the length of an array; may be empty."""
     value: str
-    """What is written behind ``=``, ``…`` if that is long; empty if there is no ``=``."""
+    """The text behind ``=``, ``…`` if that is long; empty if there is no ``=``."""
     span: Span
-    """Of the names and the brackets."""
+    """The span of the names and the brackets."""
 
 
 def rewritten(row: Row, *, in_body: bool) -> Hint:
-    """What to write for ``const vec3 name = …`` and its like; empty where nothing comes to mind.
+    """The hint for ``const vec3 name = …`` and its like; empty where nothing comes to mind.
 
     ``in_body`` says that it stands among the members of a record, where a ``param`` or ``map`` may.
     """
@@ -75,7 +75,7 @@ def rewritten(row: Row, *, in_body: bool) -> Hint:
 
 
 def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> tuple[str, str]:
-    """What to write for a type and a name: the hint, and what stands in place of the names."""
+    """The hint for a type and a name, and the text in place of the names."""
     known = types()
     if word and name in known and type_ not in known:
         instead = f"{word}{type_} : {known[name]}"
@@ -105,5 +105,5 @@ def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> t
 
 
 def _begins_elsewhere(word: str) -> bool:
-    """Whether a word begins a declaration here or elsewhere, so that it is no type."""
+    """True if a word begins a declaration here or elsewhere, so that it is no type."""
     return word in DECLARATIONS or bool(elsewhere(word))

@@ -1,6 +1,6 @@
-"""What declarations, folds and foreign files begin with, and how declarations are written.
+"""The first words of declarations, folds and foreign files, and the forms of declarations.
 
-For members, ``ast/member_kinds.py`` says it.
+For members, ``ast/member_kinds.py`` has them.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
         '`import "folder/file.burnish"`',
     }
 )
-"""How each declaration is written, by the word that it begins with."""
+"""The form of each declaration, by the word that it begins with."""
 
 FOLDS: Mapping[str, str] = MappingProxyType(
     {**dict.fromkeys(get_args(FoldWord), "in"), "iterate": "from"}

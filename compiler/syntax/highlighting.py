@@ -1,6 +1,6 @@
 """Cuts a text into pieces of one kind each, for pages that show it in colours.
 
-``burnish gallery`` calls ``pieces``. Nothing is reported: what cannot be read is a piece, too.
+``burnish gallery`` calls ``pieces``. Nothing is reported: unreadable text is a piece, too.
 """
 
 from __future__ import annotations

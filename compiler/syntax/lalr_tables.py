@@ -27,22 +27,25 @@ class Production(NamedTuple):
     method: str
     """The builder's method that makes the node; empty where the parts are handed on as they are."""
     plan: tuple[tuple[int, bool], ...]
-    """Which parts to hand over (-1: an absent option), and whether to unpack each."""
+    """The parts to hand over (-1: an absent option), and for each: is it unpacked?"""
     collapses: bool
-    """Whether a single part stands for the whole."""
+    """True if a single part stands for the whole."""
     renames: bool
-    """Whether it has one part, which stands for the whole: only the state changes."""
+    """True if it has one part, which stands for the whole: only the state changes."""
     as_read: bool
-    """Whether the plan hands all parts over as they are."""
+    """True if the plan hands all parts over as they are."""
 
 
 class Tables(NamedTuple):
-    """Everything that parsing needs to know about the grammar."""
+    """All tables of the grammar for parsing."""
 
     actions: list[dict[str, int]]
-    """By state and token: ``n`` shifts to state ``n``, ``~n`` reduces by production ``n``."""
+    """The actions by state and token.
+
+    ``n`` shifts to state ``n``, ``~n`` reduces by production ``n``.
+    """
     gotos: list[dict[str, int]]
-    """By state and origin of a finished production: the next state."""
+    """The next state, by state and origin of a finished production."""
     productions: list[Production]
     start: int
     literals: frozenset[str]
@@ -77,7 +80,7 @@ def _key(grammar: str) -> str:
 def _made(
     origin: str, length: int, method: str, plan: tuple[tuple[int, bool], ...], collapses: bool
 ) -> Production:
-    """A production, with what follows from the rest of its row."""
+    """A production, with the fields that follow from the rest of its row."""
     as_read = list(plan) == [(position, False) for position in range(length)]
     renames = collapses and length == 1
     return Production(origin, length, method, plan, collapses, renames, as_read)

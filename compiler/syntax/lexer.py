@@ -1,4 +1,4 @@
-"""Turns the text of a file into tokens, and reports what cannot be one.
+"""Turns the text of a file into tokens, and reports text that cannot be one.
 
 ``parse`` calls ``lex`` once for each file.
 """
@@ -18,7 +18,7 @@ _ORDER = ("BLANK", "NAME", "PUNCTUATION", "NUMBER", "COLOR", "STRING", "DOC", "F
 """The grammar's patterns in the order of trial: a doc comment would also be a comment."""
 
 _NOT_BEFORE = {"NAME": r"(?!\w)", "NUMBER": rf"(?!\w|\.(?!\.)|{PERCENT})", "COLOR": r"(?!\w)"}
-"""What must not follow a token; otherwise ``1.0f`` would be read as ``1.0`` and a name."""
+"""The pattern that must not follow a token; otherwise ``1.0f`` would be ``1.0`` and a name."""
 
 _SEPARATORS = ";,"
 
@@ -31,9 +31,9 @@ _token = partial(tuple.__new__, Token)
 
 @cache
 def token_pattern() -> re.Pattern[str]:
-    """One expression for any token: proper ones first, then marks, then whatever is malformed.
+    """One expression for any token: proper ones first, then marks, then any malformed text.
 
-    Blanks belong to what stands before them, so that half as many matches are needed.
+    Blanks belong to the token before them, so that half as many matches are needed.
     """
     tables = load_tables()
     marks = sorted((m for m in tables.literals if not m.isidentifier()), key=len, reverse=True)
@@ -72,19 +72,19 @@ def lex(source: Source, report: Report) -> Lexed:
 
 
 class _DocCollector:
-    """Decides for each doc comment what it describes: what ends on its line, or what follows."""
+    """Decides for each doc comment if it describes text that ends on its line, or what follows."""
 
     def __init__(self, text: str, tokens: list[Token]) -> None:
         self._found = Docs()
         self._text = text
         self._tokens = tokens
-        """Those before the place that the lexer has reached."""
+        """The tokens before the place that the lexer has reached."""
         self._searched = 0
-        """How many of them have been looked at by ``_end_before``."""
+        """The number of tokens that ``_end_before`` has looked at."""
         self._end = -1
-        """Where the last one of these ends that is no separator."""
+        """The end of the last of these that is no separator."""
         self._waiting: list[tuple[int, Token]] = []
-        """Comments, each with the number of tokens before it: it describes what begins next."""
+        """Comments, each with the number of tokens before it: it describes the next declaration."""
 
     def settled(self) -> Docs:
         """All doc comments, once the lexer has reached the end."""
@@ -107,7 +107,7 @@ class _DocCollector:
             self._waiting.append((len(self._tokens), line))
 
     def _end_before(self) -> int:
-        """Where the last token ends that is no separator; -1 if there is none."""
+        """The end of the last token that is no separator; -1 if there is none."""
         for index in range(len(self._tokens) - 1, self._searched - 1, -1):
             if self._tokens[index].kind not in _SEPARATORS:
                 self._end = self._tokens[index].end

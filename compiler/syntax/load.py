@@ -21,7 +21,7 @@ SIZE_LIMIT = 1024 * 1024
 TOTAL_LIMIT = 4 * SIZE_LIMIT
 """Bytes of a file with all that it imports."""
 PATIENCE = 10
-"""For how many seconds to wait for what comes out of a pipe, which may be nothing for ever."""
+"""The seconds to wait for data from a pipe, which may be nothing for ever."""
 
 
 def load_source(
@@ -33,8 +33,8 @@ def load_source(
 ) -> Source | None:
     """The text of the file at ``path``; None if it cannot be read, and then ``report`` says why.
 
-    ``name`` is what messages call it; by default the path as given. ``span`` is what asks for the
-    file. ``seen`` is called with the bytes that were read.
+    ``name`` is the one in messages; by default the path as given. ``span`` is the text that asks
+    for the file. ``seen`` is called with the bytes that were read.
     """
     name = readable(name or os.fspath(path))
     content = _content(path, name, span, report)
@@ -57,8 +57,10 @@ def load_source(
 
 
 def check_text(text: str, name: str, report: Report) -> bool:
-    """Whether a string consists of characters, and not of too many; ``report`` says what is wrong
-    with it."""
+    """True if a string consists of characters, and not of too many.
+
+    Otherwise ``report`` gets the error.
+    """
     if len(text) > SIZE_LIMIT:
         report.add(rules.TOO_LARGE, None, path=name, limit=f"{SIZE_LIMIT} characters")
         return False
@@ -97,7 +99,7 @@ def _without_waiting(path: str, flags: int) -> int:
 
 
 def _streamed(file: int) -> bytes:
-    """What comes out of a pipe or a device, up to a byte more than there may be.
+    """The bytes from a pipe or a device, up to a byte more than there may be.
 
     Raises ``TimeoutError`` if nothing comes for long.
     """

@@ -13,11 +13,11 @@ _NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:deg|rad)?"
 _RANGE = re.compile(rf"\s*([\[(]?)\s*({_NUMBER})\s*(?:-|–|,|:|;|to\b)\s*({_NUMBER})(?:\s*([\])]))?")
 """Two numbers with something else than ``..`` between them."""
 _FAR = 12
-"""How many tokens before a mistake its range may begin."""
+"""The number of tokens before a mistake among which its range may begin."""
 
 
 def fold_form(word: str) -> str:
-    """How the fold is written that begins with ``word``."""
+    """The form of the fold that begins with ``word``."""
     return f"`{word} i in a..b : e` repeats, or `{word} i in a..b up to 16 : e`"
 
 

@@ -15,8 +15,11 @@ from .reductions import reduction
 from .tokens import Token
 
 OPENS_STRIP = "{"
-"""Behind an expression it stands only where strips of an expansion begin. But the tables do not
-tell these expressions from others, and reduce any, after which nobody knows what was expected."""
+"""The token that begins the strips of an expansion, behind an expression.
+
+The tables do not tell these expressions from others, and reduce any, after which nobody knows what
+was expected.
+"""
 
 
 class Machine:
@@ -28,9 +31,9 @@ class Machine:
         self._builder = builder
         self._source = source
         self._stack = [0, 0, tables.start]
-        """As ``reductions.py`` says; the first entry stands before all parts."""
+        """The stack as ``reductions.py`` describes it; the first entry stands before all parts."""
         self._values: list[object] = []
-        """What was made of these parts."""
+        """The values that were made of these parts."""
 
     @property
     def result(self) -> object:
@@ -43,10 +46,10 @@ class Machine:
         self._values.clear()
 
     def knows(self, symbol: str) -> bool:
-        """Whether the present state has an action for ``symbol``.
+        """True if the present state has an action for ``symbol``.
 
         If not, then ``accepts`` says no, too, but takes longer. The other way round an action may
-        only reduce what stands here, and ``symbol`` have no place afterwards.
+        only reduce the parts here, and ``symbol`` have no place afterwards.
         """
         return symbol in self._actions[self._stack[-1]]
 
@@ -100,7 +103,7 @@ class Machine:
         return state
 
     def unwind(self, origins: Sequence[str]) -> bool:
-        """Drop what is unfinished, down to where one of ``origins`` may begin; False if nowhere."""
+        """Drops unfinished parts, down to where one of ``origins`` may begin; False if nowhere."""
         depth = self._depth(origins)
         if depth is None:
             return False
@@ -109,14 +112,14 @@ class Machine:
         return True
 
     def begun(self, origins: Sequence[str]) -> int | None:
-        """The place in the text where what ``unwind`` would drop begins, if it drops anything."""
+        """The place where the text that ``unwind`` would drop begins, if it drops anything."""
         depth = self._depth(origins)
         if depth is None or depth == len(self._values):
             return None
         return self._stack[3 * depth + 3]
 
     def _depth(self, origins: Sequence[str]) -> int | None:
-        """How many parts stand before the last place where one of ``origins`` may begin."""
+        """The number of parts before the last place where one of ``origins`` may begin."""
         gotos = self._tables.gotos
         for depth in range(len(self._values), -1, -1):
             if any(origin in gotos[self._stack[3 * depth + 2]] for origin in origins):
@@ -128,7 +131,7 @@ class Machine:
         return {symbol for symbol in self._actions[self._stack[-1]] if self.accepts(symbol)}
 
     def accepts(self, symbol: str) -> bool:
-        """Whether ``symbol`` would be shifted: reductions are tried on a copy of the states."""
+        """True if ``symbol`` would be shifted: reductions are tried on a copy of the states."""
         states = self._stack[2::3]
         while True:
             action = self._actions[states[-1]].get(symbol)

@@ -69,11 +69,11 @@ _CHARACTERS = {
     "°": "deg", "×": "*", "·": "*", "÷": "/", "–": "-", "−": "-", "≤": "<=", "≥": ">=", "≠": "!=",
     "\N{LEFT DOUBLE QUOTATION MARK}": '"', "\N{RIGHT DOUBLE QUOTATION MARK}": '"', "π": "pi",
 }  # fmt: skip
-"""What is meant by characters that word processors and painting programs insert."""
+"""The meaning of characters that word processors and painting programs insert."""
 
 
 _NEARBY = 80
-"""How many characters around a place are looked at: the work must not grow with the file."""
+"""The number of characters around a place that are looked at: the work must not grow."""
 
 
 def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
@@ -124,7 +124,7 @@ def _hash(line: str, span: Span, report: Report) -> None:
 
 
 def _instead_of_directive(line: str, span: Span) -> Hint:
-    """What to write instead of a preprocessor directive."""
+    """The hint for a preprocessor directive."""
     said = "there is no preprocessor"
     macro = re.match(r"#define\s+(\w+)\(([\w\s,]*)\)\s*(.*)", line)
     if macro:
@@ -177,7 +177,7 @@ def _color(digits: str, span: Span) -> Hint:
 
 
 def _is_defined(span: Span) -> bool:
-    """Whether what stands here is given a value or a type, as only names are."""
+    """True if the text here is given a value or a type, as only names are."""
     behind = span.source.text[span.end : span.end + _NEARBY]
     return re.match(r"\s*(?:=(?!=)|:)", behind) is not None
 
@@ -199,7 +199,7 @@ def _foreign(word: str, span: Span, report: Report) -> Token:
 
 
 def _set_apart(word: str, span: Span) -> str:
-    """A word with spaces where it would run together with what stands beside the place."""
+    """A word with spaces where it would run together with the text beside the place."""
     if not word.isalpha():
         return word
     text = span.source.text
@@ -208,7 +208,7 @@ def _set_apart(word: str, span: Span) -> str:
 
 
 def _joined_or_counted(span: Span) -> Hint:
-    """What ``a ++ b`` joins elsewhere, or what ``a++`` counts."""
+    """The hint for ``a ++ b``, which joins elsewhere, or for ``a++``, which counts."""
     text, start = span.source.text, max(span.start - _NEARBY, 0)
     before = re.search(r"\w+(?= *$)", text[start : span.start])
     if before and re.match(r" *[\w(\[#.]", text[span.end : span.end + _NEARBY]):

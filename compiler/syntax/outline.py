@@ -45,13 +45,13 @@ class Outline:
         self._text = text
         self.tokens = tokens
         self.depths: list[int] = []
-        """How many brackets each token stands in; a bracket that is never closed does not count."""
+        """The number of brackets around each token; brackets that are never closed do not count."""
         self.chunks: list[Chunk] = [Chunk(0)] if tokens else []
         self._open: list[int] = []
         self._split()
 
     def begins_member(self, index: int) -> bool:
-        """Whether ``index`` looks like the first token of a member or of a simple equation."""
+        """True if ``index`` looks like the first token of a member or of a simple equation."""
         token, following = self.tokens[index], self._kind(index + 1)
         if self.is_member(index):
             return True
@@ -62,7 +62,7 @@ class Outline:
         return token.text in MEMBERS and (following == "NAME" or following in RESERVED)
 
     def is_member(self, index: int) -> bool:
-        """Whether a line begins here that can only be a member, whatever stands above it."""
+        """True if a line begins here that can only be a member, whatever stands above it."""
         kind = MEMBERS.get(self.tokens[index].text)
         if kind is None or not self.begins_line(index) or self.begins_line(index + 1):
             return False
@@ -73,29 +73,29 @@ class Outline:
         )
 
     def begins_equation(self, index: int) -> bool:
-        """Whether a line begins with a name that is given something, even in an expression."""
+        """True if a line begins with a name that is given something, even in an expression."""
         names = self.tokens[index].kind == "NAME" and self._kind(index + 1) in ("=", ":")
         return names and self.begins_line(index)
 
     def begins_property(self, index: int) -> bool:
-        """Whether a line begins with a property as other languages have it: ``_Gloss ("Gloss"``."""
+        """True if a line begins with a property of another language: ``_Gloss ("Gloss"``."""
         kinds = [self._kind(index + step) for step in range(3)]
         return kinds == ["NAME", "(", "STRING"] and self.begins_line(index)
 
     def begins_line(self, index: int) -> bool:
-        """Whether a token is the first of its line."""
+        """True if a token is the first of its line."""
         if index == 0 or index >= len(self.tokens):
             return True
         before = self.tokens[index - 1].end
         return "\n" in self._text[before : self.tokens[index].start]
 
     def can_end(self, index: int) -> bool:
-        """Whether an expression or declaration can end with the token at ``index``."""
+        """True if an expression or declaration can end with the token at ``index``."""
         token = self.tokens[index]
         return token.kind in _CAN_END and token.text not in _AWAITS_NAME
 
     def _is_in_head(self, index: int) -> bool:
-        """Whether a name ends the head of a loop, like ``m`` in ``sum i in 0..n up to m : i``."""
+        """True if a name ends the head of a loop, like ``m`` in ``sum i in 0..n up to m : i``."""
         before = self._text_of(index - 1) if index else ""
         ends = before in _AWAITS_VALUE and self._text_of(index + 1) == ":"
         return ends and not self.begins_line(index)
@@ -129,14 +129,14 @@ class Outline:
             chunk.unclosed.sort()
 
     def _begins_constant(self, index: int) -> bool:
-        """Whether an equation of the file begins here, and no further type parameter of a head."""
+        """True if an equation of the file begins here, and no further type parameter."""
         before = self._text_of(index - 1) if index else ""
         is_placed = self._text_of(index + 1) == ":" and self._text_of(index + 3) == "("
         begins = self.begins_member(index) and before not in (",", *MEMBERS)
         return begins and not is_placed  # `cbuffer Name : register(b0)`, as elsewhere.
 
     def _header(self, index: int) -> int:
-        """How many tokens a declaration's word and name take; 0 where the word is a name."""
+        """The number of tokens of a declaration's word and name; 0 where the word is a name."""
         word = self.tokens[index].text
         if self._kind(index + 1) in ("=", ":"):
             return 0
@@ -155,7 +155,7 @@ class Outline:
         return length if complete and fits else 0
 
     def _is_unfinished(self, index: int) -> bool:
-        """Whether a declaration's word is followed by another declaration instead of a name."""
+        """True if a declaration's word is followed by another declaration instead of a name."""
         return (
             self._text_of(index + 1) in DECLARATIONS.keys() - _TWO_WORDS
             and self._is_at_margin(index + 1)
@@ -166,12 +166,12 @@ class Outline:
         return self.tokens[index].text if index < len(self.tokens) else ""
 
     def _is_at_margin(self, index: int) -> bool:
-        """Whether the token is the first of an unindented line."""
+        """True if the token is the first of an unindented line."""
         start = self.tokens[index].start
         return start == 0 or self._text[start - 1] == "\n"
 
     def _ends_parentheses(self, index: int) -> bool:
-        """Whether a member begins here, although parentheses are still open."""
+        """True if a member begins here, although parentheses are still open."""
         following = self._kind(index + 1)
         starts_member = following == "NAME" and self.tokens[index].text in MEMBERS
         if not (following == "=" or starts_member) or self.tokens[self._open[-1]].kind == "{":
@@ -195,7 +195,7 @@ class Outline:
             self.chunks[-1].too_deep = index
 
     def _leave(self, index: int, closer: str) -> None:
-        """Close the innermost bracket of this kind; a brace also ends what is open inside it."""
+        """Closes the innermost bracket of this kind; a brace also closes those inside it."""
         if self._open and _CLOSED_BY[self.tokens[self._open[-1]].kind] == closer:
             self._open.pop()
             return

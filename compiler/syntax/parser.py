@@ -1,7 +1,7 @@
 """Parses a file into its syntax tree.
 
 ``compiler/frontend.py`` and ``library.py`` call ``parse`` for each file. It always returns a tree:
-every mistake is reported, none is raised, and the tree lacks what could not be read.
+every mistake is reported, none is raised, and the tree lacks the parts that could not be read.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ class _Parser:
         """Names that the unreadable parts may declare, so that nobody reports them as unknown."""
 
     def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
-        """The edition and the declarations of ``chunk``, without what is broken in it."""
+        """The edition and the declarations of ``chunk``, without its broken parts."""
         if chunk.too_deep is not None:
             self._errors.too_deep(chunk.too_deep)
             self._give_up(chunk.start, chunk.start + 1, chunk.end)
@@ -139,13 +139,13 @@ class _Parser:
         return _syntax_errors(self._source, self._outline, self._report)
 
     def _is_second_word(self, index: int) -> bool:
-        """Whether the only mistake in a header is a name of two words; then parsing goes on."""
+        """True if the only mistake in a header is a name of two words; then parsing goes on."""
         is_name = self._tokens[index].kind == "NAME" == self._tokens[index - 1].kind
         follows = index + 1 < len(self._tokens) and self._tokens[index + 1].kind in ("{", ":")
         return is_name and follows and "blend" in self._machine.expected()
 
     def _words_of_name(self, index: int) -> tuple[str, ...]:
-        """How the rest of the file may spell a name that was written as two words."""
+        """Ways in which the rest of the file may spell a name that was written as two words."""
         first, second = self._tokens[index - 1].text, self._tokens[index].text
         return second, first + second, f"{first}_{second}"
 
@@ -161,7 +161,7 @@ class _Parser:
         return token.kind if is_operand else token.text
 
     def _names_something(self, index: int) -> bool:
-        """Whether the tokens after a word show it to be a name."""
+        """True if the tokens after a word show it to be a name."""
         following = self._tokens[index + 1 : index + 3]
         second = FOLDS.get(self._tokens[index].text)
         if second is not None:
@@ -196,15 +196,15 @@ class _Parser:
                 self.unread.add(self._tokens[index].text)
 
     def _place(self, index: int) -> int:
-        """Where a token begins, or the file ends."""
+        """The start of a token, or the end of the file."""
         return self._tokens[index].start if index < len(self._tokens) else self._tokens[-1].end
 
     def _same_line(self, index: int) -> bool:
-        """Whether a token stands on the line of the one before it."""
+        """True if a token stands on the line of the one before it."""
         return not self._outline.begins_line(index)
 
     def _next_start(self, begin: int, chunk: Chunk) -> int:
-        """Drop what is broken, and return the next token from ``begin`` on that can be read."""
+        """Drops a broken part, and returns the next token from ``begin`` on that can be read."""
         if not self._machine.unwind(_BODY_PARTS):
             self._machine.unwind(_FILE_PARTS)
             return next(filter(self._follows_statement, range(begin, chunk.end)), chunk.end)
@@ -218,7 +218,7 @@ class _Parser:
         return chunk.end
 
     def _follows_statement(self, index: int) -> bool:
-        """Whether a line begins here, outside of all brackets, after a foreign `;` or a `}`."""
+        """True if a line begins here, outside of all brackets, after a foreign `;` or a `}`."""
         if self._outline.depths[index] or not self._outline.begins_line(index):
             return False
         if self._tokens[index].kind != "NAME":

@@ -34,7 +34,7 @@ def closed(text: str) -> str:
 
 
 def _is_closed(text: str) -> bool:
-    """Whether a text is a name, a number, or what ends in brackets that began behind a name."""
+    """True if a text is a name, a number, or a call or the like that ends in brackets."""
     depth, opened = 0, False
     for character in text:
         if character in "([":

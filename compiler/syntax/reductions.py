@@ -1,7 +1,8 @@
-"""What the LALR machine does when the parts of a production are complete.
+"""The reductions of the LALR machine, for which the parts of a production are complete.
 
-Each production has a function that replaces these parts by what they make together. They are made
-when they are first needed, and kept for the whole process: they know nothing of the text.
+Each production has a function that replaces these parts by the node that they make together. The
+functions are made when they are first needed, and kept for the whole process: they know nothing of
+the text.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from .builder import Builder, Maker, maker
 from .lalr_tables import Production, load_tables
 
 Stack = list[int]
-"""For each part that was read, where it starts, where it ends, and the state after it."""
+"""For each part that was read, its start, its end, and the state after it."""
 
 Reduction = Callable[[Stack, list[object], Source, Builder], None]
 """Replaces the newest parts on the stack, and in the list of their values."""
@@ -41,14 +42,14 @@ def reduction(number: int) -> Reduction:
 
 
 def _maker(production: Production) -> Maker | None:
-    """What makes the node of a production; None where its parts are handed on as a list."""
+    """The function that makes the node of a production; None if its parts become a list."""
     if production.collapses and len(production.plan) == 1:
         return _the_part
     return maker(production.method)
 
 
 def _the_part(_builder: Builder, _span: Span, part: object) -> object:
-    """What an expression in parentheses is."""
+    """Unwraps an expression in parentheses."""
     return part
 
 

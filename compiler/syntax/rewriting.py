@@ -14,8 +14,10 @@ _HEAD = r"""(?x)
               | import\s+ (?: "[^"\n]*" | [\w.]*\w ) (?: \s*\.\s*\{ [^}]* \} )? )
     | \ufeff | \s+ | [;,] | //(?!/)[^\n]* | /\*[\s\S]*?\*/
 """
-"""What a file can begin with, in front of its own declarations. Like the patterns of all hints, it
-is compiled when a first mistake needs it."""
+"""The start of a file, in front of its own declarations.
+
+Like the patterns of all hints, it is compiled when a first mistake needs it.
+"""
 
 
 def rewritten(span: Span, pattern: str, said: str = "write `{}`") -> FixIt:

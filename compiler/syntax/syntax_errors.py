@@ -46,9 +46,9 @@ class SyntaxErrors:
         self._unexpected(first, {"material"}, f"{hint}`material Name {{ … }}`")
 
     def report(self, index: int, chunk: Chunk, expected: set[str], start: int) -> int:
-        """Report what is wrong at ``index``; returns where the next member may begin.
+        """Reports the error at ``index``; returns where the next member may begin.
 
-        ``start`` is the first token of what cannot be read.
+        ``start`` is the first token of the part that cannot be read.
         """
         found = self._token(index)
         if found.kind == "FOREIGN":
@@ -79,8 +79,10 @@ class SyntaxErrors:
         return index
 
     def _interrupted(self, index: int, chunk: Chunk) -> int:
-        """Report an equation that begins in an unfinished value, or after a header without `{`;
-        returns where the next member may begin."""
+        """Reports an equation that begins in an unfinished value, or after a header without `{`.
+
+        Returns where the next member may begin.
+        """
         name, before = self._tokens[index - 1], self._tokens[index - 2]
         if before.kind == ":" and chunk.start + 3 == index - 1 and self._is_record(chunk.start):
             header = " ".join(token.text for token in self._tokens[chunk.start : index - 2])
@@ -130,14 +132,14 @@ class SyntaxErrors:
         self._report.add(rules.RESERVED_WORD, self._span(word), word=word.text, hint=hint)
 
     def _begins_statement(self, index: int, expected: set[str]) -> bool:
-        """Whether a reserved word stands where only a name or a member can."""
+        """True if a reserved word stands where only a name or a member can."""
         if self._token(index).kind not in RESERVED or "NAME" not in expected:
             return False
         begins = may_begin_member(expected) and self._outline.begins_line(index)
         return begins or not expected & {"NUMBER", "+"}
 
     def _names_types(self, index: int) -> bool:
-        """Whether a call that names types, as in ``vec3<f32>(x)``, was read as a comparison."""
+        """True if a call that names types, as in ``vec3<f32>(x)``, was read as a comparison."""
         called, opening, _, closing, call = (self._token(index + step) for step in range(-3, 2))
         kinds = [called.kind, opening.kind, closing.kind, call.kind]
         return kinds == ["NAME", "<", ">", "("] and called.end == opening.start
@@ -184,14 +186,14 @@ class SyntaxErrors:
         return chunk.unclosed.pop(position)
 
     def _same_member(self, opener: int, index: int) -> bool:
-        """Whether no other member begins between a parenthesis and an error."""
+        """True if no other member begins between a parenthesis and an error."""
         begins = self._outline.begins_member
         return self._tokens[opener].kind != "{" and not any(
             map(begins, range(opener + 1, index - 1))
         )
 
     def _fold_before(self, index: int) -> bool:
-        """Whether the name at ``index`` is the variable of a fold that begins before it."""
+        """True if the name at ``index`` is the variable of a fold that begins before it."""
         if index < 1 or self._token(index).kind != "NAME":
             return False
         word, follows = self._tokens[index - 1].text, self._token(index + 1).text
@@ -200,14 +202,14 @@ class SyntaxErrors:
         return is_fold and before not in ("=", "(", ",", ":", "then", "else", "[")
 
     def _equation_interrupts(self, index: int) -> bool:
-        """Whether an unfinished expression ran into the next equation: ``a = 1 +  b = 2``."""
+        """True if an unfinished expression ran into the next equation: ``a = 1 +  b = 2``."""
         if not self._next_has_begun(index) or self._outline.can_end(index - 2):
             return False
         before = self._tokens[index - 2].text
         return before not in ("(", ",", ":", "{") or self._outline.begins_line(index - 1)
 
     def _next_has_begun(self, index: int) -> bool:
-        """Whether the token before ``index`` is the name in front of an equation."""
+        """True if the token before ``index`` is the name in front of an equation."""
         if index < 2 or self._token(index).kind not in ("=", ":"):
             return False
         return self._tokens[index - 1].kind == "NAME"

@@ -30,7 +30,7 @@ class TokenView:
         return Token(END, "", 0, 0)
 
     def text(self, index: int) -> str:
-        """What is written there."""
+        """The text of the token."""
         return self.token(index).text
 
     def kinds(self, first: int, count: int) -> list[str]:
@@ -38,7 +38,7 @@ class TokenView:
         return [self.token(index).kind for index in range(first, first + count)]
 
     def span(self, first: int, last: int) -> Span:
-        """From the beginning of one token to the end of another."""
+        """The span from the beginning of one token to the end of another."""
         return Span(self.source, self.token(first).start, self.token(last).end)
 
     def replace(self, said: str, first: int, last: int, text: str, *, sure: bool = False) -> Hint:
@@ -63,7 +63,7 @@ class TokenView:
         return end
 
     def is_cast(self, index: int) -> bool:
-        """Whether a name in parentheses stands directly in front, as in ``(float)x``."""
+        """True if a name in parentheses stands directly in front, as in ``(float)x``."""
         before = self.kinds(index - 3, 3)
         return before == ["(", "NAME", ")"] and self.token(index).kind in ("NUMBER", "NAME", "(")
 
@@ -78,14 +78,14 @@ class TokenView:
         return len(self.tokens)
 
     def _ends_value(self, index: int) -> bool:
-        """Whether no expression goes on with this token, which stands in none of its brackets."""
+        """True if no expression goes on with this token, which stands in none of its brackets."""
         if self.token(index).kind in (";", ","):
             return True
         is_name = self.token(index).text.isidentifier()
         return is_name and self.outline.begins_line(index) and self.outline.can_end(index - 1)
 
     def written(self, first: int, behind: int) -> str:
-        """Some tokens with the types of other languages translated; empty if that is impossible."""
+        """Some tokens, with the types of other languages translated; empty if impossible."""
         parts = self.tokens[first:behind]
         if any(part.kind in _NOT_HERE for part in parts):
             return ""

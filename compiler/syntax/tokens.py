@@ -23,7 +23,7 @@ class Token(NamedTuple):
 
 
 class Docs:
-    """Doc comments, which the builder asks for by the place of what they describe.
+    """Doc comments, which the builder asks for by the place of the thing that they describe.
 
     A comment is a ``DOC`` token whose text is the line without ``///``.
     """

@@ -1,10 +1,10 @@
-"""How far the result of an operation may be off, for each platform, as data.
+"""The largest errors of operations on each platform, as data.
 
 Every builtin's row has an ``Accuracy``: what the specification of each platform promises of the
 float32 operation, or what is assumed where the specification is silent. The reference computes
 error bounds from it (``compiler/reference/bounds/errors.py``), and the manual shows it.
-``tests/builtins/specifications.py`` has the tables of the specifications themselves, with which
-the rows are compared.
+``tests/builtins/specifications.py`` has the tables of the specifications themselves, with which the
+rows are compared.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ SECTIONS: Mapping[Platform, str] = {
     "opengl": "GLSL 4.60, 4.7.1 Range and Precision (assumed of 3.30, which has no such table)",
     "es": "GLSL ES 3.20, 4.7.1 Range and Precision (assumed of 3.00, which has no such table)",
 }
-"""Where each platform has its table."""
+"""The place of the table of each platform."""
 
 
 INTERPOLATED_BITS = 16
@@ -55,7 +55,7 @@ class Error:
     ulp_by_operand: float = 0.0
     """Further units in the last place, for each unit of the operand's magnitude."""
     relative: float = 0.0
-    """This part of the result."""
+    """The error as a part of the result."""
     absolute: float = 0.0
     absolute_by_operand: float = 0.0
     """Further absolute error, for each unit of the operand's magnitude."""
@@ -127,20 +127,20 @@ Bound = Exact | Rounded | Within | Inherited
 
 @frozen
 class Promise:
-    """What holds on one platform, and why."""
+    """The promise of one platform, and its source."""
 
     bound: Bound
     source: str
     """The section of the specification that says it, or the reason to assume it."""
     assumed: bool = False
-    """Whether the specification is silent."""
+    """True if the specification is silent."""
     beyond_assumed: str = ""
     """If the specification is silent beyond the limit of ``Within``: the reason to assume that."""
 
 
 @frozen
 class Accuracy:
-    """What holds on each platform."""
+    """The promises of all platforms."""
 
     wgsl: Promise
     vulkan: Promise
@@ -149,7 +149,7 @@ class Accuracy:
     es: Promise
 
     def on(self, platform: Platform) -> Promise:
-        """What holds on one of them."""
+        """The promise of one platform."""
         promise: Promise = getattr(self, platform)
         return promise
 
@@ -168,20 +168,20 @@ def promised(
 def in_table(
     platform: Platform, bound: Bound, *, beyond_assumed: str = ""
 ) -> Mapping[Platform, Promise]:
-    """What one platform promises in its table, other than the others."""
+    """The promise of one platform in its table, other than that of the others."""
     return {platform: Promise(bound, SECTIONS[platform], beyond_assumed=beyond_assumed)}
 
 
 def in_section(
     bound: Bound, section: str, *, beyond_assumed: str = ""
 ) -> Mapping[Platform, Promise]:
-    """What Direct3D's specification promises in a section of its own."""
+    """The promise of Direct3D's specification in a section of its own."""
     source = f"Direct3D 11.3 functional specification, {section}"
     return {"direct3d": Promise(bound, source, beyond_assumed=beyond_assumed)}
 
 
 def silent(bound: Bound, reason: str, *platforms: Platform) -> Mapping[Platform, Promise]:
-    """What is assumed of platforms whose specifications are silent, with the reason."""
+    """The assumption about platforms whose specifications are silent, with the reason."""
     return {platform: Promise(bound, reason, assumed=True) for platform in platforms}
 
 
@@ -211,7 +211,7 @@ CORRECT = promised(Rounded())
 COMMON = promised(Rounded(), silent(Rounded(), _NO_WORD, "direct3d", "opengl", "es"))
 """Functions that return a whole number, an operand or a sign."""
 EXACT = promised(Exact())
-"""Integers, conditions, bit patterns, and what is only moved to another place."""
+"""Integers, conditions, bit patterns, and values that are only moved to another place."""
 INHERITED = promised(Inherited(), silent(Inherited(), _WRITTEN_OUT, "direct3d"))
 """Functions that the specifications define by other operations, or that Burnish expands."""
 

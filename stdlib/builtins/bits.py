@@ -26,7 +26,10 @@ def _intersection(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _difference(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """If no operand is negative, the highest bit of the operands is the highest of the result."""
+    """The range of an exclusive or.
+
+    If no operand is negative, the highest bit of the operands is the highest of the result.
+    """
     kind = facts[0].kind
     if any(fact.lo < 0 for fact in facts):
         return Fact().as_kind(kind)
@@ -56,7 +59,7 @@ def _shifted_right(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _shifts(facts: tuple[Fact, ...]) -> bool:
-    """Whether all backends agree: they do for a ``uint`` below 32."""
+    """True where all backends agree: for a ``uint`` below 32."""
     amount = facts[1]
     return amount.kind == "uint" and amount.hi < BITS
 
@@ -70,7 +73,7 @@ def _is_number(facts: tuple[Fact, ...]) -> bool:
 
 
 def _are_numbers(facts: tuple[Fact, ...]) -> bool:
-    """Whether the bits are those of a number that is not zero, subnormal, infinite or NaN."""
+    """True if the bits are those of a number that is not zero, subnormal, infinite or NaN."""
     (x,) = facts
     return x.within(0x00800000, 0x7F7FFFFF) or x.within(0x80800000, 0xFF7FFFFF)
 

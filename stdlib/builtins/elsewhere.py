@@ -1,4 +1,4 @@
-"""The names of functions in other shading languages, and what to write here instead of them.
+"""The names of functions in other shading languages, and their replacements here.
 
 Every function of GLSL 4.50 and ES 3.00 (chapter 8), of HLSL (the list of intrinsics) and of WGSL
 (chapter "Built-in Functions") either is a builtin with the same name, or is in this table. The
@@ -18,7 +18,7 @@ TEXTURE = "albedo"
 
 @frozen
 class Instead:
-    """What to write here for a name of another language."""
+    """The replacement here for a name of another language."""
 
     written: tuple[str, ...] = ()
     """Expressions with the same meaning, one for each result.
@@ -27,7 +27,7 @@ class Instead:
     ``u`` and ``k`` uints, ``v`` and ``w`` vec3, ``p`` and ``q`` vec4, ``c`` and ``d`` bvec3, ``a``
     and ``b`` mat3. There are also the ``TEXTURE`` and the surface's ``uv``."""
     reason: str = ""
-    """Why there is no such expression, or what else to know."""
+    """The reason why there is no such expression, or further advice."""
 
     @property
     def hint(self) -> str:
@@ -38,7 +38,7 @@ class Instead:
 
     @property
     def is_read(self) -> bool:
-        """Whether the name is a function that reads a texture."""
+        """True if the name is a function that reads a texture."""
         return any(expression.startswith(TEXTURE) for expression in self.written)
 
     def hint_for(self, texture: str) -> str:

@@ -1,4 +1,4 @@
-"""``Fact``: what range analysis knows about a value, namely an interval and the length of a vector.
+"""``Fact``: the result of range analysis for a value, an interval and the length of a vector.
 
 The range rules of builtins compute the fact of a result from the facts of the operands. Other
 compilers call facts value ranges.
@@ -16,12 +16,17 @@ LARGEST_FLOAT = 2.0**128 - 2.0**104
 SMALLEST_NORMAL = 2.0**-126
 """A device may flush smaller magnitudes to zero, so Burnish defines them to count as zero."""
 ULP = 2.0**-23
-"""The largest unit in the last place of a float32, relative to the number: so far a rounded number
-may be from the exact one, if it may be either neighbour."""
+"""The largest unit in the last place of a float32, relative to the number.
+
+A rounded number may be as far as this from the exact one, if it may be either neighbour.
+"""
 
 UNIT_SLACK = 1e-5
-"""By how much float32 rounding may lengthen a vector of length one: a few ulp for each operation,
-and enough for several of them. Because of it, ``acos(dot(n, l))`` keeps the clamp that it needs."""
+"""The length that float32 rounding may add to a vector of length one.
+
+It is a few ulp for each operation, and enough for several of them. Because of it, ``acos(dot(n,
+l))`` keeps the clamp that it needs.
+"""
 
 Kind = Literal["float", "int", "uint", "bool", "matrix"]
 
@@ -41,25 +46,30 @@ class Fact:
     lo: float = -math.inf
     hi: float = math.inf
     nonzero: bool = False
-    """Whether every lane's magnitude is at least ``SMALLEST_NORMAL``."""
+    """True if every lane's magnitude is at least ``SMALLEST_NORMAL``."""
     unit: bool = False
-    """Whether the value is a vector of length one, by declaration or by construction, up to
-    rounding. It is shorter only if ``normalize`` got a vector that is too short to have a
-    direction."""
+    """True if the value is a vector of length one, up to rounding.
+
+    It is so by declaration or by construction. It is shorter only if ``normalize`` got a vector
+    that is too short to have a direction.
+    """
     length: float = 0.0
     """The value is a vector of at least this length, before rounding."""
     kind: Kind = "float"
-    """The type of the lanes. The analysis sets it from the value's type (``as_kind``). Rules need
-    it, because integers wrap, and a product of matrices is not a product lane by lane."""
+    """The type of the lanes.
+
+    The analysis sets it from the value's type (``as_kind``). Rules need it, because integers wrap,
+    and a product of matrices is not a product lane by lane.
+    """
 
     @property
     def excludes_zero(self) -> bool:
-        """Whether no lane can be zero, nor so small that a device may flush it to zero."""
+        """True if no lane can be zero, nor so small that a device may flush it to zero."""
         return self.nonzero or self.lo >= SMALLEST_NORMAL or self.hi <= -SMALLEST_NORMAL
 
     @property
     def positive(self) -> bool:
-        """Whether every lane is above zero, and not so small that a device may flush it."""
+        """True if every lane is above zero, and not so small that a device may flush it."""
         return self.lo >= SMALLEST_NORMAL or (self.nonzero and self.lo >= 0)
 
     @property
@@ -80,12 +90,14 @@ class Fact:
         return lo if lo == hi else f"between {lo} and {hi}"
 
     def within(self, lo: float, hi: float) -> bool:
-        """Whether every lane lies in [lo, hi]."""
+        """True if every lane lies in [lo, hi]."""
         return lo <= self.lo and self.hi <= hi
 
     def as_kind(self, kind: Kind) -> Fact:
-        """This fact for lanes of type ``kind``; if an integer cannot hold the bounds, it may
-        wrap."""
+        """Converts the fact to lanes of type ``kind``; if an integer may wrap, all is unknown.
+
+        An integer may wrap if it cannot hold the bounds.
+        """
         if self.kind == kind == "float":
             return self
         lo, hi = _LIMITS[kind]
@@ -96,7 +108,7 @@ class Fact:
         return Fact(lo, hi, kind=kind)
 
     def union(self, other: Fact) -> Fact:
-        """What is known about a value that is one of the two."""
+        """The fact of a value that is one of two values with these facts."""
         return Fact(
             min(self.lo, other.lo),
             max(self.hi, other.hi),
@@ -107,7 +119,7 @@ class Fact:
         )
 
     def meet(self, other: Fact) -> Fact:
-        """What is known about a value for which both facts hold; if they contradict, this fact."""
+        """The fact of a value for which both facts hold; if they contradict, this fact."""
         lo, hi = max(self.lo, other.lo), min(self.hi, other.hi)
         if lo > hi:
             return self

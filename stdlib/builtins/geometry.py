@@ -18,13 +18,15 @@ _WHOLE_PAIR = tuple(
 )
 _NARROWEST, _WIDEST = 2, 4
 _SUM_ERROR = relative(*[CORRECT] * _WIDEST)
-"""Of a sum of as many products in any order, as a part of the sum of their magnitudes: each is
-rounded once, and then with every term that is added to it."""
+"""The error of a sum of as many products in any order, as a part of their magnitudes' sum.
+
+Each product is rounded once, and then with every term that is added to it.
+"""
 _FLUSHED = _WIDEST * SMALLEST_NORMAL
-"""What such a sum may lose besides, where products are flushed to zero."""
+"""The further loss of such a sum, where products are flushed to zero."""
 _LENGTH_ERROR = (1.0 + _SUM_ERROR) * (1.0 + ROOT_ERROR) - 1.0
 SHORTEST = 2.0**-60
-"""The least length whose square is far above what a device may flush to zero."""
+"""The least length whose square is far above the numbers that a device may flush to zero."""
 
 
 def _is_float(facts: tuple[Fact, ...]) -> bool:
@@ -47,8 +49,10 @@ def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
 
 
 UNIT_PRODUCT = Fact(-1.0 - UNIT_SLACK, 1.0 + UNIT_SLACK)
-"""The range of the product of two vectors of length one. Rounding may make it larger than 1, so
-``acos`` keeps its clamp."""
+"""The range of the product of two vectors of length one.
+
+Rounding may make it larger than 1, so ``acos`` keeps its clamp.
+"""
 
 
 def _outer(facts: tuple[Fact, ...], _same: bool) -> Fact:

@@ -15,7 +15,10 @@ from .weakest import absolute, relative
 _FLOATS = ("T -> T",)
 _INSTRUCTION = "DXIL has an instruction without a limit of its error; the definition is assumed"
 _FLAT = 16.0
-"""From here on tanh is 1 in float32; far beyond, the quotient of exponentials would overflow."""
+"""The operand from which on tanh is 1 in float32.
+
+Far beyond it, the quotient of exponentials would overflow.
+"""
 
 
 TANH = inherited("sinh(x) / cosh(x)", 1e-5, direct3d=_INSTRUCTION)
@@ -33,7 +36,7 @@ _TANH_ERROR = max(
     * (1.0 + relative(QUOTIENT, CORRECT))
     - 1.0,
 )
-"""Farther out the result is 1; the quotient is off by what both functions are off by."""
+"""The error where the result is not 1 yet: both functions' errors count in the quotient."""
 
 
 def _tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:

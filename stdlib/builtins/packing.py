@@ -10,8 +10,10 @@ _LARGEST_HALF = 65504.0
 
 
 def _quantized(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """Rounding never decreases, and changes a value by at most half a step: 2^-11 of it, or
-    2^-25."""
+    """The range after quantisation.
+
+    Rounding never decreases, and changes a value by at most half a step: 2^-11 of it, or 2^-25.
+    """
     (x,) = facts
     lo, hi = (min(max(bound, -_LARGEST_HALF), _LARGEST_HALF) for bound in (x.lo, x.hi))
     lowest = 0.0 if lo >= 0 else lo - (-lo * 2.0**-11 + 2.0**-25)

@@ -21,23 +21,28 @@ MeaningRule = Literal[
 """``numbers`` come out as mere numbers; ``lanes`` and ``limits`` leave colours what they are."""
 
 RangeRule = Callable[[tuple[Fact, ...], bool], Fact]
-"""From the operands' facts, and whether all operands are the same node, to the result's fact."""
+"""A function from the operands' facts to the result's fact.
+
+It is also told whether all operands are the same node.
+"""
 
 SamplerUse = Literal["filtering", "comparison"]
-"""How a sampler reads: mixing texels, or mixing the results of comparisons with them."""
+"""The way in which a sampler reads: it mixes texels, or the results of comparisons with them."""
 
 Domain = Callable[[tuple[Fact, ...]], bool]
-"""Whether operands within these facts lie where something holds of an operation."""
+"""A predicate of facts: operands within them lie where something holds of an operation."""
 
 
 GroupPart = Literal["all", "through", "before"]
-"""Whose values are joined: those of all invocations of a work group, of those up to an invocation
-and itself, or of those before it."""
+"""The invocations of a work group whose values are joined.
+
+They are all of them, those up to an invocation and itself, or those before it.
+"""
 
 
 @frozen
 class OfGroup:
-    """How a builtin joins what the invocations of a work group have as its operand."""
+    """A builtin that joins the values of its operand in all invocations of a work group."""
 
     part: GroupPart
     joins: str
@@ -87,45 +92,69 @@ class Builtin:
     operator: str = ""
     """Infix or prefix spelling common to all targets; empty for functions."""
     domain: Domain = everywhere
-    """Where the operation means the same in every language: where its operands lie within what the
-    mathematical function, or the machine's operation, is defined for. A language in which it does
-    not says so in its profile (``Profile.agrees``)."""
+    """The operands for which the operation means the same in every language.
+
+    They lie within what the mathematical function, or the machine's operation, is defined for. A
+    language in which it does not says so in its profile (``Profile.agrees``).
+    """
     needs: str = ""
-    """What ``domain`` asks of the operands, in words, for proofs; empty where there
-    is nothing to prove, since types alone decide or the domain is ``nowhere``."""
+    """The condition of ``domain`` on the operands, in words, for proofs.
+
+    It is empty where there is nothing to prove, since types alone decide or the domain is
+    ``nowhere``.
+    """
     outside: str = ""
     """The meaning outside the naive domain, for the manual."""
     expansion: str = ""
-    """Function of ``stdlib/meaning.burnish`` that has the defined meaning everywhere; used where
-    ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own ``f``."""
+    """Function of ``stdlib/meaning.burnish`` that has the defined meaning everywhere.
+
+    It is used where ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own
+    ``f``.
+    """
     by_profile: Domain = nowhere
-    """Where, outside of ``domain``, some language defines the operation as Burnish does: there the
-    call is left to ``targets/legalise``, which looks at what the profile promises."""
+    """Operands outside of ``domain`` for which some language defines the operation as Burnish.
+
+    The call is then left to ``targets/legalise``, which looks at the promises of the profile.
+    """
     is_promise: bool = False
-    """Whether it says what a host promises of its operand, and computes nothing: ``guard`` decides
-    by its range, and then puts the operand in its place."""
+    """True if it states a host's promise about its operand, and computes nothing.
+
+    ``guard`` decides by its range, and then puts the operand in its place.
+    """
     definition: str = ""
-    """Function of ``stdlib/meaning.burnish`` that says the same in other operations, for profiles
-    whose language lacks this one, or has it otherwise (``Profile.lacks``, ``Profile.agrees``)."""
+    """Function of ``stdlib/meaning.burnish`` that says the same in other operations.
+
+    It is for profiles whose language lacks this one, or has it otherwise (``Profile.lacks``,
+    ``Profile.agrees``).
+    """
     range: RangeRule = anything
     accuracy: Accuracy = INHERITED
     meaning: MeaningRule = "lanes"
-    """How the operands' meanings make that of the result: a rule of ``meaning_rules.py``."""
+    """The rule of ``meaning_rules.py`` by which the operands' meanings make that of the result."""
     cost: int = 1
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
     short_circuits: bool = False
-    """Of single bools, leaves its second operand out where the first one decides."""
+    """True if, for single bools, the second operand is left out where the first one decides."""
     uniform_control_flow: bool = False
-    """Needs neighbours' values (derivatives, implicit level of detail), or those of all other
-    invocations of a work group."""
+    """True if it needs neighbours' values, or those of all other invocations of a work group.
+
+    Neighbours' values are needed by derivatives, and by an implicit level of detail.
+    """
     of_group: OfGroup | None = None
-    """For what joins the values of a work group, how: it exists in kernels, and only there."""
+    """The way in which it joins the values of a work group, if it does.
+
+    It then exists in kernels, and only there.
+    """
     method: str | None = None
-    """For reads of textures, how they are written: ``level`` in ``albedo.level(uv, 2)``, and empty
-    for ``albedo(uv)``."""
+    """The name in a read of a texture: ``level`` in ``albedo.level(uv, 2)``.
+
+    It is empty for ``albedo(uv)``, and ``None`` for other builtins.
+    """
     parameters: tuple[str, ...] = ()
-    """For reads, what the operands behind the texture are called; a layer, which only arrays have,
-    would stand second."""
+    """For reads, the names of the operands behind the texture.
+
+    A layer, which only arrays have, would stand second.
+    """
     optional: tuple[int, ...] = ()
     """For reads, the integers that the last operands are where they are left out."""
     sampler: SamplerUse | None = None
@@ -137,5 +166,5 @@ class Builtin:
 
     @property
     def compares_pixels(self) -> bool:
-        """Whether it needs the values of neighbouring pixels."""
+        """True if it needs the values of neighbouring pixels."""
         return self.uniform_control_flow and self.of_group is None

@@ -1,8 +1,8 @@
-"""What other APIs call the words for the state of pipelines and samplers: comparisons, factors,
-and the settings themselves.
+"""Words of other APIs for the state of pipelines and samplers.
 
-The hints for unknown words are made from it: ``GL_LEQUAL`` is ``less_equal`` here. WebGPU's words
-are those of the language, with ``-`` for ``_``.
+They are comparisons, factors, and the settings themselves. The hints for unknown words are made
+from it: ``GL_LEQUAL`` is ``less_equal`` here. WebGPU's words are those of the language, with ``-``
+for ``_``.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ _PREFIX = re.compile(
     r"|d3d1[12]_(comparison(_func)?|blend(_op)?|stencil_op|cull(_mode)?|fill(_mode)?"
     r"|texture_address(_mode)?)_"
 )
-"""What the names of OpenGL, Vulkan and Direct3D begin with."""
+"""The prefixes of names of OpenGL, Vulkan and Direct3D."""
 _SUFFIX = re.compile(r"_(bit|color)$")
 
 _OF_DIRECT3D = re.compile(r"d3d1[12]_stencil_op_(in|de)cr$")
-"""What wraps in Direct3D, although OpenGL's words like these clamp."""
+"""The operations that wrap in Direct3D, although OpenGL's words like these clamp."""
 
 _WORDS: Mapping[str, str] = MappingProxyType(
     {
@@ -51,11 +51,11 @@ _WORDS: Mapping[str, str] = MappingProxyType(
         "passop": "pass",
     }
 )  # fmt: skip
-"""Without what they begin or end with, in small letters."""
+"""The words here, by those elsewhere without prefix and suffix, in small letters."""
 
 
 def word_here(name: str) -> str:
-    """What such a word may be called here: ``GL_LEQUAL`` and ``less-equal`` are ``less_equal``.
+    """The word here for such a name: ``GL_LEQUAL`` and ``less-equal`` are ``less_equal``.
 
     A word of which nothing is known stays as it is, in small letters.
     """

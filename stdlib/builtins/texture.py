@@ -14,19 +14,22 @@ FILTERED = promised(Inherited("the device's bits for positions within a texel an
 
 
 def _all_zero(facts: tuple[Fact, ...]) -> bool:
-    """Whether coordinate, layer and level are 0, which every texture has."""
+    """True if coordinate, layer and level are 0, which every texture has."""
     return all(fact.lo == fact.hi == 0.0 for fact in facts[1:])
 
 
 def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
-    """Whether a reference is in 0..1; formats treat other references differently."""
+    """True if a reference is in 0..1; formats treat other references differently."""
     return facts[-1].within(0.0, 1.0)
 
 
 FILTER_SLACK = 2.0**-20
-"""By how much a blend of zeros and ones may exceed 1, since a device rounds its weights and sums.
-``compiler/reference/picture/blending.py`` allows 5 * 2^-24 for each of two axes. It is not below 0:
-what is taken away is at most what is there, as weights have far fewer places than floats."""
+"""The part by which a blend of zeros and ones may exceed 1.
+
+A device rounds its weights and sums. ``compiler/reference/picture/blending.py`` allows 5 * 2^-24
+for each of two axes. It is not below 0: no more is taken away than there is, as weights have far
+fewer places than floats.
+"""
 
 
 def _share(_facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -40,7 +43,7 @@ def _results(_facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _counted(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """At least one, and no more than any device allows."""
+    """The range of a count: at least one, and no more than any device allows."""
     return Fact(1.0, 65536.0, nonzero=True)
 
 

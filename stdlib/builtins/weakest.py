@@ -20,7 +20,7 @@ from .facts import ULP
 def relative(*steps: Accuracy, operand: float = 0.0) -> float:
     """The largest error of operations in turn, as a part of the result; absolute errors aside.
 
-    ``operand`` is the magnitude of what the errors may depend on.
+    ``operand`` is the magnitude of the operand on which the errors may depend.
     """
     whole = 1.0
     for step in steps:
@@ -60,4 +60,4 @@ def _relative(error: Error, operand: float) -> float:
 
 
 ROUNDING = relative(CORRECT)
-"""The largest error of what is correctly rounded: it may be either neighbour."""
+"""The largest error of a correctly rounded result: it may be either neighbour."""

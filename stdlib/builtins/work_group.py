@@ -1,4 +1,4 @@
-"""Rows for what the invocations of a kernel compute together, one work group at a time."""
+"""Rows for values that the invocations of a kernel compute together, one work group at a time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every kind of diagnostic, declared once: code, severity, message and what the rule teaches.
+"""Every kind of diagnostic, declared once: code, severity, message, and explanation of the rule.
 
 There is a file of rows for each section of docs/diagnostics.md. Whoever reports something finds its
 row as an attribute of this package, whatever section it is in.

@@ -1,4 +1,4 @@
-"""B02: what names stand for."""
+"""B02: the meanings of names."""
 
 from __future__ import annotations
 

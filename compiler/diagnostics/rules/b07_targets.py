@@ -1,4 +1,4 @@
-"""B07: what targets do not have, and the tools that check their texts."""
+"""B07: features that targets lack, and the tools that check their texts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the files of this package declare a diagnostic: an error or a warning."""
+"""Makes the rows of diagnostics in this package: errors and warnings."""
 
 from __future__ import annotations
 

@@ -24,10 +24,16 @@ from .vocabulary import a, abs_, b, c, floor, max_, mix, pow_, sqrt, transpose, 
 from .whole_numbers import MAY_BE_WHOLE, is_whole_number
 
 LARGEST_EXPONENT = 100
-"""Of powers of two: neither these nor their reciprocals come near the subnormal numbers."""
+"""The largest exponent of powers of two that rules combine.
+
+Neither these nor their reciprocals come near the subnormal numbers.
+"""
 LARGEST_DIVISOR = 512.0
-"""Of whole numbers that a half is added to. Where float64 has no halves beside them any more, it
-has no quotients by these either that are closer to a whole number than to the next float64."""
+"""The largest divisor among whole numbers to whose quotients a half is added.
+
+Where float64 has no halves beside them any more, it has no quotients by these either that are
+closer to a whole number than to the next float64.
+"""
 
 
 # --- quotients -----------------------------------------------------------------------------------
@@ -35,7 +41,7 @@ has no quotients by these either that are closer to a whole number than to the n
 
 @computed
 def _reciprocal(builder: Builder, _type: Type, divisor: Node) -> Node | None:
-    """Of a power of two, which has an exact one."""
+    """The reciprocal of a power of two, which has an exact one."""
     number = uniform_lane(divisor)
     if number is None:
         return None
@@ -47,10 +53,10 @@ def _reciprocal(builder: Builder, _type: Type, divisor: Node) -> Node | None:
 
 @condition(f"{{}} is a whole number in 2..{LARGEST_DIVISOR:g}")
 def _is_small_divisor(_builder: Builder, _type: Type, divisor: Node) -> bool:
-    """Whether quotients by a constant are apart from whole numbers where they should be.
+    """True if quotients by a constant are apart from whole numbers where they should be.
 
-    With a quarter more, no error of 2.5 ulp reaches a whole number where the dividend is below
-    2^22 / 5. From 2^23 on, float32 has neither quarters nor halves, and the sum is rounded to the
+    With a quarter more, no error of 2.5 ulp reaches a whole number where the dividend is below 2^22
+    / 5. From 2^23 on, float32 has neither quarters nor halves, and the sum is rounded to the
     dividend: nothing changes there.
     """
     number = uniform_lane(divisor)

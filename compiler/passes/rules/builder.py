@@ -1,4 +1,4 @@
-"""What rules know of nodes, and build them with."""
+"""The interface between rules and nodes: rules ask about nodes, and build them."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from ...reference.operations import constant_lanes
 
 
 class Builder:
-    """Builds nodes for rules. ``Simplifier`` is the one that simplifies what it builds."""
+    """Builds nodes for rules. A ``Simplifier`` also simplifies the nodes that it builds."""
 
     def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
         self.graph = graph
         self.ranges = ranges
         self.notes = notes
         self.steady: dict[Node, bool] = {}
-        """Whether values are the same for all pixels of a triangle (``differences``)."""
+        """By value: is it the same for all pixels of a triangle (``differences``)?"""
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None

@@ -22,7 +22,10 @@ from .vocabulary import c, d, x
 LARGEST_TERM = 1024.0
 """Larger constants are left alone: adding one and subtracting it again may be there to round."""
 LARGEST_FACTOR = 1e15
-"""With factors up to this, and not below its inverse, no product of two of them leaves float32."""
+"""The largest factor; the smallest is its inverse.
+
+No product of two such factors leaves float32.
+"""
 
 
 def _magnitudes(*constants: Node) -> Iterator[float]:
@@ -44,6 +47,8 @@ def _are_factors(_builder: Builder, type_: Type, one: Node, other: Node) -> bool
 
 
 # --- sums ----------------------------------------------------------------------------------------
+# The rules at the end find the chain and compute the constant; these functions write what is left:
+# without a term of 0, and as a difference where the constant is negative.
 
 
 @computed
@@ -81,6 +86,7 @@ def _from(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -
 
 
 # --- products ------------------------------------------------------------------------------------
+# Here a factor of 1 leaves the value itself, by the rule for such products.
 
 
 @computed
@@ -101,12 +107,16 @@ def _over(builder: Builder, type_: Type, inner: Node, value: Node, divisor: Node
 
 @computed
 def _quotient(builder: Builder, type_: Type, dividend: Node, divisor: Node) -> Node | None:
-    """A constant over another one, of floats only: whole numbers would lose what remains."""
+    """A constant over another one, for floats only: whole numbers would lose the remainder."""
     if scalar_kind(type_) != "float":
         return None
     wide = dividend.type if isinstance(dividend.type, Vector) else divisor.type
     return builder.call("div", wide, dividend, divisor)
 
+
+# --- rules ---------------------------------------------------------------------------------------
+# ``_SUM @ (x + c)`` gives the inner operation a name, so that a rule can ask whether the user named
+# it. Rules are for calls only: hardware operations round where their expansions want it.
 
 _SUM, _PRODUCT = Variable("s"), Variable("p")
 _ARE_NO_MATRICES = tuple(map(is_no_matrix, (x, c, d)))

@@ -25,7 +25,7 @@ from .terms import CONSTANT, Several, Variable, computed, condition, function
 from .vocabulary import c, cs, lanes, splat, swizzle, vector
 
 DEEPEST = 4
-"""So many operations are looked through for the value of a single lane."""
+"""The number of nested operations that are looked through for the value of a single lane."""
 
 _LANEWISE = (
     "add", "sub", "mul", "div", "mod", "neg", "abs", "min", "max", "clamp", "saturate", "mix",
@@ -45,7 +45,7 @@ def _is_foldable(_builder: Builder, type_: Type, name: str, operands: tuple[Node
 
 
 def _is_constant(node: Node) -> bool:
-    """Whether an operand is a constant; a matrix is made of constant columns."""
+    """True if an operand is a constant; a matrix is made of constant columns."""
     return node.op == "constant" or all(column.op == "constant" for column in node.operands)
 
 
@@ -63,7 +63,7 @@ def _lanes_of(node: Node) -> Lanes:
 
 
 def constant_of(b: Builder, type_: Type, values: Lanes) -> Node:
-    """What was computed, as a constant that float32 holds; of a matrix, its columns.
+    """The result of a computation, as a constant that float32 holds; of a matrix, its columns.
 
     Overflow is outside of what programs mean, but every compiler has to take the text: Tint and
     naga refuse constants beyond the largest number, and an expression that comes to one.
@@ -105,7 +105,7 @@ def _filled(builder: Builder, type_: Type, lane: Node) -> Node:
 
 
 def _is_split(node: Node) -> bool:
-    """Whether a constant vector is joined lane by lane: ``vec3(0.8)`` is shorter as it is."""
+    """True if a constant vector is joined lane by lane: ``vec3(0.8)`` is shorter as it is."""
     if node.op != "constant" or not isinstance(node.type, Vector):
         return False
     return node.type.size == 2 or uniform_lane(node) is None

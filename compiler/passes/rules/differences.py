@@ -11,14 +11,14 @@ from .terms import condition, function
 from .vocabulary import x
 
 _VARYING = frozenset({"input", "attribute", "formal", "bound"})
-"""What may be different for the next pixel, besides what is interpolated."""
+"""Operations that may have another value for the next pixel, besides interpolated varyings."""
 
 
 @condition("{} is the same for all pixels of a triangle")
 def _is_steady(builder: Builder, _type: Type, value: Node) -> bool:
-    """Whether a value is the same for all pixels of a triangle.
+    """True if a value is the same for all pixels of a triangle.
 
-    Each node is looked at once, however many differences are taken of what needs it.
+    Each node is looked at once, however many differences are taken of values that need it.
     """
     steady = builder.steady
     pending = [value]

@@ -17,11 +17,16 @@ from .terms import Several, Variable, computed, condition
 from .vocabulary import c, d, fold, iterate, loop
 
 UNROLLED = 2
-"""Loops of at most so many turns are written out, if they come to no more operations than
-``LARGEST_UNROLLED``."""
+"""The number of iterations up to which loops are unrolled.
+
+They may not come to more operations than ``LARGEST_UNROLLED``.
+"""
 LARGEST_UNROLLED = 1024
-"""Loops in loops double with each level that is written out, so this has to end somewhere: the
-levels further out stay loops."""
+"""The largest number of operations of an unrolled loop.
+
+Loops in loops double with each level that is unrolled, so this has to end somewhere: the levels
+further out stay loops.
+"""
 MOST_UNROLLED = 4
 """Loops of up to so many turns are written out if they come to no more than ``UNROLLED_COST``."""
 UNROLLED_COST = 12
@@ -29,11 +34,11 @@ LONGEST_FIXED = 4096
 """Loops of constants are computed when compiling if they come to no more operations."""
 
 _COMPUTED = with_role("constant", "join", "part", "choice") | {"call"}
-"""What the reference computes for constants."""
+"""The operations that the reference computes for constants."""
 
 
 def _turns(count: Node, loop: Folding | Iterating) -> int | None:
-    """How often a loop turns, where that is known; no count may be above its bound."""
+    """The trip count of a loop, where it is known; no count may be above the loop's bound."""
     if loop.bound == 0:
         return 0
     if count.op != "constant" or not isinstance(count.data, int):
@@ -47,7 +52,7 @@ def _never_turns(_builder: Builder, _type: Type, count: Node, loop: Folding | It
 
 
 def _is_closed(count: Node, loop: Folding | Iterating, parts: Iterable[Node]) -> bool:
-    """Whether a loop computes with constants and its own variables, and not for too long."""
+    """True if a loop computes with constants and its own variables, and not for too long."""
     turns, variables = _turns(count, loop), loop.variables
     if turns is None or count.op != "constant":
         return False
@@ -89,7 +94,7 @@ def _fold_is_closed(_builder: Builder, _type: Type, count: Node, loop: Folding, 
 def _folded(
     builder: Builder, type_: Type, count: Node, start: Node, term: Node, loop: Folding
 ) -> Node:
-    """What a fold comes to."""
+    """The constant result of a fold."""
     folded = builder.graph.node("fold", type_, (count, start, term), loop)
     return constant_of(builder, type_, evaluate(folded))
 
@@ -116,7 +121,7 @@ def _written_out(
 # --- loops over states ---------------------------------------------------------------------------
 
 Parts = tuple[Node, ...]
-"""Of a loop over states: what they start with, whether it goes on, and what becomes of them."""
+"""The parts of a loop over states: initial states, loop condition, and next states."""
 
 
 def _starts(loop: Iterating, parts: Parts) -> Parts:
@@ -192,10 +197,10 @@ def _turned(builder: Builder, type_: Type, count: Node, parts: Parts, loop: Iter
 
 
 def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Formal]) -> bool:
-    """Whether a loop is so short, in turns or in operations, that it is better written out.
+    """True if a loop is so short, in iterations or in operations, that it is better unrolled.
 
-    A loop in it is not copied. Only what changes from turn to turn counts, and is looked at only
-    so far as to know that it is too much.
+    A loop in it is not copied. Only operations that change from iteration to iteration count, and
+    the search ends as soon as there are too many.
     """
     if turns is None or turns > MOST_UNROLLED:
         return False

@@ -36,9 +36,9 @@ from .terms import (
 Apply = Callable[[Builder, Op, Type, tuple[Node, ...], Hashable], Node | None]
 """Gives the simpler value of an operation with this type, these operands and this data, if any."""
 Values = Sequence[Any]
-"""What names stand for, by their places."""
+"""The values of the names in a rule, by their places."""
 Step = Callable[[list[Any]], bool]
-"""Whether one more part looks like its term; may add the parts of that to the values."""
+"""Matches one more part against its term; it may add the parts of that to the values."""
 Maker = Callable[[Builder, Type, Values], Any]
 """Makes a value for a result of this type; ``None`` if there is none."""
 Opening = Callable[[tuple[Node, ...], Hashable], list[Any]]
@@ -57,10 +57,10 @@ class Case:
     right: Term
     where: tuple[Condition, ...]
     of_calls: bool
-    """Whether the operations on the left have to be calls."""
+    """True if the operations on the left have to be calls."""
 
     def admits(self, heads: tuple[Hashable, ...]) -> bool:
-        """Whether operands with these heads can match."""
+        """True if operands with these heads can match."""
         terms = self.left.operands
         if terms and isinstance(rest := terms[-1], Several):
             terms = terms[:-1]
@@ -91,7 +91,7 @@ def orders(operation: Operation) -> Iterator[Operation]:
 
 
 def heads_of(term: Term) -> Heads | None:
-    """The heads of what a term can stand for."""
+    """The heads of the values that a term can stand for."""
     match term:
         case Variable(heads=heads):
             return heads
@@ -117,11 +117,11 @@ class _Matching:
         self._count = 0
         self._steps: list[Step] = []
         self._are_operands = not _takes_more(left)
-        """Whether the operands are all values that there are."""
+        """True if the operands are all values that there are."""
         self._begin = self._opened(left, is_root=True)
 
     def applying(self, right: Term, where: tuple[Condition, ...]) -> Apply:
-        """What replaces an operation by the right side."""
+        """A function that replaces an operation by the right side."""
         begin, steps, of_calls = self._begin, tuple(self._steps), self._of_calls
         are_operands = self._are_operands and not steps
         conditions, make = tuple(map(self._made, where)), self._result(right)
@@ -173,7 +173,10 @@ class _Matching:
         return opened
 
     def _look(self, term: Term, place: int, is_told: bool) -> None:
-        """Ask of a value what a term says; where ``is_told``, its head is known to be right."""
+        """Makes steps that ask a value for the properties in a term.
+
+        Where ``is_told``, its head is known to be right.
+        """
         heads = heads_of(term)
         if heads is not None and not is_told:
             self._steps.append(lambda values: values[place].head in heads)
@@ -188,7 +191,7 @@ class _Matching:
                 self._look_into(term, place)
 
     def _look_into(self, operation: Operation, place: int) -> None:
-        """Ask of the operands of a value what the terms of an operation say."""
+        """Makes steps that ask the operands of a value for the properties in their terms."""
         count = None if _ends_in_several(operation.operands) else len(operation.operands)
         of_calls = self._of_calls
 
@@ -213,7 +216,7 @@ class _Matching:
     # --- the right side --------------------------------------------------------------------------
 
     def _result(self, term: Term) -> Maker:
-        """What makes the value of the whole right side."""
+        """A function that makes the value of the whole right side."""
         match term:
             case Variable(name=name):
                 place = self._places[name]
@@ -226,7 +229,7 @@ class _Matching:
                 return self._value(term)
 
     def _value(self, term: Term | Function) -> Maker:
-        """What gives, or makes, the value of a part of the right side or of a condition."""
+        """A function that gives, or makes, the value of a part of the right side or condition."""
         match term:
             case Function(heads=(head,)):
                 return lambda _builder, _type, _values: head
@@ -243,7 +246,7 @@ class _Matching:
                 raise TypeError(term)
 
     def _made(self, term: Computed | Condition) -> Maker:
-        """What calls a function with its arguments."""
+        """A function that calls that of the term with its arguments."""
         function, arguments = term.function, term.arguments
         places = [self._places[each.name] for each in arguments if isinstance(each, _NAMED)]
         if len(arguments) == len(places) == 1:  # most of them
@@ -266,7 +269,7 @@ class _Matching:
         return made
 
     def _operation(self, term: Operation, is_whole: bool = False) -> Maker:
-        """What makes an operation: a builtin, or another one, which has the type of the result."""
+        """A function that makes an operation. It is a builtin, or has the type of the result."""
         operands_of, function = self._operands(term.operands), term.function
         if function.heads[0] not in _OPS:
             return self._call(self._value(function), operands_of, is_whole)
@@ -281,7 +284,11 @@ class _Matching:
         return made
 
     def _call(self, name_of: Maker, operands_of: Maker, is_whole: bool) -> Maker:
-        """What makes a call: of the type of the result, or within that, of the one that follows."""
+        """A function that makes a call.
+
+        The whole right side has the type of the result; a part of it has the type that follows from
+        its operands.
+        """
 
         def made(builder: Builder, type_: Type, values: Values) -> Node | None:
             operands = operands_of(builder, type_, values)
@@ -299,7 +306,7 @@ class _Matching:
         return made
 
     def _operands(self, terms: tuple[Term, ...]) -> Maker:
-        """What makes operands; a number is as wide as the operand before it."""
+        """A function that makes operands; a number is as wide as the operand before it."""
         parts = [
             (term.value, None) if isinstance(term, Uniform) else (0, self._value(term))
             for term in terms
@@ -326,10 +333,10 @@ def _ends_in_several(terms: tuple[Term, ...]) -> bool:
 
 
 def _takes_data(function: Function) -> bool:
-    """Whether an operation's data has a name: it tells which of several builtins it is."""
+    """True if an operation's data has a name: it tells which of several builtins it is."""
     return function.data is not None or len(function.heads) > 1
 
 
 def _takes_more(left: Operation) -> bool:
-    """Whether more values than the operands have names."""
+    """True if more values than the operands have names."""
     return _takes_data(left.function) or _ends_in_several(left.operands)

@@ -35,7 +35,7 @@ def equations(rule: Rule) -> tuple[str, ...]:
 
 
 def conditions(rule: Rule) -> str:
-    """What has to hold for them, in words."""
+    """The conditions of the rule's equations, in words."""
     kinds = [kind for left, _ in rule.equations for kind in _kinds(left)]
     calls = ["none is a hardware operation yet"] if rule.of_calls else []
     return ", ".join(dict.fromkeys([*kinds, *map(_condition, rule.conditions), *calls]))
@@ -46,7 +46,7 @@ def _condition(condition: Condition) -> str:
 
 
 def _kinds(term: Term | Function) -> Iterator[str]:
-    """What is said of the names in a term by their kinds; ``c`` and ``d`` are always constants."""
+    """The conditions on the kinds of the names in a term; ``c`` and ``d`` are always constants."""
     match term:
         case Function(name=name, heads=heads) if len(heads) > 1:
             yield from _among(name, frozenset(heads))
@@ -63,7 +63,7 @@ def _kinds(term: Term | Function) -> Iterator[str]:
 
 
 def _among(name: str, heads: Heads) -> Iterator[str]:
-    """That a name stands for one of these operations."""
+    """The condition that a name stands for one of these operations."""
     words = sorted(str(head).removeprefix(".") for head in heads - CONSTANT)
     if heads >= CONSTANT:
         words.insert(0, "constant")

@@ -28,22 +28,27 @@ class Rule:
     """One rule."""
 
     name: str
-    """How tests and ``Options.without`` call it."""
+    """The name of the rule in tests and in ``Options.without``."""
     left: Operation
     right: Operand
-    """The simpler value; of its type is what is computed, and each number."""
+    """The simpler value; computed values and numbers have its type."""
     says: str
-    """What it does and why that is right, in a sentence."""
+    """The effect of the rule and why it is right, in a sentence."""
     where: Condition | tuple[Condition, ...] = ()
-    """What has to hold besides, of types and ranges."""
+    """Further conditions on types and ranges."""
     also: tuple[tuple[Operation, Operand], ...] = ()
     """Further equations that are true for the same reason, of the same operation."""
     of_calls: bool = False
-    """Whether it is for calls only. Hardware operations, and with them the expansions of builtins,
-    are then left as they are: what these round is what was thought of."""
+    """True if the rule is for calls only.
+
+    Hardware operations, and with them the expansions of builtins, are then left as they are: their
+    rounding was chosen on purpose.
+    """
     drops: bool = False
-    """Whether it removes an operation that a user wrote because of what is known of the operands;
-    this is worth a remark."""
+    """True if the rule removes an operation of the user because of known facts about the operands.
+
+    This is worth a remark.
+    """
 
     @property
     def heads(self) -> tuple[str, ...]:

@@ -29,11 +29,11 @@ MOST_KEPT = 20_000
 """Combinations of heads that are kept; a program has some hundreds."""
 
 Candidate = tuple[Rule, Apply]
-"""A rule, with what applies one of its cases."""
+"""A rule, with the function that applies one of its cases."""
 
 
 class RuleTable:
-    """Rules by what they are for."""
+    """Rules by the operations that they are for."""
 
     def __init__(self, rules: Iterable[Rule]) -> None:
         self._for: dict[Hashable, list[Rule]] = {}
@@ -63,7 +63,7 @@ _NAMES = frozenset(rule.name for rule in RULES)
 
 
 def rule_table(without: frozenset[str]) -> RuleTable:
-    """The table without some rules, by name: tests take each away to see what it is good for."""
+    """The table without some rules, by name: tests take each away to see its effect."""
     if without.isdisjoint(_NAMES):
         return ALL
     return RuleTable(rule for rule in RULES if rule.name not in without)

@@ -24,14 +24,14 @@ from ...ir.types import Type
 from .builder import Builder
 
 Heads = frozenset[Hashable]
-"""Some of the ``Node.head``s. Where any will do, ``None`` stands in their place."""
+"""Some of the ``Node.head``s. ``None`` in their place stands for any head."""
 
 CONSTANT: Heads = frozenset({HEADS["constant"], *SPECIAL.values()})
 """The heads of constants."""
 
 
 class Term:
-    """What a value looks like, or how it is made. Its operators make larger terms."""
+    """A pattern of a value, or the way to make one. Its operators make larger terms."""
 
     __slots__ = ()
 
@@ -124,11 +124,11 @@ class Data(Term):
 
 @frozen(eq=False)
 class Computed(Term):
-    """What a function works out; ``None`` where there turns out to be no simpler value."""
+    """A value that a function computes; ``None`` where there turns out to be no simpler value."""
 
     name: str
     function: Callable[..., Any]
-    """It gets the builder, the type of the result, and what the arguments stand for."""
+    """A function of the builder, the type of the result, and the values of the arguments."""
     arguments: tuple[Term | Function, ...]
 
 
@@ -145,7 +145,7 @@ class Function:
         return changed(self, data=data)
 
     def __call__(self, *operands: Operand) -> Operation:
-        """What it makes of operands."""
+        """The term of this function, applied to ``operands``."""
         return Operation(self, tuple(map(as_term, operands)))
 
 
@@ -156,19 +156,19 @@ class Operation(Term):
     function: Function
     operands: tuple[Term, ...]
     label: Variable | None = None
-    """What stands for its value."""
+    """The variable that stands for its value."""
     is_either: bool = False
-    """Whether its operands may also stand the other way round."""
+    """True if its operands may also stand the other way round."""
 
 
 @frozen(eq=False)
 class Condition:
-    """What has to hold for an equation."""
+    """A condition of an equation."""
 
     words: str
-    """With ``{}`` for each argument."""
+    """The condition in words, with ``{}`` for each argument."""
     function: Callable[..., bool]
-    """It gets the builder, the type of the result, and what the arguments stand for."""
+    """A function of the builder, the type of the result, and the values of the arguments."""
     arguments: tuple[Term | Function, ...]
 
 

@@ -1,4 +1,4 @@
-"""Which floats are whole numbers, by the way in which they are computed."""
+"""Finds the floats that are whole numbers, by the way in which they are computed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _MOST = 16
 
 @condition("{} is a whole number")
 def is_whole_number(_builder: Builder, _type: Type, value: Node) -> bool:
-    """Whether every lane of a float is certainly a whole number."""
+    """True if every lane of a float is certainly a whole number."""
     pending, seen = [value], set[int]()
     while pending:
         node = pending.pop()

@@ -30,15 +30,15 @@ from .pixel import PixelShader
 LOSS = 16.0
 """An expression loses precision if it magnifies errors at least this many times."""
 NOTABLE = 0.25
-"""The part of the picture's error that has to pass through what is said to lose precision."""
+"""The part of the picture's error that has to pass through an expression that loses precision."""
 FAINT = 0.1
-"""What hands on a smaller part of the error than this is not shown on its way."""
+"""An expression that hands on a smaller part of the error than this is not shown."""
 LONGEST_TEXT = 60
 """The most characters of an expression that are shown."""
 
 
 Kind = Literal["operation", "read", "interpolation", "constant", "input"]
-"""What an expression is: ``read`` means one of a texture, and ``input`` a value of the pipeline."""
+"""The kind of an expression: ``read`` is that of a texture, ``input`` a value of the pipeline."""
 _KINDS: Mapping[Op, Kind] = {"cross": "interpolation", "constant": "constant", "input": "input"}
 
 
@@ -50,13 +50,13 @@ class Expression:
     kind: Kind
     span: Span | None
     value: tuple[float, ...]
-    """Its lanes."""
+    """The lanes of its value."""
     error: float
-    """By how much its worst lane may be off, with everything that it depends on."""
+    """The possible error of its worst lane, with everything that it depends on."""
     own: float
-    """By how much it would be off if its operands were exact."""
+    """The possible error if its operands were exact."""
     contribution: float
-    """By how much the picture is off because of ``own``, over all evaluations of it."""
+    """The error of the picture because of ``own``, over all evaluations of it."""
     magnification: float
     """The relative change of the picture for each relative change of this value."""
 
@@ -67,7 +67,7 @@ class Loss:
 
     expression: Expression
     times: float
-    """How many times."""
+    """The factor by which it magnifies them."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -76,19 +76,19 @@ class Tipping:
 
     expression: Expression
     words: str
-    """What it jumps at: ``a whole number``."""
+    """The operand at which it jumps, in words: ``a whole number``."""
     repeats: bool
-    """Whether it jumps again and again, so that it is never farther away than 0.5."""
+    """True if it jumps again and again, so that it is never farther away than 0.5."""
     distance: float
     error: float
-    """How close it is to the jump, and by how much it may be off."""
+    """The distance to the jump, and the possible error of the operand."""
     effect: float
-    """By how much the picture changes if nothing else jumps; infinite if the pixel is discarded."""
+    """The change of the picture if nothing else jumps; infinite if the pixel is discarded."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Explanation:
-    """Why a pixel is as inexact as it is."""
+    """An explanation of the error of a pixel."""
 
     x: int
     y: int
@@ -98,15 +98,15 @@ class Explanation:
     value: tuple[float, ...]
     """The exact lanes of the target."""
     error: float
-    """By how much the lane may be off: the sum of all contributions, to first order."""
+    """The possible error of the lane: the sum of all contributions, to first order."""
     contributions: tuple[Expression, ...]
-    """What makes the error, the largest contribution first."""
+    """The expressions that make the error, the largest contribution first."""
     losses: tuple[Loss, ...]
-    """Where precision is lost, the worst place first."""
+    """The places where precision is lost, the worst first."""
     tippings: tuple[Tipping, ...]
     """Jumps that rounding may tip, the one that matters most first."""
     way: tuple[Expression, ...]
-    """From the picture down to the operation that contributes most."""
+    """The way from the picture down to the operation that contributes most."""
     overflows: tuple[Expression, ...] = ()
     """Operations whose results are too large for float32, although their operands are not."""
 
@@ -143,7 +143,7 @@ class _Explaining:
         """The lane of the picture that is explained."""
         self._total = float(total[self._worst])
         self._of_node: dict[int, Site] = {}
-        """Of each node the evaluation whose error matters most."""
+        """For each node, the evaluation whose error matters most."""
         for site in found.sites:
             best = self._of_node.get(site.node.id)
             if best is None or self._passing(site) > self._passing(best):
@@ -204,14 +204,14 @@ class _Explaining:
         )
 
     def _text(self, node: Node) -> str:
-        """What stands in the source, in one line; or a formula for what stands nowhere."""
+        """The text in the source, in one line; or a formula for a node without a place in it."""
         span = self._shader.notes.spans.get(node.id)
         name = self._formulas.name(node) if node.op == "cross" else None
         text = name or (" ".join(span.text.split()) if span else self._formulas.text(node))
         return text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 1]}…"
 
     def _magnification(self, site: Site) -> float:
-        """Of the lane whose relative errors matter most."""
+        """The magnification of the lane whose relative errors matter most."""
         return max((self._by(site, lane) for lane in range(len(site.value))), default=0.0)
 
     def _by(self, site: Site, lane: int) -> float:
@@ -233,7 +233,7 @@ class _Explaining:
         yield from sorted(found, key=lambda loss: loss.times, reverse=True)
 
     def _slope(self, site: Site) -> float:
-        """How many times an operation would magnify a tiny error of its worst operand."""
+        """The factor by which an operation would magnify a tiny error of its worst operand."""
         if site.reads:
             return 0.0
         return max(
@@ -247,12 +247,12 @@ class _Explaining:
         )  # fmt: skip
 
     def _gain(self, site: Site) -> float:
-        """How many times an operation magnifies the errors of its operands, as far as one sees it.
+        """The factor by which an operation visibly magnifies the errors of its operands.
 
         Errors count relative to the values, which shows where digits cancel out, or relative to 1
-        where values are smaller, which shows where a function is steep. What one does not see does
-        not count: it is no more than the roundings that the picture's error amounts to, and a value
-        that is zero by chance, of which nothing but its magnitude matters, has no relative error.
+        where values are smaller, which shows where a function is steep. Invisible errors do not
+        count: they are no more than the roundings that the picture's error amounts to. A value that
+        is zero by chance, of which nothing but its magnitude matters, has no relative error.
         """
         if site.node.op not in BUILTIN_OPS or not site.operands:
             return 0.0
@@ -328,7 +328,7 @@ class _Explaining:
         yield node
 
     def _weight(self, node: Node) -> float:
-        """How much the errors matter that a node hands on."""
+        """The weight of the errors that a node hands on."""
         site = self._of_node.get(node.id)
         return 0.0 if site is None else self._passing(site)
 

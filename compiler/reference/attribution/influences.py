@@ -1,4 +1,4 @@
-"""Measures what a small error of each operation does to a pixel; ``explanation.py`` calls it.
+"""Measures the effect of a small error of each operation on a pixel, for ``explanation.py``.
 
 The shader is evaluated with one way for each lane of each operation. In its own way a lane is a
 little larger, and everything that follows from it shows by how much this changes the picture. The
@@ -25,9 +25,9 @@ from .local_errors import LocalErrors, flat
 from .pixel import Occurrence, PixelShader, Reader
 
 AT_ONCE = 256
-"""How many ways are evaluated at once: few enough for their values to stay in the CPU's cache."""
+"""The number of ways evaluated at once: few, so that their values stay in the CPU's cache."""
 MOST_WAYS = 4096
-"""If there are more lanes than this, all evaluations of one node share their ways."""
+"""The limit of lanes; with more, all evaluations of one node share their ways."""
 PROBE = 2.0**-24
 """The least error that is tried, relative to a value: one rounding to float32."""
 SMALLEST = 2.0**-10
@@ -41,7 +41,7 @@ Tried = tuple[Occurrence, int]
 
 @dataclass(eq=False, slots=True)
 class Site:
-    """What is known of one evaluation of one node."""
+    """The measurements of one evaluation of one node."""
 
     where: Occurrence
     node: Node
@@ -63,13 +63,12 @@ class Site:
 
     @property
     def reads(self) -> bool:
-        """Whether it reads a texture."""
+        """True if it reads a texture."""
         return bool(self.given) and isinstance(self.given[0][0], Reader)
 
     @property
     def contribution(self) -> Floats:
-        """(lanes of the picture,): the picture's error because of what the operation itself
-        rounds."""
+        """The picture's error because of the operation's own rounding: (lanes of the picture,)."""
         return self._scaled(self.local)
 
     @property
@@ -78,7 +77,7 @@ class Site:
         return self._scaled(self.error)
 
     def part(self, lane: int) -> float:
-        """How much of the error that is tried for a lane is really made."""
+        """The fraction of the tried error of a lane that is really made."""
         return self.local[lane] / self.probe[lane] if self.probe[lane] > 0 else 0.0
 
     def rates(self, lane: int) -> Floats:
@@ -99,7 +98,7 @@ Seen = Callable[[Site, list[Lanes], Lanes], None]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Influences:
-    """Everything that was measured at one pixel."""
+    """The measurements at one pixel."""
 
     picture: Floats
     """(lanes,): the exact lanes of all render targets, one target after the other."""
@@ -133,10 +132,10 @@ class _Measuring:
     def _enlisted(
         self, where: Occurrence, node: Node, operands: list[Lanes], value: Lanes
     ) -> Lanes:
-        """Note what can have an error of its own, or jump."""
+        """Notes values that can have an error of their own, or jump."""
         errors = self._errors.of(node, operands, value)
         shown = (map(self._shown, pair) for pair in zip(errors, flat(value), strict=True))
-        # Nothing is said of the error of what is infinite.
+        # The error of an infinite value says nothing.
         local = [error if math.isfinite(error + lane) else 0.0 for error, lane in shown]
         rule = rule_of(node)
         rounds = _rounds(node) if node.op != "constant" else any(local)
@@ -168,7 +167,7 @@ class _Measuring:
     # --- one error after the other ----------------------------------------------------------------
 
     def _ways(self) -> list[list[Tried]]:
-        """What is tried in each way: a lane of one evaluation, or of all evaluations of a node."""
+        """The errors tried in each way: of a lane of one evaluation, or of all those of a node."""
         tried = [
             (site.where, lane)
             for site in self._sites.values()
@@ -183,12 +182,12 @@ class _Measuring:
         return list(groups.values())
 
     def _try(self, ways: list[list[Tried]]) -> None:
-        """Evaluate with these errors, each in its way, and add what they do to all values."""
+        """Evaluates with these errors, each in its way, and adds their effects to all values."""
 
         def off(site: Site, lane: int, value: Lane, way: int) -> Lane:
             shape, signs = self._pixel.quad(site.where)
             if max(np.shape(value)[1:], default=1) == 1:
-                # What is the same everywhere is rounded in the same way everywhere.
+                # A value that is the same everywhere is rounded in the same way everywhere.
                 shape, signs = (1,) * len(shape), np.ones(())
             change = np.zeros((len(ways) + 1, *shape))
             change[way] = site.probe[lane] * signs
@@ -200,15 +199,17 @@ class _Measuring:
             self._add(site, operands, value, parts)
 
         changes = self._changes(ways, off, add)
-        # Jumps are tried by themselves, and what is infinite anyway has no slope.
+        # Jumps are tried by themselves, and an infinite value has no slope.
         changes = np.where(np.isfinite(changes), changes, 0.0)
         for lanes, change in zip(ways, changes, strict=True):
             for where, lane in lanes:
                 self._sites[where].effect[lane] = change / len(lanes)
 
     def _changes(self, ways: list[list[Tried]], disturb: Disturb, seen: Seen) -> Floats:
-        """(ways, lanes of the picture): by how much each way changes the picture; infinite where
-        the pixel is discarded."""
+        """The change of the picture by each way: (ways, lanes of the picture).
+
+        It is infinite where the pixel is discarded.
+        """
         places: dict[Occurrence, list[tuple[int, int]]] = {}
         for way, lanes in enumerate(ways, start=1):
             for where, lane in lanes:
@@ -288,7 +289,7 @@ def _portions(ways: list[list[Tried]]) -> Iterator[list[list[Tried]]]:
 
 
 def _rounds(node: Node) -> bool:
-    """Whether a value can have an error of its own."""
+    """True if a value can have an error of its own."""
     if scalar_kind(node.type) != "float":
         return False
     return node.op in BUILTIN_OPS or node.op in ("constant", "cross", "input")
@@ -311,9 +312,11 @@ def _rebuilt(value: Any, lanes: Iterator[Lane]) -> Any:
 
 
 def slopes(site: Site, pixel: PixelShader) -> Iterator[tuple[float, list[float]]]:
-    """How steep an operation is: for each lane of its operands that is a float and not zero, its
-    value, and by how much each lane of the result changes for a tiny relative change in it, divided
-    by that change."""
+    """Yields the steepness of an operation in each lane of its operands.
+
+    Only lanes that are floats and not zero count. Each comes as its value, and by how much each
+    lane of the result changes for a tiny relative change in it, divided by that change.
+    """
     lanes = list(flat(tuple(site.given)))
     for number, lane in enumerate(lanes):
         shown = float(pixel.seen(lane)[0]) if _is_float(lane) else 0.0

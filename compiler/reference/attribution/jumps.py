@@ -1,4 +1,4 @@
-"""The operations whose results jump: how close their operands are to a jump, and what is beyond it.
+"""The operations whose results jump: the distance of their operands to a jump, and its other side.
 
 ``influences.py`` looks at each of them. A jump that rounding may tip has no small error: the pixel
 is one or the other.
@@ -20,16 +20,16 @@ from ..namespace import Lane, Lanes
 
 @dataclass(frozen=True, eq=False, slots=True)
 class JumpRule:
-    """How one builtin jumps, lane by lane."""
+    """A rule for the jumps of one builtin, lane by lane."""
 
     coordinate: Callable[..., Lane]
-    """From the operands' lanes, a number that moves steadily and is special where it jumps."""
+    """A function of the operands' lanes that moves steadily and is special where it jumps."""
     at_whole: bool
-    """Whether it jumps at whole numbers, and not at zero."""
+    """True if it jumps at whole numbers, and not at zero."""
     beyond: Callable[[Lane, float, list[Lane]], Lane]
     """The result on the other side: from the result, the side (1 or -1) and the operands' lanes."""
     words: str
-    """What is special about the operands where it jumps."""
+    """The property of the operands where it jumps, in words."""
 
 
 def _difference(x: Lane, y: Lane) -> Lane:
@@ -72,9 +72,9 @@ class Jump:
     lane: int
     words: str
     repeats: bool
-    """Whether it jumps at every whole number."""
+    """True if it jumps at every whole number."""
     distance: float
-    """How far the operands are from the jump; of a mod, in divisors."""
+    """The distance of the operands from the jump; of a mod, in divisors."""
     side: float
     """1 above the jump, -1 below it."""
     error: float = 0.0
@@ -84,12 +84,12 @@ class Jump:
 
     @property
     def may_tip(self) -> bool:
-        """Whether rounding may put the operands on the other side."""
+        """True if rounding may put the operands on the other side."""
         return 0 < self.error >= self.distance
 
 
 def rule_of(node: Node) -> JumpRule | None:
-    """How an operation jumps, or ``None``; operations on integers are exact."""
+    """The rule for the jumps of an operation, or ``None``; operations on integers are exact."""
     rule = RULES.get(builtin_of(node) or "")
     if rule is None or scalar_kind(node.operands[0].type) != "float":
         return None
@@ -102,7 +102,7 @@ def coordinates(rule: JumpRule, operands: list[Lanes]) -> list[Lane]:
 
 
 def by_lane(operands: list[Lanes]) -> list[list[Lane]]:
-    """For each lane of the result, the operands' lanes; a single lane goes with every other."""
+    """The operands' lanes for each lane of the result; a single lane goes with every other."""
     width = max(map(len, operands))
     wide = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
     return [list(lanes) for lanes in zip(*wide, strict=True)]

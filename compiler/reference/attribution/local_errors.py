@@ -37,14 +37,14 @@ class LocalErrors:
     """The errors of a platform's operations."""
 
     errors: Errors
-    """Those of functions."""
+    """The errors of functions."""
     place: Barycentric
-    """What interpolates the values of vertices."""
+    """Interpolates the values of vertices."""
     derivatives: Derivatives
-    """Which differences the device takes."""
+    """The differences between pixels that the device takes."""
 
     def of(self, node: Node, operands: list[Lanes], value: Lanes) -> list[Any]:
-        """For each lane of a value, its absolute error."""
+        """The absolute error of each lane of a value."""
         lanes = list(flat(value))
         if scalar_kind(node.type) == "float":
             match node.op:
@@ -90,7 +90,10 @@ def _exact(lanes: Any) -> Any:
 
 
 def _reach(lane: Any) -> Any:
-    """By how much the bounds of a lane are away from its value; where they say nothing, by that."""
+    """The distance of a lane's bounds from its value.
+
+    Where the bounds are infinite, it is the magnitude of the value.
+    """
     if not isinstance(lane, Bounded):
         return 0.0
     reach = np.maximum(lane.high - lane.value, lane.value - lane.low)

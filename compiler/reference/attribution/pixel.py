@@ -45,21 +45,24 @@ class Occurrence:
     """One evaluation of one node: a node in a loop is evaluated several times."""
 
     domain: Domain
-    """Where it varies: over vertices or fragments."""
+    """The domain over which it varies: vertices or fragments."""
     node: int
     """The id of the node."""
     number: int
-    """How many evaluations of the same node in this domain came before."""
+    """The number of evaluations of the same node in this domain that came before."""
 
 
 Change = Callable[[Occurrence, Node, list[Lanes], Lanes], Lanes]
-"""Called for every value that is computed or interpolated, with the values of its operands (of an
-interpolated value, those at the corners). Evaluation continues with the lanes that it returns."""
+"""A function that is called for every value that is computed or interpolated.
+
+It gets the values of the operands (of an interpolated value, those at the corners). Evaluation
+continues with the lanes that it returns.
+"""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Outcome:
-    """What a pixel becomes in each way."""
+    """The result of a pixel in each way."""
 
     lanes: Floats
     """(ways, lanes): the lanes of all render targets, one target after the other."""
@@ -169,7 +172,7 @@ class PixelShader:
         left, top = x - self._column, y - self._row
         quad = Quads(np.array([0]), np.array([left]), np.array([top]), SIDE)
         self.place = Barycentric(alone, quad, rules)
-        """Where the quad is in the face, whose corners are the vertices 0 to 2."""
+        """The place of the quad in the face, whose corners are the vertices 0 to 2."""
         ends = self.place.perspective(tuple(np.eye(3)))
         self._weights = np.stack([end.value[0] for end in ends])
         self._inputs: Mapping[str, Lanes] = {

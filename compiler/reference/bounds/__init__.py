@@ -1,4 +1,4 @@
-"""Arithmetic with bounds: what a device may make of a program, beside what the program means.
+"""Arithmetic with bounds: the possible values of a device, beside those that a program means.
 
 The reference's pictures evaluate graphs with it, as with numbers: a lane is a ``Bounded``, and the
 array library is a ``Bounds``. It needs NumPy, so nothing that compiles imports it.

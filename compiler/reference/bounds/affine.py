@@ -29,10 +29,12 @@ Errors = tuple[int, ...]
 """The numbers of shared errors, in ascending order."""
 
 MOST = 12
-"""How many errors of its own a stored lane keeps; all others become one."""
+"""The number of errors of its own that a stored lane keeps; all others become one."""
 MANY = 4 * MOST
-"""How many errors any lane keeps. A loop that adds up lanes which share nothing would otherwise
-have more of them in every turn."""
+"""The number of errors that any lane keeps.
+
+Otherwise, a loop that adds up lanes which share nothing would have more of them in every iteration.
+"""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,7 +49,7 @@ class Form:
 
     @property
     def radius(self) -> Array:
-        """By how much the lane may differ from its value; NaN where the form says nothing."""
+        """The possible distance of the lane from its value; NaN where the form says nothing."""
         if not self.errors:
             return self.rest
         return np.add.reduce(np.abs(self.terms)) + self.rest
@@ -150,7 +152,7 @@ def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius
 _NO_TERMS = np.zeros((0,))
 
 _Places = tuple[int, tuple[int, ...]]
-"""How many terms there are together, and where those of one form are among them."""
+"""The number of terms of two forms together, and the places of one form's terms among them."""
 
 
 @lru_cache(maxsize=1024)

@@ -42,9 +42,9 @@ _STEP = 2.0**-52
 class Bounded(Operators):
     """One lane: arrays of the same kind (float64, int64 or bool) that broadcast together.
 
-    ``value`` is what the program means. A conforming device has a value from ``low`` to ``high``.
-    Of a condition, ``low`` says where it certainly holds, and ``high`` where it may hold. Ends that
-    are NaN say nothing.
+    ``value`` is the exact value of the program. A conforming device has a value from ``low`` to
+    ``high``. Of a condition, ``low`` says where it certainly holds, and ``high`` where it may hold.
+    Ends that are NaN say nothing.
     """
 
     __slots__ = (
@@ -62,7 +62,7 @@ class Bounded(Operators):
         self._magnitude: Array | None = None
         self._sum: Sum | None = None
         self._factors = 0
-        """How many multiplications made it."""
+        """The number of multiplications that made it."""
         self._number = next(_numbers)
         self._of: frozenset[int] = frozenset()
         """The numbers of all its factors, if it is a product."""
@@ -74,7 +74,7 @@ class Bounded(Operators):
 
     @property
     def is_exact(self) -> bool:
-        """Whether every device has exactly ``value`` everywhere."""
+        """True if every device has exactly ``value`` everywhere."""
         return self.low is self.high
 
     @property
@@ -101,7 +101,7 @@ class Bounded(Operators):
 
     @property
     def radius(self) -> Array:
-        """By how much a device's value may differ from the exact one, to the farther side."""
+        """The possible distance of a device's value from the exact one, to the farther side."""
         if self._radius is None:
             farther = np.maximum(self.high - self.value, self.value - self.low)
             self._radius = farther * ROUNDED_UP
@@ -109,7 +109,7 @@ class Bounded(Operators):
 
     @property
     def rounding(self) -> Array:
-        """By how much a device may round a sum or a product, in any order that it may take."""
+        """The possible rounding error of a sum or a product on a device, in any order."""
         made = self._sum
         times, magnitude = (
             (self._factors, self.magnitude) if made is None else (made.roundings, made.magnitude)
@@ -118,15 +118,15 @@ class Bounded(Operators):
 
     @property
     def any_form(self) -> Form:
-        """Its form, or one that shares no error."""
+        """The form of its error, or one that shares no error with other lanes."""
         return alone(self.radius) if self.form is None else self.form
 
     def __bool__(self) -> bool:
-        """Whether a condition that is the same for all elements certainly holds."""
+        """True if a condition that is the same for all elements certainly holds."""
         return bool(np.all(self.low))
 
     def any(self) -> bool:
-        """Whether a condition may hold anywhere."""
+        """True if a condition may hold anywhere."""
         return bool(np.any(self.high))
 
     def made_as(self, other: Bounded) -> Bounded:
@@ -167,8 +167,11 @@ class Bounded(Operators):
         return _multiplied(self, as_bounded(other))
 
     def __truediv__(self, divisor: float) -> Bounded:
-        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, the table of
-        accuracies); ``Bounds.divide`` divides by other lanes."""
+        """A quotient by a constant, or a product with its reciprocal.
+
+        Its error is 2.5 ulp (WGSL, the table of accuracies). ``Bounds.divide`` divides by other
+        lanes.
+        """
         quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 
@@ -276,7 +279,7 @@ def widened(x: Bounded, by: Array) -> Bounded:
 
 
 def negated(condition: Bounded) -> Bounded:
-    """Where a condition does not hold."""
+    """The negation of a condition."""
     if condition.is_exact:
         return exact(np.logical_not(condition.value))
     return Bounded(~condition.value, ~condition.high, ~condition.low)
@@ -359,7 +362,7 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
 
 
 def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
-    """Whether float64 holds a sum exactly; else a device may round it to either side."""
+    """True if float64 holds a sum exactly; otherwise a device may round it to either side."""
     return bool((value - x == y).all() and (value - y == x).all())
 
 

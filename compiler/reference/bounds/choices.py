@@ -17,7 +17,7 @@ from .rounding import Array
 
 
 def of_conditions(function: Callable[[Any, Any], Array], x: Any, y: Any) -> Bounded:
-    """Both conditions, or one of them, by a function that never falls."""
+    """Joins two conditions by ``and`` or ``or``: a function that never falls."""
     x, y = as_bounded(x), as_bounded(y)
     value = function(x.value, y.value)
     if x.is_exact and y.is_exact:

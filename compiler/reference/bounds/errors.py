@@ -1,8 +1,8 @@
-"""How far functions may be off on a platform, in numbers: the accuracy of the rows, evaluated.
+"""The possible errors of functions on a platform: the accuracy of the rows, as numbers.
 
-``Bounds`` widens the result of each function by what ``Errors`` returns. The error of a function
-whose accuracy is inherited follows here from the functions that define it. Each formula is an upper
-limit for all operands and results up to the given magnitudes, not only at these.
+``Bounds`` widens the result of each function by the number that ``Errors`` returns. The error of a
+function whose accuracy is inherited follows here from the functions that define it. Each formula is
+an upper limit for all operands and results up to the given magnitudes, not only at these.
 """
 
 from __future__ import annotations
@@ -53,11 +53,11 @@ class Errors:
         return np.where(np.isnan(worst), np.inf, worst)
 
     def rounds(self, name: str) -> bool:
-        """Whether a builtin is correctly rounded, so that a result that float32 has is exact."""
+        """True if a builtin is correctly rounded, so that a result that float32 has is exact."""
         return all(isinstance(each.bound(name), Rounded) for each in self._distinct(name))
 
     def _distinct(self, name: str) -> tuple[_OfPlatform, ...]:
-        """One platform of those that promise the same, also of what the error is inherited from."""
+        """One platform of those that promise the same, also for inherited accuracy."""
         if name not in self._found:
             measured = dict(self.measured)
             names = (name, *_INHERITED_FROM)
@@ -68,7 +68,7 @@ class Errors:
 
     @cached_property
     def _found(self) -> dict[str, tuple[_OfPlatform, ...]]:
-        """What ``_distinct`` has returned, as it is asked for every operation of a program."""
+        """The cached results of ``_distinct``, which is asked for every operation of a program."""
         return {}
 
 
@@ -80,7 +80,7 @@ class _OfPlatform:
         self._measured = measured
 
     def bound(self, name: str) -> Bound:
-        """What holds of a builtin."""
+        """The bound of a builtin's error."""
         return self._measured.get(name) or self._promise(name)
 
     def error(self, name: str, operand: Floats, result: Floats) -> Floats:
@@ -88,8 +88,8 @@ class _OfPlatform:
         promise = self._promise(name)
         if name not in self._measured:
             return self._by(promise, name, operand, result)
-        # What is allowed besides what was measured must not be more than what is promised. That is
-        # inherited from other promises, and not from what was measured of other functions.
+        # A measured bound must not be larger than the promised one. The promise is inherited from
+        # other promises, and not from measurements of other functions.
         promised = _OfPlatform(self._platform, {})._by(promise, name, operand, result)
         return np.minimum(self._by(self._measured[name], name, operand, result), promised)
 
@@ -118,7 +118,7 @@ class _OfPlatform:
 
 def ulp(magnitude: Floats) -> Floats:
     """The unit in the last place of a float32."""
-    # Without its fraction, a float is the power of two below it; infinity stays what it is.
+    # Without its fraction, a float is the power of two below it; infinity stays infinity.
     powers = (np.asarray(magnitude, np.float64).view(np.int64) & _EXPONENT).view(np.float64)
     return np.maximum(powers * ULP, _LEAST)
 
@@ -235,6 +235,8 @@ _INHERITED: Mapping[str, Callable[[_OfPlatform, Floats, Floats], Floats]] = {
     "acosh": _inverse_cosine,
     "atanh": _inverse_tangent,
 }
-"""The functions with an inherited accuracy that are evaluated as one; all others, such as ``pow``
-and ``tan``, are evaluated as the expressions that they are defined by."""
+"""The functions with an inherited accuracy that are evaluated as one.
+
+All others, such as ``pow`` and ``tan``, are evaluated as the expressions that define them.
+"""
 _INHERITED_FROM = ("div", "sqrt", "inversesqrt", "exp", "exp2", "log", "log2", "atan2")

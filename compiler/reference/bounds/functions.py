@@ -24,18 +24,19 @@ from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
-"""The absolute error that a function may have: from its builtin's name, and the largest magnitudes
-of its operand and of its result."""
+"""A function that returns the largest absolute error of a builtin.
+
+It gets the builtin's name, and the largest magnitudes of its operand and of its result.
+"""
 
 _TURN = 2.0 * math.pi
 _BELOW_ONE = 2.0**-24
-"""How far the last float32 below 1 is from it."""
+"""The distance of the last float32 below 1 from 1."""
 _LN2 = math.log(2.0)
 
 
 class Bounds(OwnFunctions):
-    """An array library whose lanes are ``Bounded``, for platforms whose functions have these
-    errors.
+    """An array library whose lanes are ``Bounded``, for platforms with these errors of functions.
 
     Operands may be plain where they are exact. A plain float is a constant of the program.
     """
@@ -61,15 +62,15 @@ class Bounds(OwnFunctions):
         return open_choice(value, condition.low, np.logical_not(condition.high), x, y)
 
     def logical_and(self, x: Any, y: Any, /) -> Bounded:
-        """Whether both conditions hold."""
+        """True where both conditions hold."""
         return of_conditions(np.logical_and, x, y)
 
     def logical_or(self, x: Any, y: Any, /) -> Bounded:
-        """Whether at least one condition holds."""
+        """True where at least one condition holds."""
         return of_conditions(np.logical_or, x, y)
 
     def logical_not(self, x: Any, /) -> Bounded:
-        """Whether the condition does not hold."""
+        """True where the condition does not hold."""
         return negated(as_bounded(x))
 
     def minimum(self, x: Any, y: Any, /) -> Bounded:
@@ -334,7 +335,10 @@ def _bent(x: Bounded, derivative: Derivative) -> Form | None:
 
 
 def _quotient_form(x: Bounded, y: Bounded) -> Form | None:
-    """That of the product with the reciprocal; nothing is left of it where the divisor may be 0."""
+    """The form of a quotient, as the product with the reciprocal.
+
+    There is none where the divisor may be 0.
+    """
     if x.form is None and y.form is None:
         return None
     nearest = np.minimum(np.abs(y.low), np.abs(y.high))
@@ -349,7 +353,7 @@ def _quotient_form(x: Bounded, y: Bounded) -> Form | None:
 
 
 def _passes(x: Bounded, place: float) -> Array:
-    """Whether an interval has a place in it that repeats in every turn."""
+    """True where an interval contains a place that repeats every full turn."""
     return np.floor((x.high - place) / _TURN) != np.floor((x.low - place) / _TURN)
 
 

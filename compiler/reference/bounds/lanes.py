@@ -15,7 +15,7 @@ from .rounding import Array, constant_ends, is_float32
 
 
 def given(value: Any) -> Bounded:
-    """A lane from outside, such as a vertex input; devices may flush what is subnormal."""
+    """A lane from outside, such as a vertex input; devices may flush subnormal numbers."""
     array = np.asarray(value)[()]
     if array.dtype.kind != "f" or is_float32(array):
         return exact(array)

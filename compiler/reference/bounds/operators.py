@@ -9,8 +9,11 @@ from . import whole
 
 
 class Operators(ABC):
-    """What Python asks for if the left operand is no lane, the other comparisons, and whole
-    numbers."""
+    """The operators that Python falls back to, derived from a few others.
+
+    They are those for a left operand that is no lane, the other comparisons, and those of whole
+    numbers.
+    """
 
     __slots__ = ()
 

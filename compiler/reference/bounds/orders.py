@@ -1,8 +1,8 @@
 """Sums and products whose terms and factors a compiler may take in another order.
 
-GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
-("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum and product,
-and widens the next one by the error that any order may have.
+GLSL and HLSL let a compiler reassociate operations that are not ``precise``, and WGSL does so as
+well ("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum and
+product, and widens the next one by the error that any order may have.
 """
 
 from __future__ import annotations
@@ -16,24 +16,26 @@ from .rounding import Array, relative_error
 
 _FINEST = 2.0**-12
 _LARGEST = 2.0**6
-"""Sums of multiples of the one are exact in any order, for a long time, if no term is larger than
-the other."""
+"""The largest term up to which sums of multiples of ``_FINEST`` are exact in any order.
+
+They stay so for very many terms.
+"""
 _COUNTED = 2.0**24
 """Float32 has all whole numbers up to this one."""
 
 
 @dataclass(slots=True, eq=False)
 class Sum:
-    """That a lane is a sum of several terms."""
+    """The terms of a lane that is a sum of several ones."""
 
     roundings: int
-    """How many operations may round a partial sum, in any order."""
+    """The number of operations that may round a partial sum, in any order."""
     operands: tuple[Term, ...]
     """Both terms, until the sum is settled."""
     is_exact: bool
-    """Whether every partial sum of its terms is a float32."""
+    """True if every partial sum of its terms is a float32."""
     error: Array = 0.0
-    """By how much its bounds are wider because of the order of its terms."""
+    """The width that the order of its terms adds to its bounds."""
     _magnitude: Array | None = None
     _whole: Array | None = None
 
@@ -47,7 +49,7 @@ class Sum:
 
     @property
     def whole(self) -> Array:
-        """Where every device has exactly each of the terms, and they are whole numbers."""
+        """True where every device has exactly each of the terms, and they are whole numbers."""
         if self._whole is None:
             left, right = self.operands
             self._whole = left.whole
@@ -56,8 +58,10 @@ class Sum:
         return self._whole
 
     def settle(self) -> None:
-        """Compute what is asked of the sum, and forget its terms: a loop that adds to it in every
-        turn would otherwise keep those of all turns."""
+        """Computes the properties of the sum, and forgets its terms.
+
+        A loop that adds to it in every iteration would otherwise keep those of all iterations.
+        """
         self._magnitude, self._whole = self.magnitude, self.whole
         self.operands = ()
 
@@ -73,7 +77,7 @@ class Single:
 
     @property
     def whole(self) -> Array:
-        """Where every device has exactly this number, and it is whole."""
+        """True where every device has exactly this number, and it is whole."""
         same = np.equal(self.low, self.high)
         return same & (np.rint(self.low) == self.low) if same.any() else same
 
@@ -82,7 +86,7 @@ Term = Sum | Single
 
 
 def in_any_order(sum_: Sum) -> Array:
-    """By how much further the bounds of a sum have to be widened for any order of its terms.
+    """The additional width of the bounds of a sum for any order of its terms.
 
     Each of n operations rounds a partial sum, which no order makes larger than the sum of all
     magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero. Whole
@@ -99,6 +103,6 @@ def in_any_order(sum_: Sum) -> Array:
 
 
 def is_coarse(value: Array) -> bool:
-    """Whether sums of such numbers are exact in any order: small multiples of a fraction."""
+    """True if sums of such numbers are exact in any order: small multiples of a fraction."""
     scaled = value / _FINEST
     return bool((np.abs(value) < _LARGEST).all() and (np.rint(scaled) == scaled).all())

@@ -1,4 +1,4 @@
-"""The ends of all products of two intervals: what ``bounded.py`` rounds to bounds of a product."""
+"""The ends of all products of two intervals, which ``bounded.py`` rounds to bounds of a product."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .rounding import Array
 
 
 class Interval(Protocol):
-    """What is read of a lane with bounds."""
+    """The attributes that are read of a lane with bounds."""
 
     value: Array
     low: Array
@@ -18,7 +18,7 @@ class Interval(Protocol):
 
     @property
     def is_exact(self) -> bool:
-        """Whether both ends are the value."""
+        """True if both ends are the value."""
         ...
 
     @property

@@ -46,14 +46,18 @@ def rounding_error(magnitude: Array, times: int = 1) -> Array:
 
 
 def relative_error(times: int) -> float:
-    """The largest error of so many roundings one after the other, relative to the result: it is
-    ``(1 + ULP) ** times - 1``, and not more than this if these are fewer than millions."""
+    """The largest error of ``times`` roundings one after the other, relative to the result.
+
+    It is ``(1 + ULP) ** times - 1``, and not more than this if these are fewer than millions.
+    """
     return times * ULP * (1.0 + times * ULP)
 
 
 def lost(magnitude: Array) -> Array:
-    """What a result of this magnitude may lose besides rounding: all of it, if it is flushed to
-    zero, and everything is lost if it overflows."""
+    """The amount that a result of this magnitude may lose besides rounding.
+
+    All of it is lost if it is flushed to zero, and everything if it overflows.
+    """
     found = np.minimum(magnitude, SMALLEST_NORMAL)
     if np.fmax.reduce(magnitude, axis=None, initial=0.0) > LARGEST_FLOAT:
         return np.where(magnitude > LARGEST_FLOAT, np.inf, found)
@@ -67,7 +71,7 @@ def constant_ends(value: Array) -> tuple[Array, Array]:
 
 
 def is_float32(value: Array) -> bool:
-    """Whether every device has all these numbers: normal float32 numbers, and zero."""
+    """True if every device has all these numbers: normal float32 numbers, and zero."""
     # Most arrays that are asked about have numbers that are no float32, which is found first.
     if not (np.asarray(value, np.float32) == value).all():
         return False
@@ -80,7 +84,7 @@ _FRACTION = np.int64(2**29 - 1)
 
 
 def _down(x: Array) -> Array:
-    """Where a rounded number may lie at least: at the next float32 below, or at zero."""
+    """The least value of a rounded number: the next float32 below, or zero."""
     bits = np.asarray(x, np.float64).view(np.int64)
     # Without a part of its fraction, a number is closer to zero, so a negative one is made larger.
     below = ((bits + ((bits >> 63) & _FRACTION)) & ~_FRACTION).view(np.float64)
@@ -91,7 +95,7 @@ def _down(x: Array) -> Array:
 
 
 def _up(x: Array) -> Array:
-    """Where a rounded number may lie at most: at the next float32 above, or at zero."""
+    """The greatest value of a rounded number: the next float32 above, or zero."""
     return 0.0 - _down(-x)
 
 
@@ -101,7 +105,7 @@ def _subnormal(x: Array) -> Array:
 
 
 def _finite_or_infinite(low: Array, high: Array) -> tuple[Array, Array]:
-    """The interval, with infinity in place of what is beyond the largest float32."""
+    """The interval, with infinity in place of numbers beyond the largest float32."""
     least = np.minimum.reduce(low, axis=None, initial=0.0)
     largest = np.maximum.reduce(high, axis=None, initial=0.0)
     if least >= -LARGEST_FLOAT and largest <= LARGEST_FLOAT:

@@ -1,8 +1,8 @@
 """Intervals of whole numbers: bit operations, shifts, quotients and remainders.
 
 ``Bounded`` has them as its operators. Few programs compute with integers that a device may have
-otherwise (such as a ``floor`` that may tip), so what is not monotone is evaluated at both ends of
-an interval of two numbers, and any wider one says nothing.
+otherwise (such as a ``floor`` that may tip), so functions that are not monotone are evaluated at
+both ends of an interval of two numbers, and any wider one says nothing.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .rounding import Array
 Ends = tuple[Array, Array]
 
 LEAST, LARGEST = -(2**31), 2**32 - 1
-"""What an integer of 32 bits can be, with a sign or without one."""
+"""The ends of all integers of 32 bits, with a sign or without one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ def _jumping(of: Callable[[Any, Any], Any]) -> Operation:
 
 
 def _is_wide(ends: Ends) -> Array:
-    """Where an interval has more than two numbers."""
+    """True where an interval has more than two numbers."""
     return np.asarray(ends[1] - ends[0] > 1)
 
 
@@ -135,5 +135,5 @@ bit_xor = _by_bits(operator.xor)
 shifted_left = _monotone(operator.lshift)
 shifted_right = _monotone(operator.rshift)
 quotient = _monotone(operator.floordiv)
-"""For divisors that are certainly positive, or certainly negative."""
+"""Quotients by divisors that are certainly positive, or certainly negative."""
 remainder = _modulo(operator.mod, lambda divisor: np.maximum(divisor, 0))

@@ -1,6 +1,6 @@
-"""Turns the vertices of a picture into faces, whatever primitives these make.
+"""Primitive assembly: turns the vertices of a picture into faces.
 
-``drawing.py`` calls ``faces_of`` after the vertex stage, and so does what explains a pixel.
+``drawing.py`` calls ``faces_of`` after the vertex stage, and so does the explanation of a pixel.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .scene import Floats, Ints, RasterRules
 LINE = 2
 """The vertices of a line."""
 USUAL = RenderState()
-"""What holds for a pass that says nothing."""
+"""The state for a pass that says nothing."""
 
 
 def faces_of(

@@ -19,7 +19,7 @@ from .scene import Floats
 MANTISSA = 23
 """The binary places of a depth's mantissa in the format ``depth32f``."""
 _ROUNDINGS = 2.0**-21
-"""What computing a bias with float32 adds to it, relative to itself."""
+"""The error of computing a bias with float32, relative to the bias."""
 
 
 def biased(faces: Faces, state: DepthState) -> Faces:
@@ -42,7 +42,7 @@ def _clamped(bias: Floats, most: float) -> Floats:
 
 
 def _slopes(faces: Faces) -> Bounded:
-    """By how much depths change from one pixel to the next: m.
+    """The change of depths from one pixel to the next: m.
 
     Direct3D takes the larger one of both directions. Vulkan and OpenGL take the length of the
     gradient, or this instead of it.
@@ -74,7 +74,7 @@ def _steps(faces: Faces) -> Bounded:
     """The smallest steps of depths as large as the largest of each face: r.
 
     Of a face that is clipped, a device may look at the corners before that, none of which has a
-    depth over 1 in what is drawn.
+    depth over 1 in the drawn part.
     """
     most = np.abs(faces.z).max(axis=1)
     off = faces.z_off + _ROUNDINGS * most

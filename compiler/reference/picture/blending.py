@@ -1,7 +1,7 @@
-"""Blends neighbouring texels, and levels, as a linear filter does, over all places of an interval.
+"""Blends neighbouring texels, and levels, as a linear filter does, over an interval of places.
 
-A linear filter's result is linear along each axis between two texels' centres. So what it may be
-within a box between them is known from the box's corners alone.
+A linear filter's result is linear along each axis between two texels' centres. So its bounds within
+a box between them are known from the box's corners alone.
 """
 
 from __future__ import annotations
@@ -15,8 +15,10 @@ from ..bounds import Bounded, exact
 from .scene import Floats
 
 BLENDING = 5 * 2.0**-24
-"""The error of one blend of two numbers, relative to the larger one: a difference, a product and a
-sum are rounded to float32, and their terms may be twice as large."""
+"""The error of one blend of two numbers, relative to the larger one.
+
+A difference, a product and a sum are rounded to float32, and their terms may be twice as large.
+"""
 
 
 def blended(corners: Sequence[Bounded], shares: Sequence[Bounded], exactly: bool) -> Bounded:

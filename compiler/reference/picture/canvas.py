@@ -1,4 +1,4 @@
-"""What is there while a picture is drawn: depth test, discarding and blending, in drawing order.
+"""The targets while a picture is drawn: depth test, discarding and blending, in drawing order.
 
 ``drawing.py`` draws its fragments on a ``Canvas``, and ``resolve.py`` makes a picture of that. All
 of this is done for each sample; a fragment has one colour for all that it covers.
@@ -32,15 +32,15 @@ _MISSING = (0.0, 0.0, 0.0, 1.0)
 Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
 NOWHERE = -1
-"""The place of what no face has drawn."""
+"""The place of samples where no face was drawn."""
 _OF_A_SAMPLE = 80
-"""Bytes of a canvas for each sample: depths, stencil values, and what is undecided."""
+"""Bytes of a canvas for each sample: depths, stencil values, and undecided states."""
 _OF_A_TARGET = 200
 """Bytes for each sample of a target: four lanes with their ends, and again in the picture."""
 _OF_A_LAYER = 10**6
 """Operations of drawing once at some samples, or at only one."""
 _AT_ONCE = 1 << 16
-"""How many samples are drawn at once, so that a large picture needs no more memory than others."""
+"""The number of samples drawn at once, so that a large picture needs no more memory."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,14 +48,14 @@ class Shades:
     """The results of shading some fragments."""
 
     colours: Sequence[Ends]
-    """For each target, (3, fragments, 4)."""
+    """The colours of each target, (3, fragments, 4)."""
     discarded: Bools
     undecided: Bools
     of_sample: Ints
     """(samples,): the fragment that each sample which is covered belongs to."""
 
     def only(self, samples: Ints) -> Shades:
-        """Those of some samples, each by itself."""
+        """The shades of some samples, each by itself."""
         which = self.of_sample[samples]
         colours = [colour[:, which] for colour in self.colours]
         each = np.arange(len(which))
@@ -85,11 +85,13 @@ class Canvas:
         blend_constant: Sequence[float] = BLACK,
         places: Places | None = None,
     ) -> None:
-        """``samples`` says how many there are in the picture, and ``written`` are the render
-        targets with the types of the values that are written to them. If the device ``rounds``,
-        its values lie between those of their formats. Without depths, what is drawn later is in
-        front; ``depth`` is what they are at first. ``places`` have numbers for faces whose depths
-        may be there."""
+        """``samples`` is the number of samples in the picture.
+
+        ``written`` are the render targets with the types of the values that are written to them. If
+        the device ``rounds``, its values lie between those of their formats. Without depths, later
+        draws are in front; ``depth`` is their initial value. ``places`` have numbers for faces
+        whose depths may be there.
+        """
         self.rounds = rounds
         self.has_depth = has_depth
         self._lanes = [width(type_) for _, type_ in written]
@@ -102,30 +104,29 @@ class Canvas:
             target[:] = self._rounded(state, target)
         self.depth = np.full(samples, float(np.float32(depth)))
         self.depth_off = np.zeros(samples)
-        """By how much a device's depth may differ."""
+        """The possible error of a device's depth."""
         self.places = places or Places()
         self.place = np.full(samples, NOWHERE)
         """The number of the place of the face whose depth is there."""
         self._may_hide = np.ones(samples)
-        """The nearest depth that a device may have where it is unsure whether a fragment was
-        drawn."""
+        """The nearest depth that a device may have where it is unsure if a fragment was drawn."""
         self.stencil = Stencil(samples)
         self.counted: Counted = frozenset()
-        """The rare rules on which it hangs what has been drawn so far."""
+        """The rare rules on which the content depends so far."""
         self.layers = np.zeros(samples, dtype=np.int64)
-        """How many fragments were drawn."""
+        """The number of fragments drawn at each sample."""
         self.undecided = np.zeros(samples, dtype=np.bool_)
         """Samples that are undecided because their coverage is."""
         self.shaky = np.zeros(samples, dtype=np.bool_)
-        """Samples that are undecided because of what has been drawn there so far."""
+        """Samples that are undecided because of fragments drawn there so far."""
         self.is_opaque = all(state.is_replaced for state in self._states)
         constant = np.asarray(blend_constant, np.float32).astype(np.float64)
         self._constants = [clamped(state.format, constant).tolist() for state in self._states]
-        """What the factor ``constant`` means in each target."""
+        """The value of the factor ``constant`` in each target."""
 
     @property
     def formats(self) -> Sequence[str]:
-        """Those of the targets."""
+        """The formats of the targets."""
         return [state.format for state in self._states]
 
     def draw(
@@ -151,14 +152,14 @@ class Canvas:
                 self._draw_layer(sample, depth, off, place, shades, members, test, part)
 
     def doubt(self, sample: Ints, test: DepthState, stencil: StencilState) -> None:
-        """At these samples it is unsure which fragments there are, before a draw and behind it."""
+        """Notes samples whose fragments are undecided before a draw, and behind it."""
         if self._shows(test):
             self.undecided[sample] = True
         if stencil.writes:
             self.stencil.unsure[sample] = True
 
     def _shows(self, test: DepthState) -> bool:
-        """Whether a draw changes more than stencil values."""
+        """True if a draw changes more than stencil values."""
         return bool(self.targets) or test.write
 
     def _draw_layer(
@@ -205,7 +206,7 @@ class Canvas:
             target[:, at] = self.mixed(number, colours[:, fragment], target[:, at])
 
     def mixed(self, target: int, colours: Ends, behind: Ends) -> Ends:
-        """What one of the targets holds after colours have been drawn over what is there."""
+        """The content of one of the targets after colours have been drawn over ``behind``."""
         state = self._states[target]
         # A device may blend as precisely as the target's format is, so that it rounds the colour
         # before. If the target is in fixed point, the colour is clamped, too.
@@ -226,9 +227,9 @@ class Canvas:
     def _tested(
         self, test: DepthState, new: Floats, before: Floats, margin: Floats, same: Bools
     ) -> tuple[Bools, Bools]:
-        """Which fragments the depth test lets through, and of which a device may say otherwise.
+        """The fragments that pass the depth test, and those for which a device may differ.
 
-        ``same`` says which of them are of the place whose depth is there, so that these depths are
+        ``same`` says which of them are of the place whose depth is stored, so that these depths are
         equal on every device.
         """
         if not self.has_depth or test.compare in ("always", "never"):
@@ -238,8 +239,10 @@ class Canvas:
         return compared(test.compare, new, before), close
 
     def may_pass(self, test: DepthState, sample: Ints, depth: Floats, off: Floats) -> Bools:
-        """Which fragments the depth test may let through on some device, as far as that is known
-        of what is there now."""
+        """The fragments that the depth test may let through on some device.
+
+        This is as far as the current content is known.
+        """
         nowhere = np.zeros(len(sample), np.bool_)
         before, margin = self.depth[sample], off + self.depth_off[sample]
         passes, close = self._tested(test, depth, before, margin, nowhere)
@@ -247,9 +250,9 @@ class Canvas:
         return passes | close | unsure
 
     def _passes_in_any_case(self, test: DepthState, farthest: Floats, at: Ints) -> Bools:
-        """Which fragments the depth test lets through, whatever was drawn of what is unsure.
+        """The fragments that pass the depth test, whatever was drawn of the undecided ones.
 
-        ``farthest`` is how far away a device may have each of them.
+        ``farthest`` is the largest depth that a device may have for each of them.
         """
         if not self.has_depth or test.compare == "always":
             return np.ones(len(at), np.bool_)
@@ -299,16 +302,21 @@ def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:
 
 
 def check_layers(sample: Ints) -> None:
-    """Raise ``BudgetError`` if so many fragments are drawn over each other at one of these samples
-    that nobody would wait for it: each is blended with what is behind it."""
+    """Checks that not too many fragments are drawn over each other at one of these samples.
+
+    Each is blended with the colour behind it. Raises ``BudgetError`` for so many that nobody would
+    wait for it.
+    """
     _, counts = np.unique(sample, return_counts=True)
     most = int(counts.max(initial=0))
     check("operations", most * _OF_A_LAYER, f"what {most:,} faces draw over each other takes")
 
 
 def in_layers(sample: Ints) -> Iterator[Ints]:
-    """The numbers of fragments in the order of drawing, in portions with at most one of each
-    sample. Raises ``BudgetError`` for too many."""
+    """The numbers of fragments in drawing order, in portions with at most one of each sample.
+
+    Raises ``BudgetError`` for too many.
+    """
     check_layers(sample)
     order = np.argsort(sample, kind="stable")
     starts = np.flatnonzero(np.diff(sample[order], prepend=-1))

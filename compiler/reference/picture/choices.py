@@ -23,14 +23,13 @@ _AT_ONCE = 1 << 14
 """About how many further choices are computed at once, which limits memory."""
 
 Part = slice | Ints
-"""Which of the pixels something is computed for."""
+"""The pixels for which something is computed."""
 ALL: Part = slice(None)
 
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """A whole number for each pixel, from ``first`` to ``last``; ``home`` is that of the exact
-    value.
+    """A whole number for each pixel, from ``first`` to ``last``; ``home`` is the exact value's.
 
     Arrays are (pixels,), or single numbers. If ``first is last``, no pixel has a choice.
     """
@@ -41,7 +40,7 @@ class Choice:
 
     @property
     def is_sure(self) -> bool:
-        """Whether no pixel has a choice."""
+        """True if no pixel has a choice."""
         return self.first is self.last
 
     def mapped(self, change: Callable[[Ints], Ints]) -> Choice:
@@ -108,7 +107,7 @@ def hull_of_choices(choices: Sequence[Choice], compute: Compute, anything: Anyth
 
 
 def with_hull(found: Bounded, owner: Part, more: Bounded) -> Bounded:
-    """The lanes (lanes, pixels), with what a device may also have in some of the pixels.
+    """The lanes (lanes, pixels), with further possible values of a device in some of the pixels.
 
     ``owner`` says which pixel each of ``more`` belongs to, in ascending order.
     """
@@ -146,7 +145,7 @@ def _portions(pixels: Ints, total: Ints) -> list[Ints]:
 
 
 def _others(choices: Sequence[Choice], pixels: Ints, total: Ints) -> tuple[Ints, list[Ints]]:
-    """For some pixels every choice but the one of the exact value, and which pixel each is for."""
+    """Every choice of some pixels but that of the exact value, and the pixel that each is for."""
     owner = np.repeat(pixels, total)
     begins = np.cumsum(total) - total
     turn = np.arange(len(owner)) - np.repeat(begins, total)

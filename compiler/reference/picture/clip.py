@@ -25,13 +25,17 @@ class Clipped:
     primitive: Ints
     """(faces,): the triangle or line that each is a part of, in ascending order."""
     weights: Floats
-    """(faces, 3, 3), of lines (faces, 2, 2): each corner as a weighted sum of those of the
-    whole."""
+    """Each corner as a weighted sum of those of the whole:
+
+    (faces, 3, 3), for lines (faces, 2, 2).
+    """
     made: Bools
     """(faces, 3 or 2): whether clipping has made the corner."""
     inner: Bools
-    """(faces, 3), of lines (faces, 2): whether the side from this corner to the next one lies
-    within the triangle: another part begins there."""
+    """True for sides within the triangle, where another part begins.
+
+    A side goes from this corner to the next one: (faces, 3), for lines (faces, 2).
+    """
 
 
 def clip(corners: Floats, *, sides: bool = False) -> Clipped:
@@ -75,7 +79,7 @@ def clip_lines(ends: Floats) -> Clipped:
 
 
 def _kept(corners: Floats, distances: Floats) -> tuple[Bools, Bools]:
-    """Which triangles or lines may have a part inside, and which are inside as a whole."""
+    """The triangles or lines that may have a part inside, and those that are inside as a whole."""
     inside = distances >= 0
     finite = np.isfinite(corners).all(axis=(1, 2))
     kept: Bools = np.asarray(finite & inside.any(axis=1).all(axis=-1))
@@ -106,7 +110,7 @@ def _parts(distances: Floats) -> list[Floats]:
 
 
 def _inner_sides(fan: Sequence[Floats]) -> Bools:
-    """Which sides of the triangles of a fan are between two of them, (triangles, 3)."""
+    """True for the sides of a fan's triangles between two of them, (triangles, 3)."""
     inner = np.zeros((len(fan), 3), np.bool_)
     inner[1:, 0] = True
     inner[:-1, 2] = True

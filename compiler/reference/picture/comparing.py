@@ -1,4 +1,4 @@
-"""How a number of a fragment is compared with the one that is there: its depth, or a reference."""
+"""Compares a number of a fragment with the one in the attachment: its depth, or a reference."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _COMPARISONS: Mapping[str, Callable[[Any, Any], Any]] = {
 
 
 def compared(compare: Compare, new: Any, there: Any) -> Bools:
-    """For each fragment, whether the comparison holds; its own numbers stand on the left."""
+    """True for fragments for which the comparison holds; their own numbers stand on the left."""
     if compare in ("never", "always"):
         return np.full(there.shape, compare == "always")
     holds: Bools = _COMPARISONS[compare](new, there)

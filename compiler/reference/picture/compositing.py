@@ -1,8 +1,8 @@
-"""What a target holds after a colour is drawn over what is there: blending, with its bounds.
+"""Blending: the content of a target after a colour is drawn over another, with its bounds.
 
 ``canvas.py`` calls it for every fragment that is drawn to a target which is blended. The formulas
-are those of Vulkan ("Blending"), OpenGL 4.6 (17.3.6) and WebGPU ("Blend State"). What is drawn,
-what is there and the constant have been clamped to the range of the format before, as all of these
+are those of Vulkan ("Blending"), OpenGL 4.6 (17.3.6) and WebGPU ("Blend State"). The source, the
+destination and the constant have been clamped to the range of the format before, as all of these
 want it of formats in fixed point. Each product and each sum is rounded as a device may round it.
 """
 
@@ -24,21 +24,23 @@ ALPHA = 3
 
 @dataclass(frozen=True, slots=True)
 class Sides:
-    """What is blended, lane by lane."""
+    """The operands of blending, lane by lane."""
 
     source: Lanes
-    """What is drawn."""
+    """The colour that is drawn."""
     destination: Lanes
-    """What is there."""
+    """The colour in the target."""
     constant: Lanes
-    """What the host sets for the whole pass."""
+    """The constant that the host sets for the whole pass."""
 
 
 def composed(
     blend: Blend, source: Floats, destination: Floats, constant: Sequence[float]
 ) -> Floats:
-    """The contents of a target after colours (3, …, 4) are drawn over others: the values, and
-    between which numbers those of a device are."""
+    """The contents of a target after colours (3, …, 4) are drawn over others.
+
+    They are the values, and the bounds of those of a device.
+    """
     fixed = tuple(exact(np.float64(lane)) for lane in constant)
     sides = Sides(_lanes(source), _lanes(destination), fixed)
     equations = [blend.color] * ALPHA + [blend.alpha]
@@ -79,7 +81,7 @@ def _weighted(of: Bounded, factor: Factor, sides: Sides, lane: int) -> Bounded |
 
 
 def _saturated(sides: Sides, lane: int) -> Bounded:
-    """The least of what is drawn and of what is left; alpha is as it is."""
+    """The smaller of the source's alpha and 1 minus the destination's; for alpha itself, 1."""
     if lane == ALPHA:
         return exact(np.float64(1.0))
     drawn, left = sides.source[ALPHA], 1.0 - sides.destination[ALPHA]

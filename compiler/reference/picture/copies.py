@@ -1,4 +1,4 @@
-"""Tells which faces are at exactly the same place on every device: copies, and what is drawn twice.
+"""Finds faces at exactly the same place on every device: copies, and faces drawn twice.
 
 If the places of vertices do not depend on the instance, all instances lie in each other. A shader
 computes the same from the same operands, so the depths of a face and of its copy in another
@@ -27,7 +27,7 @@ class Places:
     def __init__(self) -> None:
         self._count = 0
         self._first: dict[bytes, int] = {}
-        """The first number of each draw, by what its faces are placed by."""
+        """The first number of each draw, by the digest of the placing of its faces."""
 
     def numbers(
         self, shader: Shader, geometry: Geometry, faces: Faces, placing: bytes | None
@@ -59,7 +59,7 @@ def _moves_instances(shader: Shader) -> bool:
 
 
 def _shows_triangles(shader: Shader) -> bool:
-    """Whether depths or values may change from one triangle to the next where both meet."""
+    """True if depths or values may change from one triangle to the next where both meet."""
     if shader.render_state.depth.is_biased:
         return True
     nodes = reachable(shader.roots)

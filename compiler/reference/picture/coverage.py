@@ -21,17 +21,20 @@ from .scene import Bools, Floats, Ints, RasterRules
 _OF_A_ROW = 150
 """Bytes for each row of pixels of a face, while those are found that it covers."""
 _OF_A_FRAGMENT = 120
-"""Bytes for each pixel that a face may cover: its place, its depths, and what it is drawn with."""
+"""Bytes for each pixel that a face may cover: its place, its depths, and its colours."""
 _OF_A_SHADE = 110
 """Bytes for each target that such a pixel is drawn to: four lanes with their ends."""
 _CANDIDATES = 1 << 18
-"""How many pixels are tested at once."""
+"""The number of pixels tested at once."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fragments:
-    """Pairs of a face and a sample that it covers: of a pixel with one sample, a fragment; where
-    there are several, those of one face and pixel together are a fragment."""
+    """Pairs of a face and a sample that it covers.
+
+    In a picture with one sample for each pixel, a pair is a fragment; where there are several
+    samples, the pairs of one face and pixel together are a fragment.
+    """
 
     face: Ints
     """The faces in ascending order, which is the order of drawing."""
@@ -39,26 +42,29 @@ class Fragments:
     """The numbers of the samples."""
 
     def only(self, which: Bools | Ints | slice) -> Fragments:
-        """Some of them."""
+        """The fragments that ``which`` selects."""
         return Fragments(self.face[which], self.sample[which])
 
     def of(self, faces: Ints) -> Fragments:
-        """Those of some faces, as those of all faces, among which these have these numbers."""
+        """The fragments of some faces as those of all faces.
+
+        ``faces`` are the numbers of these faces among all.
+        """
         return Fragments(faces[self.face], self.sample)
 
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
-    """What faces cover, and where rounding may change that."""
+    """The samples that faces cover, and where rounding may change that."""
 
     fragments: Fragments
     certain: Bools
     """(fragments,): which of them every device has."""
     doubtful: Fragments
-    """Those that a device may have or not, whether they are among the fragments or not."""
+    """The fragments that a device may have or not, whether they are among ``fragments`` or not."""
 
     def in_order(self) -> tuple[Fragments, Bools]:
-        """All that any device has, each once, in the order of drawing; which are certain."""
+        """All fragments that any device has, each once, in drawing order; and which are certain."""
         sure = self.certain
         every = joined([self.fragments.only(sure), self.doubtful])
         order = np.argsort(every.face, kind="stable")
@@ -74,10 +80,12 @@ class _Edges:
     y: Floats
     dx: Floats
     dy: Floats
-    """With the sign that makes the edge function positive inside."""
+    """The height, with the sign that makes the edge function positive inside."""
     owns: Bools
-    """Whether the face owns pixels that are exactly on the edge: a top or left edge,
-    or on some devices a bottom or left edge."""
+    """True if the face owns pixels that are exactly on the edge.
+
+    These are top or left edges, or on some devices bottom or left edges.
+    """
     reach: Floats
     """The value of the edge function up to which rounding may move the edge."""
 
@@ -96,7 +104,7 @@ class _Spans:
 
 
 def coverage_within(faces: Faces, some: Ints, rules: RasterRules, targets: int) -> Coverage:
-    """As ``coverage_of``, of only some faces, with these numbers in ascending order."""
+    """Like ``coverage_of``, for some faces only, with these numbers in ascending order."""
     if len(some) == len(faces.area):
         return coverage_of(faces, rules, targets)
     found = coverage_of(faces.only(some), rules, targets)
@@ -133,8 +141,10 @@ def _check_memory(rows: int, candidates: int, targets: int) -> None:
 
 
 def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
-    """Whether a sample may lie exactly on a level edge, so that it counts which of two faces owns
-    it."""
+    """True if a sample may lie exactly on a level edge.
+
+    Then it matters which of two faces owns it.
+    """
     x, y = faces.x, faces.y
     to_x, to_y = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
     is_level = (y == to_y) & (x != to_x)
@@ -148,7 +158,7 @@ def has_level_edges(faces: Faces, rules: RasterRules) -> bool:
 def _covered(
     faces: Faces, edges: _Edges, spans: _Spans, rules: RasterRules, number: int, at: Location
 ) -> Coverage:
-    """At which pixels of some spans the sample with this number is covered."""
+    """The pixels of some spans at which the sample with this number is covered."""
     face = np.repeat(spans.face, spans.length)
     before = np.cumsum(spans.length) - spans.length
     column = np.arange(len(face)) + np.repeat(spans.start - before, spans.length)
@@ -184,8 +194,7 @@ def _edges(faces: Faces, rules: RasterRules) -> _Edges:
 
 
 def _spans(faces: Faces, edges: _Edges, rules: RasterRules, at: Location) -> _Spans:
-    """For every face the rows of samples that it may touch, and in each the pixels between its
-    edges."""
+    """For every face, the rows of samples that it may touch, and the pixels between its edges."""
     slack = faces.unsure.max(axis=1, initial=0.0)
     first, upper, last, lower = rules.drawn
     left = _clamped(np.ceil(faces.x.min(axis=1) - slack - at.x), first, last)
@@ -208,7 +217,7 @@ def _clamped(places: Floats, low: int, high: int) -> Ints:
 
 
 def _between(edges: _Edges, face: Ints, y: Floats) -> tuple[Floats, Floats]:
-    """Where the row through ``y`` enters and leaves each face, allowing for rounding."""
+    """The ends of the row through ``y`` within each face, with room for rounding."""
     begin, end = np.full(len(face), -np.inf), np.full(len(face), np.inf)
     for side in range(edges.x.shape[1]):
         dx, dy = edges.dx[face, side], edges.dy[face, side]
@@ -233,7 +242,7 @@ def _portions(spans: _Spans) -> Iterator[_Spans]:
 def _tried(
     edges: _Edges, spans: _Spans, face: Ints, x: Floats, at: Location
 ) -> tuple[Bools, Bools]:
-    """For each candidate, whether it is covered, and whether rounding may change this."""
+    """For each candidate: is it covered, and may rounding change this?"""
     covered = np.ones(len(x), dtype=np.bool_)
     beside = np.ones(len(x), dtype=np.bool_)
     close = np.zeros(len(x), dtype=np.bool_)

@@ -1,4 +1,4 @@
-"""Cube maps: which face a direction meets, where it meets it, and what is beyond a face's edges.
+"""Cube maps: the face and the place that a direction meets, and the texels beyond its edges.
 
 The sampler and its texels ask for it. The rules are those of Vulkan, "Cube Map Face Selection and
 Transformations" and "Cube Map Edge Handling". Direct3D, OpenGL and WebGPU have the same faces, +x,
@@ -21,16 +21,19 @@ from .scene import Bools, Floats, Ints
 _ACROSS = np.array([[0, 0, -1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0], [-1, 0, 0]])
 _DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0, -1, 0]])
 _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
-"""For each face, the directions of its columns and of its rows, and the one in which it lies."""
+"""The directions of the columns and the rows of each face, and the one in which it lies."""
 
 _AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
 """The same directions as numbers of lanes, with signs."""
 _FACES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
-"""For each face, the lane that is the largest there, and its sign."""
+"""The lane that is the largest on each face, and its sign."""
 
 _ASSUMED = 2.0**-18
-"""How far a device may be off when it compares a direction's lanes and divides by the largest one,
-relative to that one. No API promises anything; measured."""
+"""The possible error of a device that compares and divides a direction's lanes.
+
+It divides by the largest one, and the error is relative to that one. No API promises anything;
+measured.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +43,7 @@ class Met:
     face: Ints
     across: Bounded
     down: Bounded
-    """Within the face, from 0 to 1."""
+    """The places within the face, from 0 to 1."""
     out: Bounded
     """The lane of the direction with the largest magnitude, without its sign."""
 
@@ -79,7 +82,7 @@ def met(direction: Sequence[Bounded], exactly: bool = False) -> Iterator[tuple[P
 
 
 def may_be_nowhere(direction: Sequence[Bounded]) -> Bools:
-    """Which directions may be zero, so that no API says where they meet the cube."""
+    """True for directions that may be zero, so that no API says where they meet the cube."""
     return np.asarray(largest([abs(lane) for lane in direction]).low < SMALLEST_NORMAL)
 
 
@@ -94,7 +97,7 @@ def face_of(direction: Sequence[Floats]) -> Ints:
 
 
 def _met(face: Ints, direction: Sequence[Bounded], out: Bounded, off: float) -> Met:
-    """Where directions meet these faces.
+    """The places where directions meet these faces.
 
     Only where the face's own lane is the largest, a device chooses the face. So that lane is not
     smaller than ``out``, and the places are within the face. A direction that may be zero may meet
@@ -136,7 +139,7 @@ def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[In
 
 
 def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
-    """Whether a texel is beyond two edges."""
+    """True if a texel is beyond two edges."""
     column, row = place
     return np.asarray(((column < 0) | (column >= size)) & ((row < 0) | (row >= size)))
 

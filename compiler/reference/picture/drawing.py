@@ -42,7 +42,7 @@ from .stencil import StencilTest
 from .tiles import Tile, tiles
 
 _OF_A_FACE = 1200
-"""Bytes for each face: its corners, what they may be off by, and all of that again for a tile."""
+"""Bytes for each face: its corners, their errors, and all of that again for a tile."""
 _OF_A_POSITION = 4
 """The lanes of a position."""
 _OF_A_LANE = 32
@@ -100,10 +100,11 @@ def draw_onto(
     progress: Tell | None = None,
     hulls: Hulls | None = None,
 ) -> frozenset[int]:
-    """Draw over what is on a canvas, as ``draw`` does on an empty one, and with the same errors.
+    """Draws over the content of a canvas, as ``draw`` does on an empty one.
 
-    The canvas has as many samples as ``rules`` say, which are those of the pass. ``hulls`` gets
-    what undecided ones may be. Returns the ids of the promises that were broken.
+    The errors are the same. The canvas has as many samples as ``rules`` say, which are those of the
+    pass. ``hulls`` gets the possible values of undecided samples. Returns the ids of the promises
+    that were broken.
     """
     size = _size_of(shader, geometry)
     with holding(size, f"what `{shader.name}` draws needs"), np.errstate(all="ignore"):
@@ -120,7 +121,7 @@ def _size_of(shader: Shader, geometry: Geometry) -> int:
 
 
 def written_by(shader: Shader) -> list[tuple[RenderTarget, Type]]:
-    """The render targets of a shader, with the types of what it writes to them."""
+    """The render targets of a shader, with the types of the values that it writes to them."""
     return [(r.state, r.value.type) for r in shader.results if r.state is not None]
 
 
@@ -160,7 +161,7 @@ class _Drawing:
             and self._depth.keeps_nearest
             and not self._stencil.writes
         )
-        """Whether of several fragments at a sample only the nearest one counts."""
+        """True if of several fragments at a sample only the nearest one counts."""
         self._canvas = canvas
         canvas.counted |= rules.counted(self._rare())
 
@@ -192,8 +193,7 @@ class _Drawing:
     def _draw_tile(
         self, rules: RasterRules, faces: Ints, progress: Tell | None, hulls: Hulls | None
     ) -> None:
-        """Draw the fragments of some faces in a part of the picture, which is the scissor of these
-        rules."""
+        """Draws the fragments of some faces in a part of the picture, these rules' scissor."""
         canvas = self._canvas
         coverage = coverage_within(self._faces, faces, rules, len(self._lanes))
         fragments, sure = coverage.fragments, coverage.certain
@@ -201,7 +201,7 @@ class _Drawing:
         fragments, sure = fragments.only(seen), sure[seen]
         doubtful = self._not_behind(coverage.doubtful.only(self._let_through(coverage.doubtful)))
         if self._depth.is_biased:
-            # APIs leave open what becomes of depths that a bias moves out of their range.
+            # APIs leave the depths open that a bias moves out of their range.
             beyond = sure & out_of_range(self._faces, fragments, self._rules)
             doubtful, sure = joined([doubtful, fragments.only(beyond)]), sure & ~beyond
         every, certain = Coverage(fragments, sure, doubtful).in_order()
@@ -230,7 +230,7 @@ class _Drawing:
 
     @property
     def _may_hide(self) -> bool:
-        """Whether some test may keep fragments from being drawn."""
+        """True if some test may keep fragments from being drawn."""
         is_tested = self._canvas.has_depth and self._depth.compare != "always"
         return is_tested or self._stencil.tests
 
@@ -238,16 +238,21 @@ class _Drawing:
         return StencilTest(self._stencil, self._faces.front[fragments.face])
 
     def _let_through(self, fragments: Fragments) -> Bools:
-        """The fragments that the stencil does not hide, as far as that is known beforehand: a draw
-        that writes values may still change them."""
+        """The fragments that the stencil does not hide, as far as that is known beforehand.
+
+        A draw that writes values may still change them.
+        """
         if self._stencil.writes:
             return np.ones(len(fragments.sample), np.bool_)
         test = self._test_of(fragments)
         return self._canvas.stencil.tested(test, fragments.sample).may_hold
 
     def _not_behind(self, doubtful: Fragments) -> Fragments:
-        """The doubtful fragments that may be seen before what there was when the draw began, as
-        long as that is still there then. What is hidden may change stencil values, too."""
+        """The doubtful fragments that may be seen in front of the content before the draw.
+
+        This holds as long as that content is still there. Hidden fragments may change stencil
+        values, too.
+        """
         is_changed = self._depth.write and self._depth.compare != "equal"
         if is_changed or self._stencil.writes:
             return doubtful
@@ -307,5 +312,5 @@ class _Drawing:
 
 
 def _within(progress: Tell, begin: float, share: float) -> Tell:
-    """What is told of a part of the work, as what is told of all of it."""
+    """The progress of a part of the work, reported as progress of all of it."""
     return lambda done: progress(begin + share * done)

@@ -18,7 +18,7 @@ from .scene import Bools, Floats, Ints, RasterRules
 _ENDS = np.array([[0, 1], [1, 2], [2, 0]])
 """The corners of a triangle between which each edge lies, in the order in which they are drawn."""
 _CORNERS = np.array([[0, 1, 0], [1, 2, 1], [2, 0, 2]])
-"""Which of them are those of the plane through each edge, as ``lines.py`` has them."""
+"""The corners of the plane through each edge, as ``lines.py`` has them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +50,7 @@ def edges_of(
 ) -> Faces:
     """The edges of triangles whose vertices have these clip positions, (vertices, 4).
 
-    ``faces`` are what is drawn of the triangles, and ``unmoved`` the same without a bias.
+    ``faces`` are the drawn parts of the triangles, and ``unmoved`` the same without a bias.
     """
     _, first = np.unique(faces.primitive, return_index=True)
     triangles, seen = faces.corners[first], faces.only(_mask(first, len(faces.corners)))

@@ -20,18 +20,19 @@ FLOAT32_STEPS = 5e-7
 
 @dataclass(frozen=True, slots=True)
 class Faces:
-    """Triangles in the window, with x to the right, y downwards, in pixels; none has the area
-    zero.
+    """Triangles in the window, x to the right, y downwards, in pixels; none has the area zero.
 
-    What covers pixels is an outline, for a triangle the triangle itself. What values are
-    interpolated over is a plane through three corners.
+    Pixels are covered by an outline, which is the triangle itself for a triangle. Values are
+    interpolated over a plane through three corners.
     """
 
     primitive: Ints
     """(faces,): the number of the triangle or line that each is a part of."""
     corners: Ints
-    """(faces, 3): the vertices of the triangle that each is a part of; of a line its first end, the
-    other one, and the first one again."""
+    """The vertices of the triangle that each face is a part of, (faces, 3).
+
+    For a line, they are its first end, the other one, and the first one again.
+    """
     weights: Floats
     """(faces, 3, 3): each corner as a weighted sum of the triangle's corners."""
     whole: Bools
@@ -44,11 +45,15 @@ class Faces:
     front: Bools
     """(faces,): whether the front is seen."""
     unsure: Floats
-    """(faces, sides): by how many pixels a device may have each side elsewhere, from a corner of
-    the outline to the next one."""
+    """The pixels by which a device may have each side elsewhere, (faces, sides).
+
+    A side goes from a corner of the outline to the next one.
+    """
     moved: Floats
-    """(faces, 3): by how many pixels each of the corners may be elsewhere between which a device
-    interpolates; ``shares`` says which they are."""
+    """The pixels by which each corner of the plane may be elsewhere, (faces, 3).
+
+    A device interpolates between these corners; ``shares`` says which they are.
+    """
     extent: Floats
     """(faces,): the largest coordinate of a place in the picture, or of a corner, in pixels."""
     plane_x: Floats
@@ -73,10 +78,10 @@ class Faces:
     def settled(
         self, face: Ints, place: tuple[Floats, Floats], covered: Bools, close: Bools
     ) -> tuple[Bools, Bools]:
-        """Which candidates are covered, and for which rounding decides.
+        """The candidates that are covered, and those for which rounding decides.
 
-        For each candidate it gets the face, the place of the sample, and what the outline says of
-        both. Where other rules count as well, a subclass has them.
+        For each candidate it gets the face, the place of the sample, and the verdict of the outline
+        on both. Where other rules count as well, a subclass has them.
         """
         del face, place
         return covered, close
@@ -116,7 +121,7 @@ def culled(faces: Faces, cull: Cull) -> Faces:
 
 
 def _may_turn(faces: Faces) -> Bools:
-    """Whether triangles may have their other side in front if their corners are a little elsewhere.
+    """True for triangles that may show their other side if their corners move a little.
 
     A corner that moves changes the area by no more than the way times the opposite side; the moves
     of several corners together add no more than six times the square of the way.
@@ -240,7 +245,7 @@ def snapped(places: Floats, rules: RasterRules) -> Floats:
 
 
 def moved_by(places: Floats, off: Floats, rules: RasterRules) -> Floats:
-    """By how many pixels the corners (faces, 3, 4) of faces may be elsewhere, (faces, 3).
+    """The pixels by which the corners (faces, 3, 4) of faces may be elsewhere, (faces, 3).
 
     The viewport's transform and the planes through the corners are computed with float32, in
     numbers as large as the picture.
@@ -257,7 +262,7 @@ def moved_by(places: Floats, off: Floats, rules: RasterRules) -> Floats:
 
 
 def depths_off(places: Floats, off: Floats) -> tuple[Floats, Floats]:
-    """By how much the depths of corners (faces, 3, 4) may differ, and by how much their 1 / w."""
+    """The possible errors of the depths of corners (faces, 3, 4), and of their 1 / w."""
     w = np.abs(places[..., 3])
     least = np.maximum(w - off[..., 3], 0.0)
     z = (off[..., 2] + np.abs(places[..., 2]) / w * off[..., 3]) / least
@@ -276,7 +281,7 @@ def extent_of(planes: tuple[Floats, Floats], rules: RasterRules) -> Floats:
 
 
 def unsure_corners(x: Floats, y: Floats, moved: Floats, rules: RasterRules) -> Floats:
-    """By how many pixels a vertex at (x, y) may be elsewhere on a device after snapping."""
+    """The pixels by which a vertex at (x, y) may be elsewhere on a device after snapping."""
     if rules.subpixel_bits is None:
         return np.broadcast_to(moved, x.shape)
     margin = moved * 2.0**rules.subpixel_bits

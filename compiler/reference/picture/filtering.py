@@ -20,9 +20,11 @@ from .scene import Floats, Ints
 from .texels import EVERY_LANE, Image
 
 _NEAREST = 2.0**-15
-"""The error that a place may have where single texels are used, in units of the texture: some
-devices find them with 16 bits. Assumed: only Direct3D promises anything, namely a number of bits
-behind the point in units of texels (11.3 functional specification, 7.18.7), and these count, too.
+"""The error of a place where single texels are used, in units of the texture.
+
+Some devices find them with 16 bits. Assumed: only Direct3D promises anything, namely a number of
+bits behind the point in units of texels (11.3 functional specification, 7.18.7), and these count,
+too.
 """
 _NEAREST_RELATIVE = 4e-6
 """The further error of the same place, relative to itself."""
@@ -46,13 +48,13 @@ class Place:
     """The places at which a texture is read, one for each pixel."""
 
     axes: Sequence[Bounded]
-    """In units of the texture, or of a cube's face."""
+    """The coordinates, in units of the texture, or of a cube's face."""
     layer: Choice
     """The layer, or the face of a cube."""
     level: Bounded | None
     """``None`` if all reads use the first one."""
     reference: Bounded | None
-    """What depths are compared with."""
+    """The references that depths are compared with."""
 
     def at(self, part: Part) -> Place:
         """The places of some pixels."""
@@ -63,11 +65,13 @@ class Place:
 
 
 class Filter:
-    """What a read makes of the texels around a place."""
+    """Filters the texels around a place to one value."""
 
     def __init__(self, image: Image, kind: str, lanes: slice = EVERY_LANE) -> None:
-        """``kind`` is ``nearest``, ``linear``, or ``gather`` for the four texels that ``linear``
-        would blend. ``lanes`` are those that are read."""
+        """``kind`` is ``nearest``, ``linear``, or ``gather``; ``lanes`` are those that are read.
+
+        ``gather`` reads the four texels that ``linear`` would blend.
+        """
         self._image = image
         self._kind = kind
         self._lanes = lanes
@@ -184,8 +188,7 @@ class Filter:
         return hull_of_choices(choices, compute, anything)
 
     def _in_texels(self, lane: Bounded, size: Ints) -> Bounded:
-        """A coordinate in texels, counted from the first one's edge, or centre if texels are
-        blended."""
+        """A coordinate in texels, from the first texel's edge, or its centre for blending."""
         shift = 0.0 if self._kind == "nearest" else 0.5
         found = increasing(lambda x: x * size - shift, lane)
         bits = self._image.rules.subtexel_bits

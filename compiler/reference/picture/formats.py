@@ -17,22 +17,25 @@ from ..transfer import decode_srgb, encode_srgb
 from .scene import Floats
 
 _CURVED = 0.1
-"""By how much of a step a device's curve of sRGB may be off, besides rounding: Direct3D allows 0.6
-of a step in all (11.3 functional specification, 3.2.3.8). Elsewhere it is assumed."""
+"""The part of a step by which a device's sRGB curve may be off, besides rounding.
+
+Direct3D allows 0.6 of a step in all (11.3 functional specification, 3.2.3.8). Elsewhere it is
+assumed.
+"""
 _ON_STEP = 1e-9
-"""By how much of a step float64 may be off at a number that the format has."""
+"""The part of a step by which float64 may be off at a number that the format has."""
 _READ = 2.0**-22
 """The error of a stored number that is read as a float32, relative to itself."""
 
 
 @frozen
 class Format:
-    """How a target stores numbers."""
+    """A format of a target: how it stores numbers."""
 
     bits: int
-    """Of a lane."""
+    """The bits of a lane."""
     alpha_bits: int
-    """Of the fourth lane."""
+    """The bits of the fourth lane."""
     is_float: bool
     is_srgb: bool
 
@@ -60,7 +63,7 @@ def format_of(name: str) -> Format:
 
 
 def lanes_of(name: str) -> int:
-    """How many lanes a format stores, each of which its name begins with a letter for."""
+    """The number of lanes that a format stores: its name begins with a letter for each."""
     letters = re.match(r"[a-z]+", name)
     assert letters is not None
     return len(letters[0])
@@ -97,7 +100,10 @@ def step(name: str, colours: Floats) -> Floats:
 
 
 def _fixed(form: Format, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Of NaN, which says that nothing is known, at least the ends of the range are."""
+    """Rounds to a format in fixed point.
+
+    NaN says that nothing is known; then at least the ends of the range are.
+    """
     low = np.clip(np.nan_to_num(low, nan=0.0), 0.0, 1.0)
     high = np.clip(np.nan_to_num(high, nan=1.0), 0.0, 1.0)
     slack = np.full(4, -_ON_STEP)

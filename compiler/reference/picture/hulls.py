@@ -1,9 +1,9 @@
-"""What an undecided sample may be: whatever some fragment there has drawn, or nothing has.
+"""The hull of an undecided sample: all that some fragment there may have drawn, or nothing.
 
 Where rounding tips which fragments are drawn, a picture alone is not compared. But a later step of
 a frame may read the pixel, and then it matters that it is one of few colours: between the least and
 the largest of them. Where colours are blended, each fragment of which rounding decides may have
-been blended with what was there, or not.
+been blended with the colour before, or not.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from .scene import Bools, Floats, Ints
 
 
 class Hulls:
-    """For each sample of a canvas the least and the largest of what it may be."""
+    """For each sample of a canvas, the least and the largest of its possible values."""
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
         self.targets = [target[1:].copy() for target in canvas.targets]
-        """For each target (2, samples, 4)."""
+        """The hulls of each target, (2, samples, 4)."""
         self.depth = np.stack([canvas.depth - canvas.depth_off, canvas.depth + canvas.depth_off])
         """(2, samples)."""
 
@@ -34,11 +34,11 @@ class Hulls:
         depths: Callable[[Fragments], tuple[Floats, Floats]],
         shaded: Callable[[Fragments], Shades],
     ) -> None:
-        """Behind a draw: decided samples are what they are; others may be what they were before, or
-        what any of these fragments makes of that.
+        """Extends the hulls behind a draw.
 
-        The fragments are in the order of drawing. All devices draw those that are ``certain``,
-        unless they discard them.
+        Decided samples get their values; others may keep those before, or what any of these
+        fragments makes of them. The fragments are in the order of drawing. All devices draw those
+        that are ``certain``, unless they discard them.
         """
         canvas = self._canvas
         undecided = canvas.undecided | canvas.shaky
@@ -78,7 +78,7 @@ class Hulls:
 
 
 def _join(hull: Floats, now: Floats, undecided: Bools) -> None:
-    """Make of a hull, in place: of undecided samples both, of all others what they are now."""
+    """Updates a hull in place: undecided samples join their present value, others take it."""
     here = undecided if now.ndim == 2 else undecided[:, None]
     for least, before, new in zip((np.minimum, np.maximum), hull, now, strict=True):
         least(before, new, out=before, where=here)

@@ -1,8 +1,9 @@
-"""Interval arithmetic without rounding, for what a sampler does before it reads texels.
+"""Interval arithmetic without rounding, for the work of a sampler before it reads texels.
 
 A sampler is fixed hardware, and no specification says how it rounds. So these functions of
 ``Bounded`` lanes do not round, unlike the operators of ``Bounded``; the sampler widens the results
-by what a device may be off. Lanes that are exact stay so, and then only their values are computed.
+by the possible error of a device. Lanes that are exact stay so, and then only their values are
+computed.
 """
 
 from __future__ import annotations

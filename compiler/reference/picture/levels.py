@@ -26,13 +26,13 @@ _TINY = 2.0**-60
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """By how much a coordinate changes from one pixel to the next."""
+    """The changes of a coordinate from one pixel to the next."""
 
     across: Sequence[Bounded]
     down: Sequence[Bounded]
 
     def at(self, part: Part) -> Steps:
-        """Those of some pixels."""
+        """The steps of some pixels."""
         return self.mapped(lambda lane: lane_at(part, lane))
 
     def mapped(self, change: Callable[[Bounded], Bounded]) -> Steps:

@@ -29,15 +29,16 @@ from .scene import Bools, Floats, Ints, RasterRules
 _HALF = 0.5
 """Half the width of a line, and how far a diamond reaches from the middle of its pixel."""
 _ANY_END = 1.0
-"""By how many pixels the ends of a line differ between all rules."""
+"""The pixels by which the ends of a line differ between all rules."""
 _BORDER = 1.0
-"""Within so many pixels of the picture's border, an end has corners beyond it, or a line ends
-somewhere that a device cuts there."""
+"""The distance from the picture's border, in pixels, at which the border matters.
+
+Within it, an end has corners beyond the border, or a line ends somewhere if a device cuts it there.
+"""
 _CORNERS = [0, 1, 0]
-"""Of which ends the corners of a plane have the values."""
+"""The ends whose values the corners of a plane have."""
 _NEARLY_DIAGONAL = 2.0**-12
-"""Lines whose two directions differ by less, relative to their length, have either as the longer
-one."""
+"""The relative difference of a line's two directions below which either may be the longer one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +49,7 @@ class LineFaces(Faces):
     end: Floats
     """(faces, 2): the ends."""
     slack: Floats
-    """(faces,): how close a decision about an end has to be to hang on rounding."""
+    """(faces,): the distance at which rounding tips a decision about an end."""
     step: Floats
     """(faces,): the distance between the places to which ends are snapped."""
     leaves: Bools
@@ -72,8 +73,11 @@ class LineFaces(Faces):
     def _by_diamonds(
         self, face: Ints, place: tuple[Floats, Floats], covered: Bools, close: Bools
     ) -> tuple[Bools, Bools]:
-        """A pixel is covered if the line leaves its diamond. Where it goes past the middle of the
-        pixel, it does; elsewhere it has to begin inside, and it must not end there."""
+        """Decides the pixels that lines cover by the diamond rule.
+
+        A pixel is covered if the line leaves its diamond. Where it goes past the middle of the
+        pixel, it does; elsewhere it has to begin inside, and it must not end there.
+        """
         middle = np.stack(place, axis=1)
         from_begin, from_end = middle - self.begin[face], middle - self.end[face]
         along = self.end[face] - self.begin[face]
@@ -94,7 +98,7 @@ class LineFaces(Faces):
 
 @dataclass(frozen=True, slots=True)
 class _Outline:
-    """The corners of what a line covers, before they are snapped; arrays are (faces, 4, 2).
+    """The corners of the area that a line covers, before they are snapped; arrays (faces, 4, 2).
 
     They are in such an order that the front is seen: a line has no back.
     """
@@ -102,13 +106,13 @@ class _Outline:
     middle: Floats
     """The end of the line to which each corner belongs."""
     beside: Floats
-    """Where the corner lies from there."""
+    """The offset of the corner from there."""
     length: Floats
     """(faces,): that of the line."""
     narrowing: Floats
     """(faces,): by how many pixels the sides along the line differ between all rules."""
     diagonal: Bools
-    """(faces,): whether it hangs on rounding which direction is the longer one."""
+    """(faces,): true if rounding decides which direction is the longer one."""
 
 
 def lines_of(positions: Floats, lines: Ints, rules: RasterRules, of_vertices: Floats) -> Faces:
@@ -167,7 +171,7 @@ def _border(rules: RasterRules) -> tuple[Floats, Floats]:
 
 
 def _leaves(ends: Floats, rules: RasterRules, margin: float = 0.0) -> Bools:
-    """Which lines have an end beyond the viewport, or so close to its border."""
+    """True for lines with an end beyond the viewport, or so close to its border."""
     first, last = _border(rules)
     inside = (ends >= first + margin) & (ends <= last - margin)
     beyond: Bools = np.asarray(~inside.all(axis=(1, 2)))
@@ -175,7 +179,7 @@ def _leaves(ends: Floats, rules: RasterRules, margin: float = 0.0) -> Bools:
 
 
 def _outline(ends: Floats, rules: RasterRules) -> _Outline:
-    """What lines (faces, 2, 2) cover by the rule of the device."""
+    """The area that lines (faces, 2, 2) cover by the rule of the device."""
     begin, end = ends[:, 0], ends[:, 1]
     along = end - begin
     length = np.hypot(*along.T)
@@ -202,8 +206,11 @@ def _outline(ends: Floats, rules: RasterRules) -> _Outline:
 
 
 def _corners(outline: _Outline, rules: RasterRules) -> Floats:
-    """The corners on the device's grid, (2, faces, 4). Where diamonds count, nothing is known of
-    the places along the line whose corners a device snaps."""
+    """The corners on the device's grid, (2, faces, 4).
+
+    Where diamonds count, nothing is known of the places along the line whose corners a device
+    snaps.
+    """
     if rules.lines == "diamonds":
         found = outline.middle + outline.beside
     elif rules.snaps_line_ends:
@@ -220,8 +227,10 @@ def _step(rules: RasterRules) -> float:
 
 
 def _slack(moved: Floats, outline: _Outline, rules: RasterRules) -> Floats:
-    """By how many pixels lines may be elsewhere before they are snapped: where both ends may move,
-    a line may turn."""
+    """The pixels by which lines may be elsewhere before they are snapped.
+
+    Where both ends may move, a line may turn.
+    """
     ends = moved + (_step(rules) if rules.lines == "any" else 0.0)
     turned = ends / np.maximum(outline.length, ends)
     slack: Floats = moved + turned
@@ -229,10 +238,12 @@ def _slack(moved: Floats, outline: _Outline, rules: RasterRules) -> Floats:
 
 
 def _unsure(outline: _Outline, slack: Floats, is_cut: Bools, rules: RasterRules) -> Floats:
-    """By how many pixels each side of the outlines may be elsewhere: one along the line, its end,
-    the other one, and where it begins."""
+    """The pixels by which each side of the outlines may be elsewhere.
+
+    The sides are one along the line, its end, the other one, and where it begins.
+    """
     corners = _unsure_corners(outline, slack, rules)
-    # What a device cuts at the border of the picture gets new corners there: these are snapped.
+    # A line that a device cuts at the picture's border gets new corners there, which are snapped.
     cut = np.where(is_cut, _step(rules), 0.0)[:, None]
     sides = np.maximum(corners, np.roll(corners, -1, axis=1)) + cut
     along, ends = sides[:, ::2], sides[:, 1::2]
@@ -246,7 +257,7 @@ def _unsure(outline: _Outline, slack: Floats, is_cut: Bools, rules: RasterRules)
 
 
 def _unsure_corners(outline: _Outline, slack: Floats, rules: RasterRules) -> Floats:
-    """By how many pixels each corner of the outlines may be elsewhere after snapping."""
+    """The pixels by which each corner of the outlines may be elsewhere after snapping."""
     if rules.lines == "diamonds":
         farthest = slack + np.sqrt(0.5) * _step(rules) + rules.edge_slack
         return np.repeat(farthest[:, None], 4, axis=1)
@@ -267,9 +278,11 @@ def _shares(whole: Floats, weights: Floats) -> Floats:
 def _plane(
     ends: Floats, whole: Floats, shares: Floats, rules: RasterRules
 ) -> tuple[Floats, Floats]:
-    """Three places over which values are interpolated: the ends of each line, and one beside its
-    beginning with the same values. So these change along the line only; where diamonds count,
-    along its longer direction."""
+    """Three places over which values are interpolated.
+
+    They are the ends of each line, and one beside its beginning with the same values. So these
+    change along the line only; where diamonds count, along its longer direction.
+    """
     if rules.interpolates_snapped:
         ends = shares @ snapped(np.stack(window(whole, rules), axis=-1), rules)
     begin, end = ends[:, 0], ends[:, 1]
@@ -285,7 +298,7 @@ def _plane(
 def _moved_plane(
     whole: Floats, off: Floats, moved: Floats, outline: _Outline, rules: RasterRules
 ) -> Floats:
-    """By how many pixels each of these may be elsewhere; the third one turns with the line."""
+    """The pixels by which each of these may be elsewhere; the third one turns with the line."""
     moved = moved[:, None]
     if rules.interpolates_snapped:
         places = window(whole, rules)

@@ -31,8 +31,10 @@ def placing_of(
     geometry: Geometry,
     rules: RasterRules,
 ) -> bytes | None:
-    """The digest; ``None`` where a device may place what is drawn otherwise than another draw that
-    has the same."""
+    """The digest of a draw.
+
+    It is ``None`` where a device may place the faces otherwise than another draw of the same.
+    """
     if not shader.render_state.is_invariant:
         return None
     held = _Held(values, textures, geometry)
@@ -51,8 +53,10 @@ def placing_of(
 
 
 def _in_order(roots: Sequence[Node]) -> Iterator[Node]:
-    """All that is computed for ``roots``, in the order in which it is needed. So it does not hang
-    on what else a graph has."""
+    """All nodes below ``roots``, in the order in which they are needed.
+
+    So it does not depend on the rest of the graph.
+    """
     seen: set[Node] = set()
     pending = list(roots)[::-1]
     while pending:
@@ -68,7 +72,7 @@ def _in_order(roots: Sequence[Node]) -> Iterator[Node]:
 
 
 def _written(nodes: Sequence[Node], held: _Held) -> Iterator[bytes]:
-    """The operations and their operands by number, and what the leaves hold."""
+    """The operations and their operands by number, and the content of the leaves."""
     numbers: dict[Node, int] = {}
     variables: dict[Formal, int] = {}
     for number, node in enumerate(nodes):
@@ -81,7 +85,7 @@ def _written(nodes: Sequence[Node], held: _Held) -> Iterator[bytes]:
 
 
 class _Held:
-    """What the leaves of a draw hold, as bytes."""
+    """The content of the leaves of a draw, as bytes."""
 
     def __init__(
         self, values: Mapping[str, Lanes], textures: Mapping[str, Texels], geometry: Geometry
@@ -91,12 +95,14 @@ class _Held:
         self._geometry = geometry
 
     def is_rounded(self, node: Node) -> bool:
-        """Whether a node is a texture that the device itself has drawn. Another one may have other
-        numbers there, though here they are the same."""
+        """True if a node is a texture that the device itself has drawn.
+
+        Another texture may have other numbers there, though here they are the same.
+        """
         return isinstance(node.data, Resource) and bool(self._textures[node.data.name].low)
 
     def data_of(self, node: Node) -> Iterator[bytes]:
-        """What a node is besides an operation; of a leaf, what the device finds there."""
+        """The data of a node besides its operation; of a leaf, the value that the device finds."""
         match node.data:
             case Parameter():
                 yield from _of_value(self._values[node.data.name])
@@ -118,7 +124,7 @@ class _Held:
 
 def _of_value(value: Any) -> Iterator[bytes]:
     if isinstance(value, Contents):
-        # What a kernel has written is the same for all who read it, and for nobody else.
+        # A kernel's result is the same for all who read it, and for nobody else.
         yield value.data if value.ends is None else value.written.bytes
     elif isinstance(value, tuple | list):
         yield b"("

@@ -20,13 +20,14 @@ from .samples import CENTRE, Location, location_of_depth, pixels_of
 from .scene import Bools, Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
-"""The error of a mean where a device may take small numbers of the computation for zero. Means of
-nothing but zeros are exact."""
+"""The error of a mean where a device may take small numbers of the computation for zero.
+
+Means of nothing but zeros are exact.
+"""
 _AT_ONCE = 1 << 16
-"""How many depths are computed at once, so that a large picture needs no more memory than
-others."""
+"""The number of depths computed at once, so that a large picture needs no more memory."""
 _HALF = 0.5
-"""How far the samples of a pixel are from its centre at most, to the side and downwards."""
+"""The largest distance of a pixel's samples from its centre, to the side and downwards."""
 _OVERFLOWS = 2.0**124
 """A plane through larger numbers may become infinite on its way."""
 
@@ -41,8 +42,7 @@ class Quads:
     """(quads,): the pixel at the top left."""
     side: int
     at: Location = CENTRE
-    """Where in each pixel the values are; of quads of one pixel, each may have a place of its
-    own."""
+    """The place of the values in each pixel; of quads of one pixel, each may have its own."""
 
     def __len__(self) -> int:
         return len(self.face)
@@ -52,7 +52,7 @@ class Quads:
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)
 
     def places(self) -> tuple[Floats, Floats]:
-        """Where the values are, in pixels: (quads, 1, side) and (quads, side, 1)."""
+        """The places of the values, in pixels: (quads, 1, side) and (quads, side, 1)."""
         across = self._each(self.x, self.at.x)
         down = self._each(self.y, self.at.y)
         return across[:, None, :], down[:, :, None]
@@ -64,18 +64,21 @@ class Quads:
 
 
 def rows_above(rules: RasterRules, side: int) -> int:
-    """How many rows of the first quads are above the picture, as OpenGL pairs rows from below."""
+    """The number of rows of the first quads above the picture: OpenGL pairs rows from below."""
     return rules.height % side if rules.bottom_up else 0
 
 
 def quads_of(fragments: Fragments, rules: RasterRules, side: int) -> tuple[Quads, Ints]:
-    """The quads that contain the fragments, and for each fragment the number of its lane in
-    them, which all samples of a pixel have in common."""
+    """The quads that contain the fragments, and for each fragment the number of its lane in them.
+
+    All samples of a pixel share a lane.
+    """
     width, above = rules.width, rows_above(rules, side)
     pixel = pixels_of(fragments.sample, rules)
     x, y = pixel % width, pixel // width + above
     across = -(-width // side)
     column, row = x // side, y // side
+    # One number for each pair of a face and a quad's place, so that equal pairs are found at once.
     span = (int(row.max(initial=0)) + 1) * across
     keys, quad = np.unique(fragments.face * span + row * across + column, return_inverse=True)
     place = keys % span
@@ -110,8 +113,10 @@ class Barycentric:
 
     @cached_property
     def depth_read(self) -> Bounded:
-        """The depth, as shaders read it. Where pixels have several samples, a device may give it
-        that of any of them."""
+        """The depth, as shaders read it.
+
+        Where pixels have several samples, a device may give it that of any of them.
+        """
         return self.depth if self._rules.samples == 1 else self._depth_around(_HALF)
 
     def _depth_around(self, reach: float) -> Bounded:
@@ -155,8 +160,10 @@ class Barycentric:
 
     @cached_property
     def _may_divide_by_zero(self) -> Bools:
-        """Where the divisor may have either sign: near the horizon of a plane, beyond which the
-        centre of a pixel may lie of which only some samples are covered."""
+        """True where the divisor may have either sign: near the horizon of a plane.
+
+        The centre of a pixel may lie beyond it if only some of its samples are covered.
+        """
         lost: Bools = self._far + self._weights_off >= 1.0
         return lost
 
@@ -168,10 +175,10 @@ class Barycentric:
         return second * near_b / self.per_w.value, third * near_c / self.per_w.value
 
     def perspective(self, values: Lanes) -> Lanes:
-        """Interpolate values at the vertices with perspective.
+        """Interpolates values at the vertices with perspective.
 
         Lanes become ``Bounded``, whether those at the vertices are or not. A device rounds here
-        even what is the same at all vertices.
+        even values that are the same at all vertices.
         """
         return tuple(map(self._crossed, values))
 
@@ -195,12 +202,14 @@ class Barycentric:
         planes. A device divides a plane through the values over w by a plane through 1 / w, which
         are rounded each on its own.
         """
+        # The exact value, from those at the corners.
         vertices = self._faces.corners[self._face]
         exact = lane.value if isinstance(lane, Bounded) else lane
         corners = exact[vertices].astype(np.float64)
         value = self._interpolated(corners)
         parts = self._cut(corners)
-        # Those of the whole triangle, because the clipped part decides how its planes are rounded.
+        # The error of both planes, relative to the largest numbers that they are computed with:
+        # those of the whole triangle, because the clipped part decides how its planes are rounded.
         near = self._near
         largest = _most(corners) * _most(near)
         flushed = self._flushed * (largest > 0)[:, None, None]
@@ -209,15 +218,18 @@ class Barycentric:
         # A device multiplies by distances in the picture before it divides by the face's area.
         planes = np.where(largest * self._extent**2 > _OVERFLOWS, np.inf, planes)
         off = planes + self._far * np.abs(value) + flushed
+        # The error of the triangle's place, and that of the weights by the corners' own w.
         a, b, c = parts.T[:, :, None, None]
         second, third = np.abs(b - a), np.abs(c - a)
         off = off + self._moved * (self._slopes[0] * second + self._slopes[1] * third)
         off = off + self._weights_off * (second + third)
+        # The errors of the values at the corners, each by the magnitude of its weight.
         if isinstance(lane, Bounded) and not lane.is_exact:
             radius = np.maximum(lane.high - lane.value, lane.value - lane.low)
             a, b, c = self._cut(radius[vertices]).T[:, :, None, None]
             second, third = self._perspective
             off = off + np.abs(1.0 - second - third) * a + np.abs(second) * b + np.abs(third) * c
+        # Near the horizon of the plane nothing is known.
         if self._may_divide_by_zero.any():
             off = np.where(self._may_divide_by_zero, np.inf, off)
         return Bounded(value, value - off, value + off)
@@ -253,7 +265,7 @@ class Barycentric:
         return steepness
 
     def _moved_by(self) -> Floats:
-        """By how many pixels the triangle may be elsewhere at each place of a quad.
+        """The pixels by which the triangle may be elsewhere at each place of a quad.
 
         A place is a weighted mean of the corners, and moves with each of them by its weight. Where
         a corner is behind the eye, a clipped part lies outside of the triangle between them, and
@@ -272,12 +284,16 @@ class Barycentric:
 
     @cached_property
     def _slopes(self) -> tuple[Floats, Floats]:
-        """By how much the weights change if the triangle is a pixel elsewhere: the sum of the
-        magnitudes of each weight's changes to the right and downwards."""
+        """The changes of the weights if the triangle is a pixel elsewhere.
+
+        They are the sums of the magnitudes of each weight's changes to the right and downwards.
+        """
         near = self._near[:, :, None, None]
         slopes: list[Floats] = []
         for i, share in enumerate(self._perspective):
             change = np.zeros_like(share)
+            # By the quotient rule, as a share is a linear weight times its corner's 1 / w, divided
+            # by the mean 1 / w.
             for step in self._steps:
                 slope = step[0] * (near[:, 1] - near[:, 0]) + step[1] * (near[:, 2] - near[:, 0])
                 moved = step[i] * near[:, i + 1] - share * slope
@@ -345,14 +361,13 @@ def _most(corners: Floats) -> Floats:
 
 
 _Weights = tuple[Floats, Floats]
-"""Those of the second and third corner; the first one has the rest."""
+"""The weights of the second and third corner; the first one has the rest."""
 
 
 def _linear(
     faces: Faces, face: Ints, x: Floats, y: Floats
 ) -> tuple[_Weights, tuple[_Weights, _Weights]]:
-    """The weights at some places, linear on the screen; and their changes to the right and
-    downwards."""
+    """The weights at some places, linear on the screen; and their changes right and downwards."""
     ax, bx, cx = faces.plane_x[face].T
     ay, by, cy = faces.plane_y[face].T
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)

@@ -1,4 +1,4 @@
-"""Makes a picture of what has been drawn on a canvas: each pixel is the mean of its samples.
+"""Makes a picture of the samples on a canvas: each pixel is the mean of its samples.
 
 ``drawing.py`` calls ``expected_on`` when a draw is done, and ``targets/runner/frames`` behind the
 last draw of a step. Where pixels have one sample, nothing is changed. Sources: Vulkan, "Resolving
@@ -22,7 +22,7 @@ def expected_on(
     broken: frozenset[int] = frozenset(),
     hulls: Hulls | None = None,
 ) -> Expected:
-    """The picture on a canvas. ``hulls`` says what undecided samples may be, if that is known."""
+    """The picture on a canvas. ``hulls`` has the bounds of undecided samples, if known."""
     shape = rules.height, rules.width, rules.samples
     undecided = canvas.undecided | canvas.shaky
     targets = [
@@ -46,8 +46,10 @@ def expected_on(
 
 
 def samples_on(canvas: Canvas, target: int, hulls: Hulls | None = None) -> Ends:
-    """The samples of one of the targets, (3, samples, 4). Those that are undecided may be all that
-    their hulls contain."""
+    """The samples of one of the targets, (3, samples, 4).
+
+    Undecided samples may have all values that their hulls contain.
+    """
     found: Ends = canvas.targets[target].copy()
     low, high = found[1:]
     low[np.isnan(low)], high[np.isnan(high)] = -np.inf, np.inf
@@ -60,7 +62,7 @@ def samples_on(canvas: Canvas, target: int, hulls: Hulls | None = None) -> Ends:
 def _mean(samples: Ends, format_: str, *, rounds: bool) -> Ends:
     """The mean of the samples of each pixel, from (3, height, width, samples, 4).
 
-    A device adds floats in any order, and rounds the mean to the format as it rounds what is drawn.
+    A device adds floats in any order, and rounds the mean to the format as it rounds drawn colours.
     No mean of rounded numbers is beyond the least and the largest of them.
     """
     count = samples.shape[-2]

@@ -116,7 +116,7 @@ class TextureReader:
 
     @property
     def _moves_on_surface(self) -> bool:
-        """Whether the level follows from the movement on a cube's surface, and not in its face."""
+        """True if the level follows from the movement on a cube's surface, and not in its face."""
         return self._image.type.dimension == "cube" and not self._image.rules.projects_cubes
 
     def _colours(self, where: Sequence[Lanes], level: Bounded | Steps) -> Lanes:
@@ -170,8 +170,10 @@ class TextureReader:
         return _lanes(found, shape)
 
     def _without_place(self, place: Place, shape: tuple[int, ...]) -> Ints:
-        """The pixels that may read a cube in the direction zero, or whose neighbours in their quad
-        do so: the differences between their places are not defined, either."""
+        """The pixels that may read a cube in the direction zero, or whose neighbours do so.
+
+        The differences between the places of a quad are not defined then, either.
+        """
         if self._image.is_exact:
             return np.zeros(0, dtype=np.int64)
         lost = may_be_nowhere(place.axes)
@@ -208,8 +210,10 @@ def _flat(lane: Bounded, shape: tuple[int, ...]) -> Bounded:
 
 
 def _lanes(found: Bounded, shape: tuple[int, ...]) -> Lanes:
-    """The lanes of a read (lanes, pixels) in the shape of its operands, with errors that all share
-    that is computed from them."""
+    """The lanes of a read (lanes, pixels) in the shape of its operands.
+
+    Values that are computed from the read share its errors.
+    """
     return tuple(
         remembered(Bounded(*ends)) if not found.is_exact else exact(ends[0])
         for ends in zip(*(

@@ -1,9 +1,10 @@
-"""Where the samples of a picture lie, and how they are numbered.
+"""The places of the samples of a picture, and their numbers.
 
-Whatever is kept of a picture while it is drawn (coverage, depths, stencil values, colours) is kept
+All that is kept of a picture while it is drawn (coverage, depths, stencil values, colours) is kept
 of samples. A pixel has one, at its centre, or several around it if its pass says so. Samples are
 numbered pixel by pixel and row by row from the top, those of one pixel one after the other: where
 each pixel has one, these are the numbers of pixels.
+
 The places are those that Vulkan ("Multisampling") and Direct3D call the standard ones, and that
 WebGPU demands.
 """
@@ -53,7 +54,7 @@ def pixels_of(sample: Ints, rules: RasterRules) -> Ints:
 
 
 def location_of_depth(sample: Ints, rules: RasterRules) -> Location:
-    """Where in their pixels the depths of samples are computed."""
+    """The locations in their pixels at which the depths of samples are computed."""
     if rules.samples == 1:
         return CENTRE
     number, every = sample % rules.samples, locations(rules)

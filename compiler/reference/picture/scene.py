@@ -16,23 +16,31 @@ Bools = NDArray[np.bool_]
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
 Lines = Literal["rectangle", "parallelogram", "diamonds", "any"]
-"""Which pixels a line of the width 1 covers: those with their middle in a rectangle around it, or
-in a parallelogram with sides along the picture, one pixel wide across the line's longer direction;
-those whose diamond it leaves, where values change along its longer direction only; or, if nothing
-is known, by any of these rules."""
+"""The rule by which a line of the width 1 covers pixels.
+
+``rectangle``: pixels with their middle in a rectangle around it. ``parallelogram``: in one with
+sides along the picture, one pixel wide across the line's longer direction. ``diamonds``: pixels
+whose diamond it leaves, where values change along its longer direction only. ``any``: nothing is
+known, so each of these rules is possible.
+"""
 Derivatives = Literal["own", "first", "any"]
-"""The differences that a device takes: those of each pixel's own row and column, those of the
-first row and column for the whole quad, or, if nothing is known, any of its quad."""
+"""The differences that a device takes between pixels.
+
+``own``: those of each pixel's own row and column. ``first``: those of the first row and column for
+the whole quad. ``any``: nothing is known, so any of its quad.
+"""
 Counted = frozenset[tuple[str, Hashable]]
-"""Names of raster rules and what they were, for those of ``RARE`` on which a picture hangs."""
+"""Names and values of raster rules in ``RARE`` on which a picture depends."""
 
 LEVEL_EDGES = frozenset({"owns_bottom"})
 LINES = frozenset({"lines", "snaps_line_ends"})
 ROWS = frozenset({"bottom_up"})
 RARE = LEVEL_EDGES | LINES | ROWS
-"""The rules that few pictures hang on: those with samples exactly on a level edge, those of lines,
-and those whose pixels use values of their neighbours or have several samples. All others are the
-same by any of them."""
+"""The rules that few pictures depend on.
+
+Such pictures have samples exactly on a level edge, or lines, or pixels that use values of their
+neighbours or have several samples. All others are the same by any of these rules.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,12 +48,15 @@ class Geometry:
     """Indexed triangles or lines; or other primitives, which are expanded or captured."""
 
     attributes: Mapping[str, NDArray[Any]]
-    """By attribute name, (vertices, lanes): float64, or int64 for integers."""
+    """The attributes by name, (vertices, lanes): float64, or int64 for integers."""
     triangles: Ints
-    """(triangles, 3): indices of vertices, in the order of drawing; the first is the provoking
-    vertex. Lines have two, and other primitives as many as they have corners."""
+    """Indices of vertices, (triangles, 3), in the order of drawing.
+
+    The first is the provoking vertex. Lines have two, and other primitives as many as they have
+    corners.
+    """
     instance_count: int = 1
-    """How often the same vertices are repeated, one instance after the other."""
+    """The number of instances: the same vertices are repeated, one instance after the other."""
 
     @property
     def vertex_count(self) -> int:
@@ -82,20 +93,22 @@ class Texels:
     """A texture as a shader reads it."""
 
     levels: tuple[Floats | Ints, ...]
-    """Each level has linear values (height, width, 4), first row at the top; depths (height, width,
-    1).
+    """The levels, each with linear values (height, width, 4), first row at the top.
 
-    With layers, faces or slices: (layers, height, width, 4). Every level halves width and height,
-    and the depth of a 3D texture, rounded down, but not below 1.
+    Depths are (height, width, 1). With layers, faces or slices: (layers, height, width, 4). Every
+    level halves width and height, and the depth of a 3D texture, rounded down, but not below 1.
     """
     is_srgb: bool = False
-    """Whether colours are stored in 8 bits of sRGB, which a device decodes."""
+    """True if colours are stored in 8 bits of sRGB, which a device decodes."""
     low: tuple[Floats, ...] = ()
     high: tuple[Floats, ...] = ()
-    """Of a texture that was drawn: for each level, between which numbers those are that a device
-    has stored. Of an undecided pixel, these contain all that it may have drawn there."""
+    """The upper bounds of the numbers that a device has stored, for each level of a drawn texture.
+
+    ``low`` has the lower ones. For an undecided pixel, these contain all that it may have drawn
+    there.
+    """
     has_undefined: bool = False
-    """Whether some were drawn of which nothing is defined; they are NaN."""
+    """True if some texels were drawn that are undefined; they are NaN."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,59 +120,88 @@ class RasterRules:
     subpixel_bits: int | None = None
     """To how many binary places of a pixel vertices are snapped; ``None``: they are not."""
     interpolates_snapped: bool = False
-    """Whether depth and attributes are interpolated between the snapped vertices, instead of those
-    before snapping. Coverage always depends on the snapped ones."""
+    """True if depth and attributes are interpolated between the snapped vertices.
+
+    Otherwise those before snapping count. Coverage always depends on the snapped ones.
+    """
     clips_sides: bool = False
-    """Whether triangles are clipped at the sides of the picture, before they are snapped."""
+    """True if triangles are clipped at the sides of the picture, before they are snapped."""
     owns_bottom: bool = False
-    """Whether pixels that are exactly on a level edge belong to the face above it, not below."""
+    """True if pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
-    """How close to an edge, in pixels, the device may put a pixel on the wrong side."""
+    """The distance to an edge, in pixels, at which the device may put a pixel on the wrong side."""
     lines: Lines = "rectangle"
     snaps_line_ends: bool = False
-    """Whether the ends of lines are snapped, and half their width by itself, instead of the corners
-    of what they cover."""
+    """True if the ends of lines are snapped, and half their width by itself.
+
+    Otherwise the corners of the covered area are.
+    """
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""
     varying_bits: int | None = None
-    """The exact binary places of the planes from which values are interpolated, relative to the
-    largest number with which these are computed; ``None``: all."""
+    """The exact binary places of the planes from which values are interpolated; ``None``: all.
+
+    They are relative to the largest number with which the planes are computed.
+    """
     frag_coord_bits: int | None = None
     """The same of the planes of a fragment's depth, and of its 1 / w."""
     mip_bits: int | None = None
     """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None
-    """The binary places of a mean of single texels of two levels, one of which may have no weight;
-    ``None``: exact."""
+    """The binary places of a mean of single texels of two levels; ``None``: exact.
+
+    One of the levels may have no weight.
+    """
     level_power: int | None = None
-    """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
-    ``None``: it is exact."""
+    """The power of a footprint whose logarithm a device reads roughly; ``None``: it is exact.
+
+    It reads the logarithm from a float's bits.
+    """
     derivatives: Derivatives = "any"
     euclidean_steps: bool = False
-    """Whether the device is known to take differences between pixels in a quad's first row and
-    column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
+    """True if the device is known to take Euclidean lengths of simple differences.
+
+    The differences are between pixels in a quad's first row and column; cubes are excepted. Vulkan
+    allows other ways, too.
+    """
     corner_bits: int | None = None
-    """The binary places of the texel beyond a cube's corner, where the device is known to read the
-    mean of the three around it, as Vulkan recommends; ``None``: it may read one of them."""
+    """The binary places of the texel beyond a cube's corner; ``None``: it may read one of three.
+
+    They are known where the device reads the mean of the three texels around it, as Vulkan
+    recommends.
+    """
     bottom_up: bool = False
-    """Whether the device counts rows from below. Then a quad's first pixel is the lower left one,
-    which matters for levels and derivatives, and the samples of a pixel lie turned over."""
+    """True if the device counts rows from below.
+
+    Then a quad's first pixel is the lower left one, which matters for levels and derivatives, and
+    the samples of a pixel lie turned over.
+    """
     projects_cubes: bool = True
-    """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
-    Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
+    """True if a cube's level follows from the coordinates in the face, as Vulkan specifies.
+
+    See "Cube Map Derivative Transformation". Otherwise it follows from the movement on the cube's
+    surface, in space.
+    """
     unguarded_is_nan: bool = False
-    """Whether an ``unguarded`` operation outside of its domain makes pixels undecided, as a device
-    may give anything there; or else it means what it does with its guard."""
+    """True if an ``unguarded`` operation outside of its domain makes pixels undecided.
+
+    This is since a device may give anything there. Otherwise the operation means what it does with
+    its guard.
+    """
     viewport: Area | None = None
-    """Into which part of the picture the clip volume is drawn; ``None``: into all of it. Nothing is
-    drawn outside of it."""
+    """The part of the picture into which the clip volume is drawn; ``None``: all of it.
+
+    Nothing is drawn outside of it.
+    """
     scissor: Area | None = None
     """To which part of the picture is drawn, likewise."""
     samples: int = 1
-    """How many samples each pixel has."""
+    """The number of samples of each pixel."""
     mirrors_sample_depths: bool = False
-    """Whether the device computes the depth of each sample where another one would be if left and
-    right were exchanged: a known mistake."""
+    """True if the device computes the depth of each sample at the place of a mirrored one.
+
+    Left and right are exchanged: a known mistake.
+    """
 
     @property
     def common(self) -> Counted:
@@ -167,12 +209,14 @@ class RasterRules:
         return self.counted(row.name for row in fields(self) if row.name not in RARE)
 
     def counted(self, names: Iterable[str]) -> Counted:
-        """Some of the rules."""
+        """The named rules and their values."""
         return frozenset((name, getattr(self, name)) for name in names)
 
     def agree_with(self, counted: Counted) -> bool:
-        """Whether a picture that hangs on these rare rules is also the one by these rules, if
-        they have the others in common."""
+        """True if a picture that depends on these rare rules is also right by these rules.
+
+        They have to have the others in common.
+        """
         return counted <= self.counted(RARE)
 
     @property
@@ -182,12 +226,12 @@ class RasterRules:
 
     @property
     def sample_count(self) -> int:
-        """How many samples the whole picture has."""
+        """The number of samples of the whole picture."""
         return self.width * self.height * self.samples
 
     @property
     def drawn(self) -> Area:
-        """What is drawn to, as the first and the last column and row; the last ones are outside."""
+        """The area that is drawn to: first and last column and row; the last ones are outside."""
         found = (0, 0, self.width, self.height)
         for area in (self.viewport, self.scissor):
             if area is not None:
@@ -204,22 +248,31 @@ class Expected:
     """The picture, and how certain it is."""
 
     targets: tuple[Floats, ...]
-    """For each target (height, width, 4), not clamped to its format's range; missing lanes are 0,
-    0, 1."""
+    """The values of each target (height, width, 4), not clamped to its format's range.
+
+    Missing lanes are 0, 0, 1.
+    """
     covered: Bools
     """(height, width): where at least one fragment was written."""
     undecided: Bools
-    """(height, width): where it hangs on rounding which fragments are drawn, and in which order; or
-    where a promise is broken or an ``unguarded`` operation leaves its domain, so that nothing is
-    defined."""
+    """True for undecided pixels, (height, width).
+
+    There, rounding tips which fragments are drawn, or in which order; or a promise is broken or an
+    ``unguarded`` operation leaves its domain, so that nothing is defined.
+    """
     low: tuple[Floats, ...]
     high: tuple[Floats, ...]
-    """For each target (height, width, 4): between which numbers a conforming device's value is.
-    Infinite where nothing is known of it. Without bounds, these are ``targets``."""
+    """The upper bounds of a conforming device's values in each target (height, width, 4).
+
+    ``low`` has the lower ones. They are infinite where nothing is known. Without bounds, these are
+    ``targets``.
+    """
     layers: Ints
     """(height, width): how many fragments were drawn, each of which was rounded to the format."""
     broken: frozenset[int] = frozenset()
-    """The ids of calls of ``nonzero`` whose operand was zero, as far as float32 can tell, at some
-    vertex or pixel: the pixels that use it are not defined."""
+    """The ids of calls of ``nonzero`` whose operand was zero at some vertex or pixel.
+
+    This is as far as float32 can tell. The pixels that use it are not defined.
+    """
     counted: Counted = frozenset()
     """The rare rules on which it hangs."""

@@ -40,8 +40,10 @@ DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
 
 VERTICES_AT_ONCE, PIXELS_AT_ONCE = 1 << 14, 1 << 13
-"""How many vertices and how many pixels are evaluated at once, so that a large mesh or picture
-needs no more memory than others."""
+"""The numbers of vertices and of pixels that are evaluated at once.
+
+They are limited so that a large mesh or picture needs no more memory than others.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,20 +55,22 @@ class Vertices:
     off: Floats
     """(vertices, 4): by how much a device's positions may differ."""
     crossings: Mapping[int, Lanes]
-    """By the id of the ``cross`` node: lanes of length (vertices,), or single numbers."""
+    """The crossing values, by the id of the ``cross`` node.
+
+    Lanes have the length (vertices,), or are single numbers.
+    """
     undecided: Bools
     """(vertices,): where a promise is broken."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shaded:
-    """The results of the fragment stage for some quads, whose lanes broadcast to (quads, side,
-    side)."""
+    """The results of the fragment stage for some quads; lanes broadcast to (quads, side, side)."""
 
     targets: tuple[Lanes, ...]
     discarded: Lane
     undecided: Bools
-    """Where a promise is broken."""
+    """True where a promise is broken."""
 
 
 class StageEvaluator:
@@ -83,7 +87,7 @@ class StageEvaluator:
         if shader.chain != RASTERISED:
             raise ValueError(f"{shader.name} has other stages than the reference can draw.")
         self.has_bounds = errors is not None
-        """Whether lanes are ``Bounded``."""
+        """True if lanes are ``Bounded``."""
         self._held = HeldValues(values, as_rounded if self.has_bounds else None)
         self.rules = rules
         self._bounds = Bounds(errors or _no_error)
@@ -100,13 +104,13 @@ class StageEvaluator:
         self._at_pixels = (*((self._discard,) if self._discard else ()), *self._targets)
         self._vertices_at_once = at_once(self._at_vertices, VERTICES_AT_ONCE)
         self.pixels_at_once = at_once(self._at_pixels, PIXELS_AT_ONCE)
-        """For how many pixels ``fragments`` may be called."""
+        """The number of pixels for which ``fragments`` may be called at once."""
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         texels = {resource: _texels(textures, resource) for resource in read}
         self._images = {r: Image(each, r, rules) for r, each in texels.items()}
         self.found = Found.of((*self._targets, self._position), texels.values(), rules)
-        """Where nothing is defined, as far as it is known."""
+        """The places where nothing is defined, as far as it is known."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
@@ -246,7 +250,7 @@ def _at_each(lane: Any, count: int) -> Any:
 
 
 def _radius(lane: Bounded) -> Floats:
-    """By how much a device's value may differ from the exact one."""
+    """The possible distance of a device's value from the exact one."""
     off = np.maximum(lane.high - lane.value, lane.value - lane.low)
     return np.nan_to_num(np.asarray(off, np.float64), nan=np.inf, posinf=np.inf)
 
@@ -273,6 +277,6 @@ def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
 
 
 def _compares(nodes: Iterable[Node], rules: RasterRules) -> bool:
-    """Whether pixels depend on others of their quad."""
+    """True if pixels depend on others of their quad."""
     neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
     return any(node.op in BUILTIN_OPS and CALL.data(node) in neighbours for node in nodes)

@@ -1,8 +1,8 @@
-"""The stencil values of a canvas: which fragments they let through, and what becomes of them.
+"""The stencil values of a canvas: the stencil test, and the changes of the values.
 
-``canvas.py`` asks for each layer of fragments. Where rounding may tip what happens to a value, it
-is not known any more, and neither is what it lets through.
-Sources: Vulkan, "Stencil Test"; OpenGL 4.6, 17.3.3.
+``canvas.py`` asks for each layer of fragments. Where rounding may tip a change of a value, the
+value is not known any more, and neither are the fragments that it lets through. Sources: Vulkan,
+"Stencil Test"; OpenGL 4.6, 17.3.3.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from .scene import Bools, Ints
 _VALUES = STENCIL_MOST + 1
 
 _FORGET: frozenset[StencilOperation] = frozenset(("zero", "replace"))
-"""Behind these it does not matter what was there, if all bits are written."""
+"""The operations after which the value before does not matter, if all bits are written."""
 
 
 def operated(operation: StencilOperation, there: Ints, reference: int) -> Ints:
-    """What becomes of values."""
+    """The new values after an operation."""
     match operation:
         case "keep":
             return there
@@ -45,23 +45,23 @@ def operated(operation: StencilOperation, there: Ints, reference: int) -> Ints:
 
 @dataclass(frozen=True, slots=True)
 class Outcomes:
-    """What may come of something: whether it holds, and where a device may say otherwise."""
+    """The possible outcomes of a condition: where it holds, and where a device may differ."""
 
     holds: Bools
     open: Bools
 
     @property
     def may_hold(self) -> Bools:
-        """Where some device may have it."""
+        """True where it may hold on some device."""
         return self.holds | self.open
 
     @property
     def may_fail(self) -> Bools:
-        """Where some device may not have it."""
+        """True where it may fail on some device."""
         return ~self.holds | self.open
 
     def both(self, other: Outcomes) -> Outcomes:
-        """Whether this and something else hold."""
+        """The outcomes of this condition and another one together."""
         holds = self.holds & other.holds
         may_hold = self.may_hold & other.may_hold
         return Outcomes(holds, may_hold & (self.may_fail | other.may_fail))
@@ -76,7 +76,7 @@ class StencilTest:
     """(fragments,): whether the front of their face is seen."""
 
     def part(self, members: Ints) -> StencilTest:
-        """That of some of them."""
+        """The test of some of the fragments."""
         return StencilTest(self.state, self.front[members])
 
     def sides(self) -> tuple[tuple[StencilSide, Bools], ...]:
@@ -90,10 +90,10 @@ class Stencil:
     def __init__(self, pixels: int) -> None:
         self.values: Ints = np.zeros(pixels, np.int64)
         self.unsure: Bools = np.zeros(pixels, np.bool_)
-        """Where a device may have another one."""
+        """True where a device may have another value."""
 
     def tested(self, test: StencilTest, at: Ints) -> Outcomes:
-        """Which fragments the values let through, at these pixels."""
+        """The fragments that the values let through, at these pixels."""
         state, there = test.state, self.values[at]
         if not state.tests:
             return Outcomes(np.ones(len(at), np.bool_), np.zeros(len(at), np.bool_))
@@ -109,10 +109,10 @@ class Stencil:
     def change(
         self, test: StencilTest, at: Ints, there: Outcomes, passes: Outcomes, nearer: Outcomes
     ) -> None:
-        """What becomes of the values, of at most one fragment at each pixel.
+        """Changes the values, for at most one fragment at each pixel.
 
         ``there`` says whether there is a fragment, which is not so if it is discarded; ``passes``
-        what the values say; ``nearer`` what the depth test says.
+        is the outcome of the stencil test, and ``nearer`` that of the depth test.
         """
         state, before = test.state, self.values[at]
         if not state.writes:
@@ -144,5 +144,5 @@ class Stencil:
 
 
 def _behind(passes: Outcomes, nearer: Outcomes) -> Outcomes:
-    """Whether only the depth test fails."""
+    """The outcomes of "only the depth test fails"."""
     return passes.both(Outcomes(~nearer.holds, nearer.open))

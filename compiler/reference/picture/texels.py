@@ -23,14 +23,18 @@ from .intervals import increasing, widened
 from .scene import Floats, Ints, RasterRules, Texels
 
 _DECODING = 2.0**-22
-"""The error of a texel that is not a float32, such as 1/255, relative to itself: a device computes
-it from the bits that are stored."""
+"""The error of a texel that is not a float32, such as 1/255, relative to itself.
+
+A device computes it from the bits that are stored.
+"""
 
 _SRGB_STEP = 1.05 * 0.5 / 255
-"""By how much a device may be off when it decodes sRGB, in encoded units: half a step of 8 bits
-(Direct3D 11.3 functional specification, 3.2.3.7), and what the curve bends within it. Its slope is
-that of IEC 61966-2-1. Vulkan, OpenGL and WebGPU name the curve, but limit no error: there it is
-assumed, and Direct3D's exception is not, that 0 and 1 are exact."""
+"""The possible error of a device that decodes sRGB, in encoded units.
+
+It is half a step of 8 bits (Direct3D 11.3 functional specification, 3.2.3.7), and the bend of the
+curve within it. Its slope is that of IEC 61966-2-1. Vulkan, OpenGL and WebGPU name the curve, but
+limit no error: there it is assumed, and Direct3D's exception is not, that 0 and 1 are exact.
+"""
 
 EVERY_LANE = slice(None)
 
@@ -61,12 +65,12 @@ class Image:
 
     @property
     def is_exact(self) -> bool:
-        """Whether the device reads texels without any error."""
+        """True if the device reads texels without any error."""
         return self.rules.subtexel_bits is None
 
     @property
     def has_known_steps(self) -> bool:
-        """Whether the device takes the steps of a quad as the reference does."""
+        """True if the device takes the steps of a quad as the reference does."""
         return self.is_exact or (self.rules.euclidean_steps and self.type.dimension != "cube")
 
     @property
@@ -76,7 +80,7 @@ class Image:
 
     @property
     def has_one_level(self) -> bool:
-        """Whether all filtered reads use the same level."""
+        """True if all filtered reads use the same level."""
         return self.state["mip"] == "none" or self.levels == 1
 
     @property
@@ -90,7 +94,7 @@ class Image:
 
     @property
     def first_sizes(self) -> list[Ints]:
-        """Those of the first level."""
+        """The sizes of the first level."""
         return self.sizes(np.zeros((), dtype=np.int64))
 
     def layer(self, number: Ints) -> Ints:
@@ -143,7 +147,7 @@ class Image:
 
     @cached_property
     def _hulls(self) -> tuple[Floats, Floats]:
-        """For each lane and each level, the least and the greatest texel."""
+        """The least and the greatest texel, for each lane and each level."""
         low, high = self._ends or (self._table, self._table)
         least = np.minimum.reduceat(low, self._starts, axis=1)
         return least, np.maximum.reduceat(high, self._starts, axis=1)
@@ -213,9 +217,9 @@ def _any_depth(mean: Bounded, three: Sequence[Bounded]) -> Bounded:
 
 
 def _ends_of(table: NDArray[Any], texels: Texels) -> tuple[Floats, Floats] | None:
-    """Between which numbers a device decodes texels; ``None`` if it reads just those of the table.
+    """The bounds of the texels that a device decodes; ``None`` if it reads just the table.
 
-    What an earlier step has drawn is stored somewhere between its bounds, and is decoded then.
+    The result of an earlier step is stored somewhere between its bounds, and is decoded then.
     """
     was_drawn = bool(texels.low)
     low, high = (_table(texels.low), _table(texels.high)) if was_drawn else (table, table)
@@ -228,7 +232,7 @@ def _ends_of(table: NDArray[Any], texels: Texels) -> tuple[Floats, Floats] | Non
 
 
 def _errors_of(table: NDArray[Any], is_srgb: bool) -> Floats | None:
-    """By how much devices may be off when they decode texels; ``None`` if all are float32."""
+    """The possible errors of devices that decode texels; ``None`` if all are float32."""
     if table.dtype.kind != "f":
         return None
     rounded = table != table.astype(np.float32)

@@ -1,8 +1,8 @@
 """Divides a picture into tiles with few fragments each, which are drawn one after the other.
 
-What is kept of fragments, from their coverage to their colours, takes hundreds of bytes for each.
-So a picture needs no more memory for them if it is large, or if many faces lie behind each other.
-Nothing that is drawn depends on the tiles: what fragments meet is in their own pixel.
+The data of fragments, from their coverage to their colours, takes hundreds of bytes for each. So a
+picture needs no more memory for them if it is large, or if many faces lie behind each other. No
+result depends on the tiles: a fragment depends on those in its own pixel only.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from .faces import Faces
 from .scene import Floats, Ints, RasterRules
 
 MOST = 1 << 18
-"""How many samples all faces in a tile may cover together, unless it is a single pixel."""
+"""The limit of samples that all faces in a tile cover together, unless it is a single pixel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,12 +30,12 @@ class Tile:
 
     @classmethod
     def of(cls, rules: RasterRules) -> Tile:
-        """All that may be drawn to."""
+        """The tile of all pixels that may be drawn to."""
         return cls(*rules.drawn)
 
     @property
     def pixels(self) -> int:
-        """How many it has."""
+        """The number of pixels of the tile."""
         return max(self.right - self.left, 0) * max(self.bottom - self.top, 0)
 
     def within(self, rules: RasterRules) -> RasterRules:
@@ -44,7 +44,7 @@ class Tile:
         return replace(rules, scissor=area)
 
     def halves(self) -> tuple[Tile, Tile]:
-        """Its upper and its lower half, or the left and the right one of a wide row."""
+        """The upper and the lower half, or the left and the right one of a wide row."""
         if self.bottom - self.top > 1:
             middle = (self.top + self.bottom) // 2
             return replace(self, bottom=middle), replace(self, top=middle)
@@ -54,7 +54,7 @@ class Tile:
 
 @dataclass(frozen=True, slots=True)
 class _Around:
-    """The rectangles around some faces, wider by what rounding may add to them."""
+    """The rectangles around some faces, widened by the possible rounding of these."""
 
     face: Ints
     """The numbers of the faces, in ascending order."""
@@ -63,7 +63,7 @@ class _Around:
 
     @classmethod
     def of(cls, faces: Faces) -> _Around:
-        """Those of all faces."""
+        """The surroundings of all faces."""
         slack = faces.unsure.max(axis=1, initial=0.0) + 1.0
         ends = [
             end
@@ -73,7 +73,7 @@ class _Around:
         return cls(np.arange(len(slack)), np.stack(ends))
 
     def within(self, tile: Tile) -> tuple[_Around, float]:
-        """Those that touch a tile, and how many of its pixels all of them have together."""
+        """The faces that touch a tile, and the sum of the pixels of it that each may cover."""
         left, right = np.clip(self.ends[:2], tile.left, tile.right)
         upper, lower = np.clip(self.ends[2:], tile.top, tile.bottom)
         pixels = (right - left) * (lower - upper)

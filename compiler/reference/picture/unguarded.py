@@ -23,9 +23,10 @@ from .scene import Bools, Floats
 
 
 def outside(node: Node, operands: Sequence[Lanes], shape: tuple[int, ...]) -> Bools:
-    """Where of ``shape`` the operands of a hardware operation are outside of its row's domain.
+    """True where the operands of a hardware operation are outside of its row's domain.
 
-    Of an operation that no hardware has, or all have everywhere, there is nothing to ask.
+    The result has the given ``shape``. Operations that no hardware has, or all have everywhere, are
+    never outside.
     """
     row = BUILTINS[CALL.data(node)]
     found = np.zeros(shape, dtype=np.bool_)
@@ -50,7 +51,7 @@ class _Operand:
             self._numbers = np.stack(spread).astype(np.float64)
 
     def fact(self, begin: int, end: int) -> Fact:
-        """What holds of the operand at these places."""
+        """The fact of the operand at these places."""
         if self._kind is None:
             return UNKNOWN
         numbers = self._numbers[:, begin:end]

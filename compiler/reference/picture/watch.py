@@ -1,6 +1,6 @@
-"""Observes an evaluation, and records where nothing is defined: where a promise is broken, or an
-operation without a guard leaves its domain.
+"""Observes an evaluation, and records where nothing is defined.
 
+That is where a promise is broken, or an operation without a guard leaves its domain.
 ``stage_evaluation.py`` makes a ``Watch`` for each stage and ``compiler/reference/kernel.py`` one
 for each run. Both hand it to the ``Evaluator``, and call ``end`` with the results.
 """
@@ -32,19 +32,21 @@ BROKEN = 1e-5
 
 @dataclass(slots=True)
 class Found:
-    """What all watches over a shader have found."""
+    """The findings of all watches over a shader."""
 
     promised: frozenset[int]
     """The ids of the promises whose values are used in any case."""
     broken: set[int] = field(default_factory=set)
     """The ids of promises that were broken at some vertex, pixel or invocation."""
     left_a_domain: bool = False
-    """Whether any operation without a guard did, here or in what is read: there may be values that
-    are NaN."""
+    """True if any operation without a guard left its domain, here or in a texture that is read.
+
+    There may be values that are NaN.
+    """
 
     @classmethod
     def of(cls, roots: Sequence[Node], read: Iterable[Texels], rules: RasterRules) -> Found:
-        """Nothing yet, of a shader with these results that reads these textures."""
+        """The findings at the start, for a shader with these results that reads these textures."""
         is_undefined = rules.unguarded_is_nan and any(texels.has_undefined for texels in read)
         return cls(_promised(roots), left_a_domain=is_undefined)
 
@@ -58,7 +60,7 @@ class Watch:
         """``rounds`` says whether constants are as a text has them."""
         self._found, self._rules, self._rounds = found, rules, rounds
         self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
-        """Of ``shape``: where nothing is defined."""
+        """True where nothing is defined, of ``shape``."""
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         """The value with which the evaluation continues."""
@@ -72,13 +74,15 @@ class Watch:
         return value
 
     def end(self, lanes: Lanes) -> None:
-        """Record where results of the stage hang on an operation outside of its domain."""
+        """Records where results of the stage depend on an operation outside of its domain."""
         if self._found.left_a_domain:
             self._record_nan(lanes)
 
     def as_defined(self, value: Lanes) -> Lanes:
-        """A result of the stage, floats of which are NaN where nothing is defined, if that is
-        asked for: so whoever reads it finds out."""
+        """A result of the stage, with NaN for undefined floats, if that is asked for.
+
+        So whoever reads it finds out.
+        """
         if not (self._rules.unguarded_is_nan and self.undecided.any()):
             return value
         return tuple(_nan_where(self.undecided, lane) for lane in value)
@@ -105,8 +109,7 @@ class Watch:
         return value
 
     def _read(self, operands: list[Lanes], *, is_float: bool) -> None:
-        """Record what is read of a buffer's elements of which nothing is defined; those of floats
-        are NaN."""
+        """Records reads of a buffer's elements of which nothing is defined; floats are NaN then."""
         (reader,), (position,) = operands
         left = reader.is_undecided(_meant(position))
         if np.any(left):

@@ -1,4 +1,4 @@
-"""What the levels of a patch mean: into how many steps an edge is divided, and where these end."""
+"""The meaning of a patch's levels: into how many steps an edge is divided, and where these end."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _RANGES: Mapping[Spacing, tuple[int, int]] = {
     "fractional_even": (2, MOST_LEVEL),
     "fractional_odd": (1, MOST_LEVEL - 1),
 }
-"""What levels are clamped to."""
+"""The limits to which levels are clamped."""
 _MORE_THAN_ONE = 1 + 2**-16
 """The least level inside of a patch whose edges are divided, as otherwise there is no inside."""
 
@@ -36,7 +36,7 @@ class Steps:
             half += HALF
         below, above = half // ONE, -(-half // ONE)
         self._share = half - below * ONE
-        """How far the places have moved from those of the level below to those of the one above."""
+        """The fraction by which the places have moved on to those of the level above."""
         self._in_half = above
         self._new = self._in_half + 1 if below == above else self._newest(below)
         """The number of the place that the level above has, and the one below has not."""
@@ -46,16 +46,16 @@ class Steps:
 
     @property
     def count(self) -> int:
-        """How many places there are, both ends among them."""
+        """The number of places, both ends among them."""
         return 2 * self._in_half + (not self.is_odd)
 
     @property
     def between(self) -> int:
-        """How many steps the first half has, without the one in the middle of an odd number."""
+        """The number of steps of the first half, without the one in the middle of an odd number."""
         return self._in_half - self.is_odd
 
     def place(self, number: int) -> int:
-        """Where a step ends; number 0 is the beginning of the edge."""
+        """The place where a step ends; number 0 is the beginning of the edge."""
         is_second_half = number >= self._in_half
         if is_second_half:
             number = 2 * self._in_half - number - self.is_odd
@@ -96,7 +96,7 @@ def _clamped(level: float, least: float, most: float) -> float:
 
 
 def _fixed(level: float) -> int:
-    """In units of places, to the nearest even one."""
+    """A level in units of places, to the nearest even one."""
     return round(level * ONE)
 
 

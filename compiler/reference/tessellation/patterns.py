@@ -22,11 +22,17 @@ class Pattern:
     """A patch divided."""
 
     places: Sequence[Place]
-    """Of each point, in units of 2^-16: the weights of a triangle's corners, which add up to
-    ``ONE``; or u and v of a square, and 0."""
+    """The place of each point, in units of 2^-16.
+
+    They are the weights of a triangle's corners, which add up to ``ONE``; or u and v of a square,
+    and 0.
+    """
     cells: Sequence[tuple[int, ...]]
-    """The triangles or lines, as numbers of points. Triangles turn counter-clockwise where u points
-    to the right and v upwards, or where a triangle's corners do so."""
+    """The triangles or lines, as numbers of points.
+
+    Triangles turn counter-clockwise where u points to the right and v upwards, or where a
+    triangle's corners do so.
+    """
 
 
 _NOTHING = Pattern((), ())
@@ -35,8 +41,11 @@ _NOTHING = Pattern((), ())
 def divided(
     patch: Patch, edges: Sequence[float], inside: Sequence[float], spacing: Spacing
 ) -> Pattern:
-    """A patch of some kind; the levels are those of its edges and of its inside, in the order of
-    the control stage's results."""
+    """The pattern of a patch of some kind.
+
+    The levels are those of its edges and of its inside, in the order of the control stage's
+    results.
+    """
     match patch:
         case "triangle":
             return triangle(edges, inside[0], spacing)
@@ -69,8 +78,11 @@ def triangle(edges: Sequence[float], inside: float, spacing: Spacing) -> Pattern
 
 
 def quad(edges: Sequence[float], inside: Sequence[float], spacing: Spacing) -> Pattern:
-    """A square; the levels are those of the edges u = 0, v = 0, u = 1 and v = 1, and of the inside
-    along u and along v."""
+    """The pattern of a square.
+
+    The levels are those of the edges u = 0, v = 0, u = 1 and v = 1, and of the inside along u and
+    along v.
+    """
     found = steps_of(spacing, edges, inside)
     if found is None:
         return _NOTHING
@@ -168,7 +180,7 @@ class _Patch:
 
     @property
     def pattern(self) -> Pattern:
-        """What has been made so far."""
+        """The pattern that has been made so far."""
         return Pattern(self._places, self.cells)
 
     def add_ring(

@@ -2,7 +2,7 @@
 
 Rows are lists of the points' numbers, and all go round the patch in the same direction.
 ``patterns.py`` calls this for every side of a patch. The point that a triangle begins with is
-prescribed, too: what is not interpolated is as it is there.
+prescribed, too: values that are not interpolated are those of this point.
 """
 
 from __future__ import annotations
@@ -25,8 +25,10 @@ def _in_order(node: int, nodes: int) -> Iterator[int]:
 
 
 _RANKS = (MOST_LEVEL // 2, *_in_order(1, MOST_LEVEL // 2))
-"""The steps of half an edge with the most steps, from the corner on, but for the first one: so many
-steps are there before this one appears. As the level rises, steps appear as evenly as a tree grows.
+"""For each step of half an edge, the number of steps that exist before it appears.
+
+The edge is one with the most steps. Its steps stand here from the corner on, without the first one.
+As the level rises, steps appear as evenly as a tree grows.
 """
 
 

@@ -1,4 +1,4 @@
-"""How people get out of it where a slot has no value."""
+"""Hints for slots without a value."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..types.typenames import Declared
 
 
 def way_to_set(instance: Instance, definition: Definition, declared: Declared) -> str:
-    """How an abstract slot is set, or what else was meant by declaring it."""
+    """A hint how to set an abstract slot, or what else its declaration may have meant."""
     member, record = definition.member, instance.record
     name, owner = member.name.text, definition.owner
     declaration = record.symbol.declaration

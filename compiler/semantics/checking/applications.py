@@ -1,4 +1,4 @@
-"""Functions and terms applied to arguments: which of several, what it takes, and what it gives."""
+"""Functions and terms applied to arguments: overload resolution, coercion, and results."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def apply_body(
 ) -> Node | Failure:
     """A function's value for fitted arguments; the same call is checked once.
 
-    ``use`` is what messages say of ``span``, if what is wrong with the body may be due to the types
+    ``use`` is the text of messages about ``span``, if an error in the body may be due to the types
     or the constants that it was called with.
     """
     key: Application = (symbol, tuple(argument.id for argument in arguments), surface)
@@ -171,7 +171,7 @@ def _marked(
 def checked_body(
     ctx: Context, callee: Callee, fixed: Sequence[Node | None]
 ) -> tuple[Node, Formals] | None:
-    """What a function gives for variables in the place of its arguments, but for ``fixed`` ones.
+    """The result of a function for variables in place of its arguments, but for ``fixed`` ones.
 
     ``lowering`` asks for this, for calls that could apply one body. There is none if the body is
     wrong for variables, about which nothing is reported: the calls have been checked.

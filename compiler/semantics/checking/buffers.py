@@ -1,4 +1,4 @@
-"""What is read of a storage buffer: its elements, and how many there are."""
+"""Reads of a storage buffer: its elements, and their number."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def element(ctx: Context, buffer: Node, position: Node) -> Node:
 
 
 def _is_within(ctx: Context, buffer: Node, position: Node) -> bool:
-    """Whether a position is the index of a loop, or of a kernel, over this buffer's elements."""
+    """True if a position is the index of a loop, or of a kernel, over this buffer's elements."""
     index, leaf = bare(position).data, leaf_of(buffer)
     end = ctx.ends.get(index) if isinstance(index, Formal) else None
     if isinstance(index, SystemInput):

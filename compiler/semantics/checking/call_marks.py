@@ -12,14 +12,14 @@ from ..state.context import Context, Given
 
 @frozen
 class Callee:
-    """What was called: calls of one callee may share a body."""
+    """A called function with its arguments' kinds: calls of one callee may share a body."""
 
     symbol: Symbol
     given: tuple[Given, ...]
 
 
 def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Node) -> Node:
-    """``value`` as what a function gives for ``arguments``: a node ``called``."""
+    """Wraps a call's result in a ``called`` node that records callee and arguments."""
     if not isinstance(value.type, Scalar | Vector | Matrix) or not value.operands:
         return value
     kinds = kinds_of(ctx, arguments)
@@ -32,7 +32,7 @@ def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Nod
 def kinds_of(
     ctx: Context, arguments: tuple[Node, ...]
 ) -> tuple[tuple[Given, ...], tuple[Node, ...]] | None:
-    """What is known of each argument, and the numbers, vectors and matrices that they consist of.
+    """The kind of each argument, and the numbers, vectors and matrices that they consist of.
 
     ``None`` if there are none of these, or if an argument is no variable but depends on one.
     """
@@ -51,9 +51,9 @@ def kinds_of(
 
 
 def _is_kept(argument: Node) -> bool:
-    """Whether each value of an argument has a body of its own.
+    """True if the function must be specialised for each value of an argument.
 
-    Textures and buffers are no arguments everywhere, arrays would be copied, and what a block holds
+    Textures and buffers are no arguments everywhere, arrays would be copied, and a value in a block
     can be read by every function.
     """
     if isinstance(argument.type, Opaque | Array):

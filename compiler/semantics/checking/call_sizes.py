@@ -1,4 +1,4 @@
-"""How much is evaluated for one call, if every call in a body is evaluated with its own arguments.
+"""The number of bodies that one call evaluates, if each inner call has its own arguments.
 
 It doubles with each function that calls the one before it twice. ``applications`` asks, and has the
 bodies of functions that are too large in this sense evaluated once for many calls.
@@ -15,7 +15,7 @@ from ..state.context import Context
 
 
 def bodies_of(ctx: Context, symbol: Symbol) -> int:
-    """How many bodies one call of a function comes to, its own and those of all inner calls."""
+    """The number of bodies in one call of a function: its own and those of all inner calls."""
     known = ctx.call_sizes
     pending = [] if symbol in known else [symbol]
     entered: set[Symbol] = set()
@@ -25,7 +25,7 @@ def bodies_of(ctx: Context, symbol: Symbol) -> int:
         missing = [] if top in entered else [s for s in calls if s not in known]
         if missing:
             entered.add(top)
-            # What has been entered already calls itself, which is reported where it is called.
+            # A function that was entered already is recursive, which is reported at its call.
             pending += [s for s in missing if s not in entered]
             continue
         pending.pop()
@@ -34,9 +34,9 @@ def bodies_of(ctx: Context, symbol: Symbol) -> int:
 
 
 def _calls(symbol: Symbol) -> Counter[Symbol]:
-    """The functions that are called in a body, with how often they stand there.
+    """The functions that are called in a body, with the number of their calls.
 
-    Of overloads each counts, as what the arguments are is not known here.
+    Each overload counts, as the types of the arguments are not known here.
     """
     function = symbol.declaration
     assert isinstance(function, ast.Function)

@@ -1,4 +1,4 @@
-"""Calls, by what is called: functions, builtins, constructors, texture reads; and ``with``."""
+"""Calls of functions, builtins, constructors and texture reads; and ``with``."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ from .unknown_names import is_declared, is_known, unknown, unknown_here
 
 
 def operands_of_call(e: ast.Call, scope: Scope) -> list[ast.Expression]:
-    """What is evaluated before a call: its arguments, and a callee that is no mere name."""
+    """The parts evaluated before a call: its arguments, and a callee that is no mere name."""
     operands = [a for a in e.arguments if not _has_no_value(e, a, scope)]
     callee = e.callee
     if isinstance(callee, ast.Field):
@@ -91,18 +91,20 @@ def _arguments(
 
 
 def _has_no_value(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
-    """Whether it is the call that is reported, and not this argument of it."""
+    """True if the call is reported, and not this argument of it."""
     return _is_drawn(argument, scope) or _is_sampler(e, argument, scope)
 
 
 def _is_drawn(argument: ast.Expression, scope: Scope) -> bool:
-    """Whether an argument says what a pass of a frame draws: then something else is called here
-    that is no pass, or a step is used as a number."""
+    """True if an argument says what a pass of a frame draws.
+
+    Then something is called here that is no pass, or a step is used as a number.
+    """
     return scope.instance is not None and is_drawn(argument, scope.instance.record)
 
 
 def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
-    """Whether a name that nothing declares is given to another language's read of a texture.
+    """True if an undeclared name is given to another language's read of a texture.
 
     There it may be a sampler; it is the read that is reported.
     """
@@ -146,7 +148,7 @@ def _named(
 def _no_function(
     ctx: Context, e: ast.Call, callee: ast.Reference, scope: Scope, failed: bool
 ) -> Failure:
-    """A call of what cannot be called; if that is a slot, it may have failed by itself."""
+    """Reports a call of something that cannot be called; a slot may have failed by itself."""
     name = callee.name
     if scope.instance is not None and scope.instance.has(name):
         known = slot(ctx, scope.instance, name, callee.span)
@@ -182,7 +184,7 @@ _TEXTURE_NAMES = frozenset(map(str, TEXTURES))
 
 
 def _is_own_map(scope: Scope, name: str) -> bool:
-    """Whether a name is a texture of the record that contains the text, or of its ancestors."""
+    """True if a name is a texture of the record that contains the text, or of its ancestors."""
     instance = scope.instance
     return (
         instance is not None
@@ -192,7 +194,7 @@ def _is_own_map(scope: Scope, name: str) -> bool:
 
 
 def _is_map(definitions: tuple[Definition, ...] | None) -> bool:
-    """Whether a name is declared as a texture: as a map, or by its type, to be set later."""
+    """True if a name is declared as a texture: as a map, or by its type, to be set later."""
     return any(
         isinstance(d.member, ast.Map)
         or (d.member.type is not None and d.member.type.name.text in _TEXTURE_NAMES)
@@ -234,7 +236,7 @@ def _callables(scope: Scope) -> Iterator[str]:
 
 
 def _elsewhere(name: str, e: ast.Call) -> Hint:
-    """What to write for a function or a constructor of another shading language."""
+    """The hint for a function or a constructor of another shading language."""
     from ....stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
 
     if name in FUNCTIONS:

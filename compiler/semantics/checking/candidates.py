@@ -1,4 +1,4 @@
-"""Which of several functions of one name a call means.
+"""Overload resolution: which of several functions of one name a call means.
 
 ``applications`` asks this for each call, and so do conversions and expansions for functions of the
 library. Nothing is reported here. The order of declarations has no meaning: of functions that take
@@ -19,8 +19,11 @@ from ..state.context import Context, Kinds, Overloads
 from .functions import bound
 
 Rank = tuple[list[Change], int, int]
-"""What arguments have to change, the worst first; how many may be of any type, such as `T`; and how
-many type parameters there are."""
+"""The rank of a candidate; the least is the best.
+
+It consists of the changes of its arguments, the worst first; the number of arguments of any type,
+such as ``T``; and the number of type parameters.
+"""
 
 
 def best(ctx: Context, overloaded: Sequence[Symbol], arguments: tuple[Node, ...]) -> list[Symbol]:
@@ -66,7 +69,7 @@ def _overloads(ctx: Context, overloaded: Sequence[Symbol]) -> Overloads:
 
 
 def _declared(ctx: Context, symbol: Symbol) -> Kinds | None:
-    """What a function declares its arguments to be; ``None`` if one has no proper type."""
+    """The declared kinds of a function's arguments; ``None`` if one has no proper type."""
     kinds = []
     for formal in _function(symbol).arguments:
         declared = declared_type(ctx, formal.type, symbol.module)
@@ -77,7 +80,7 @@ def _declared(ctx: Context, symbol: Symbol) -> Kinds | None:
 
 
 def _changes(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...]) -> list[Change] | None:
-    """What has to be done to each argument for a function to take it; ``None`` if it cannot."""
+    """The change of each argument for a function to take it; ``None`` if it cannot."""
     function = _function(symbol)
     variables = bound(ctx, function, arguments)
     if variables is None:

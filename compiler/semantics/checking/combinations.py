@@ -1,4 +1,4 @@
-"""What is said of operations between values that have no common meaning."""
+"""Reports operations between values that have no common meaning."""
 
 from __future__ import annotations
 

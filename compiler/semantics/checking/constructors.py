@@ -32,7 +32,7 @@ CONVERSIONS = {"float": "to_float", "int": "to_int", "uint": "to_uint"}
 
 
 def is_constructor(name: str) -> bool:
-    """Whether a name is that of a type that can be called."""
+    """True if a name is that of a type that can be called."""
     return name in NAMED and not isinstance(NAMED[name].representation, Texture)
 
 
@@ -62,7 +62,7 @@ def construct(ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call)
 
 
 def _meaning(ctx: Context, name: str, arguments: tuple[Node, ...]) -> Meaning | None:
-    """What a type call makes of its numbers; the types of geometry name no space here."""
+    """The meaning of a type call's result; the types of geometry name no space here."""
     named = NAMED[name]
     source = ctx.meanings.of(arguments[0]) if len(arguments) == 1 else None
     if name == "mat3" and source is not None and source.kind in MAPS:
@@ -97,14 +97,14 @@ def _hint(
 
 
 def _lanes(arguments: tuple[Node, ...]) -> int:
-    """How many lanes they have in all; structures and textures have none."""
+    """The number of lanes of all arguments; structures and textures have none."""
     return sum(width(one.type) for one in arguments if scalar_kind(one.type) is not None)
 
 
 def _in_one_kind(
     kind: ScalarKind, arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]
 ) -> list[FixIt]:
-    """Those lanes of a vector that are of another kind, as that kind."""
+    """The edits that convert the lanes of a vector that are of another kind."""
     return [
         rewritten(expression.span, f"{with_width(kind, width(node.type))}({{text}})", "`{}`")
         for node, expression in zip(arguments, written, strict=True)
@@ -113,7 +113,7 @@ def _in_one_kind(
 
 
 def _is_whole_literal(node: Node) -> bool:
-    """Whether it is a number of any kind by itself."""
+    """True if it is a number of any kind by itself."""
     return scalar_kind(node.type) in ("int", "uint") and is_constant(node)
 
 

@@ -128,7 +128,7 @@ def _library(ctx: Context, name: str, arguments: tuple[Node, ...], span: Span) -
 
 
 def moves(ctx: Context, left: Node, right: Node) -> bool:
-    """Whether ``left * right`` is a transform that moves a point or vector of three lanes."""
+    """True if ``left * right`` is a transform that moves a point or vector of three lanes."""
     by, what = ctx.meanings.of(left), ctx.meanings.of(right)
     return (
         left.type == Matrix(4) and right.type == VEC3

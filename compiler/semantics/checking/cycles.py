@@ -12,7 +12,7 @@ from ..state.scope import Instance
 
 
 def is_cycle(ctx: Context, key: Hashable, name: str, span: Span) -> bool:
-    """Whether the value with this key is being computed already; reports the way round."""
+    """True if the value with this key is being computed already; reports the cycle."""
     active, cyclic = ctx.progress.active, ctx.progress.cyclic
     if key not in active:
         return False
@@ -33,8 +33,11 @@ def is_cycle(ctx: Context, key: Hashable, name: str, span: Span) -> bool:
 
 
 def _is_overridden(instance: Instance, name: str) -> bool:
-    """Whether there is another definition behind that of a slot: of a base, or, if a pass, the
-    entry of a rig, an expansion or a tessellation has overridden it, of the record itself."""
+    """True if there is another definition behind that of a slot.
+
+    It is that of a base or, if a pass, the entry of a rig, an expansion or a tessellation has
+    overridden the slot, that of the record itself.
+    """
     replacement = instance.replaced.get(name)
     if replacement is not None and (replacement.made or replacement.definition is not None):
         return True

@@ -1,4 +1,4 @@
-"""What each kind of expression means: literals, names and operators; the others have own files."""
+"""The rules for literals, names and operators, and the table of the rules of all expressions."""
 
 from __future__ import annotations
 
@@ -54,7 +54,11 @@ LOWEST = str(2**31)
 # --- literals ------------------------------------------------------------------------------------
 
 _TOO_LARGE = 2.0**128 - 2.0**103
-"""What is less is rounded to the largest float32, as ``3.40282347e38`` is, which C headers have."""
+"""The least number that is too large.
+
+Numbers below it are rounded to the largest float32, such as ``3.40282347e38``, which C headers
+have.
+"""
 
 
 def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scope) -> Value:
@@ -146,7 +150,7 @@ def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
 
 
 def _from_end(e: ast.Index, number: int) -> Hint:
-    """How an element of a buffer is written that is counted from the end, as in some languages."""
+    """The hint for an element of a buffer that is counted from the end, as in some languages."""
     shown, written = (
         f"{buffer}.count - {number}" for buffer in (spanned(e.operand.span), e.operand.span.text)
     )
@@ -169,7 +173,7 @@ def _not_there(
 
 
 def _is_lowest(e: ast.Unary) -> bool:
-    """Whether this is the one number that can only be written with its sign."""
+    """True if this is the one number that can only be written with its sign."""
     number = e.operand
     lowest = isinstance(number, ast.Number) and number.kind == "int" and number.text == LOWEST
     return lowest and e.operator == "-"
@@ -309,4 +313,4 @@ RULES: Rules = {
     ast.Call: OpenRule(calls.operands_of_call, calls.call),
     ast.With: OpenRule(calls.operands_of_with, calls.replaced),
 }
-"""How each kind of expression is checked."""
+"""The rule of each kind of expression."""

@@ -1,4 +1,4 @@
-"""What all functions and terms share: type parameters, results, and that none calls itself."""
+"""The common part of functions and terms: type parameters, results, and no recursion."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ..types.typenames import Variables, described
 
 
 def may_enter(ctx: Context, symbol: Symbol, span: Span) -> bool:
-    """Whether a body may be evaluated; a call of itself is reported, once for each way round."""
+    """True if a body may be evaluated; a recursive call is reported, once for each cycle."""
     if symbol in ctx.progress.recursive:
         return False
     ctx.entered.add(symbol)
@@ -45,7 +45,7 @@ def scope_of_body(
     surface: Instance | None,
     locals_: Mapping[str, Value] = EMPTY,
 ) -> Scope:
-    """Where the body of a function is evaluated for these arguments and further names."""
+    """The scope of the body of a function, for these arguments and further names."""
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     variables = bound(ctx, function, arguments) or {}
@@ -78,12 +78,12 @@ def usage(function: ast.Function) -> str:
 
 
 def used(symbol: Symbol, scope: Scope, span: Span, use: str = "called here") -> Label:
-    """Where a function is used, for a message about its body."""
+    """A label for a message about a function's body: the place where it is used."""
     return Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
 
 
 def bound(ctx: Context, function: ast.Function, arguments: tuple[Node, ...]) -> Variables | None:
-    """What each type parameter stands for, given the arguments."""
+    """The value of each type parameter, given the arguments; ``None`` if there is none."""
     if not function.type_parameters:
         return {}
     uses = [Use(overloads.operand(node), ctx.meanings.of(node)) for node in arguments]

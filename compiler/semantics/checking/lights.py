@@ -1,8 +1,8 @@
 """Terms summed over the lights of a rig.
 
 The body of a ``per light`` term is checked once, with the slots of ``light`` as variables, and
-applied to each light of the rig. So what all lights share is one node, and becomes one function or
-one loop body in the output.
+applied to each light of the rig. So the part that all lights share is one node, and becomes one
+function or one loop body in the output.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a name stands for: locals, the record's own names, the file's, the surface's; in that order.
+"""Looks names up: locals, the record's own names, the file's, the surface's; in that order.
 
 A term or a light is written once and shades any material, so the names of its own file come before
 those of a surface that happens to define the same name.

@@ -1,4 +1,4 @@
-"""What may stand in a loop: how many others, what crosses from the vertices, and reads.
+"""Checks what stands in a loop: the number of inner loops, crossings from vertices, and reads.
 
 ``loops.py`` asks before it makes a loop. Other rules ask here as well what a loop computes anew.
 """
@@ -18,19 +18,24 @@ from ..state.context import Context
 from .turns import Turns
 
 DEEPEST = 48
-"""Loops inside of each other, at most. Tint takes 127 nested statements, of which each loop is two,
-and there may be branches as well. Besides, every loop closes and opens all that stands in it."""
+"""The largest number of loops inside of each other.
+
+Tint takes 127 nested statements, of which each loop is two, and there may be branches as well.
+Besides, every loop closes and opens all that stands in it.
+"""
 CROSSING_TURNS = 16
 """A fold whose terms cross from the vertices one by one is written out, up to so many."""
 LARGEST_WRITTEN_OUT = 4096
-"""Operations that such a fold becomes, at most. Folds in folds multiply, and there are far fewer
-varyings than that."""
+"""The largest number of operations of such an unrolled fold.
+
+Folds in folds multiply, and there are far fewer varyings than that.
+"""
 
 _VARYING = frozenset({"cross", "attribute", "input", "resource"})
 
 
 def too_deep(ctx: Context, e: ast.Fold | ast.Iterate, around: int) -> bool:
-    """Whether a loop stands in as many others as there can be, or has as many in it; reported."""
+    """True if a loop is nested too deeply, in other loops or by those in it; reported."""
     if around < DEEPEST:
         return False
     ctx.report.add(rules.LOOPS_TOO_NESTED, e.span, most=DEEPEST)
@@ -38,10 +43,10 @@ def too_deep(ctx: Context, e: ast.Fold | ast.Iterate, around: int) -> bool:
 
 
 def loops_within(bodies: Iterable[Node], formals: set[Formal]) -> int:
-    """How many loops are nested in one another in a loop over ``formals``, which is not counted.
+    """The number of loops nested in one another in a loop over ``formals``, which is not counted.
 
     Those of called functions are included. A loop stands in the innermost one on whose variables it
-    depends: what does not change in a loop is computed before it.
+    depends: a value that does not change in a loop is computed before it.
     """
     deepest = 0
     seen: set[tuple[Node, tuple[int, ...]]] = set()
@@ -64,7 +69,7 @@ def loops_within(bodies: Iterable[Node], formals: set[Formal]) -> int:
 
 
 def _loops_around(node: Node, around: tuple[int, ...], formals: set[Formal]) -> int | None:
-    """In how many inner loops a node stands; ``None`` if it does not change in the outer one.
+    """The number of inner loops around a node; ``None`` if it does not change in the outer one.
 
     ``around`` has the number for each variable that is bound further out, the innermost first.
     """
@@ -78,8 +83,10 @@ def _loops_around(node: Node, around: tuple[int, ...], formals: set[Formal]) -> 
 def changing(
     bodies: Iterable[Node], formals: set[Formal], known: Container[Node] = ()
 ) -> Iterator[Node]:
-    """What a loop over ``formals`` computes anew in every turn, inner loops included, but for what
-    is ``known`` already."""
+    """The nodes that a loop over ``formals`` computes anew in every iteration.
+
+    Inner loops are included, nodes that are ``known`` already are not.
+    """
     seen: set[Node] = set()
     pending = list(bodies)
     while pending:
@@ -102,7 +109,10 @@ def may_stand(
     waits: bool,
     states: bool = False,
 ) -> bool:
-    """Whether everything in a loop has a meaning there; ``waits``: pixels may stop apart."""
+    """True if everything in a loop has a meaning there; reported if not.
+
+    ``waits`` says that pixels may stop apart.
+    """
     inside = list(changing(bodies, formals))
     crossing = next((node for node in inside if node.op == "cross"), None)
     if crossing is not None and (
@@ -128,11 +138,11 @@ def may_stand(
 
 
 def needs_others(node: Node) -> bool:
-    """Whether an operation compares neighbouring pixels, or joins the values of a work group."""
+    """True if an operation compares neighbouring pixels, or joins the values of a work group."""
     return node.op in ("call", "native") and BUILTINS[str(node.data)].uniform_control_flow
 
 
 def _varies(count: Node) -> bool:
-    """Whether pixels may turn differently often."""
+    """True if pixels may have different numbers of iterations."""
     nodes = reachable((count,))
     return any(node.op in _VARYING or joins_group(node) for node in nodes)

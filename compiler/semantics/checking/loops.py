@@ -67,7 +67,7 @@ def _of_nothing(graph: Graph, operator: FoldOperator, type_: Type) -> Node:
 
 
 def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
-    """What is evaluated outside of the loop."""
+    """The operands of a fold, which are evaluated outside of the loop."""
     return bounds_of(e.turns) if e.initial is None else (*bounds_of(e.turns), e.initial)
 
 
@@ -88,7 +88,7 @@ def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> V
 
 
 def no_operands(_e: ast.FoldOver, _scope: Scope) -> tuple[ast.Expression, ...]:
-    """What is evaluated before a fold over no range: nothing."""
+    """The operands of a fold over no range: none."""
     return ()
 
 
@@ -102,7 +102,7 @@ def fold_over(ctx: Context, e: ast.FoldOver, _operands: Sequence[Node], _scope: 
 
 
 def _counted(e: ast.FoldOver) -> Hint:
-    """How a fold over something else is written as one over a range."""
+    """The hint how to write a fold over something else as one over a range."""
     over = e.over
     if isinstance(over, ast.Reference):
         return "a fold counts numbers, `sum i in a..b : e`; a `term … per light` sums over lights"
@@ -178,7 +178,7 @@ def _of_no_terms(
 ) -> Node:
     """``min`` or ``max`` of no terms and no initial value: an error, if a program comes to it.
 
-    A term stands in for the value, so that what needs it can be checked.
+    A term stands in for the value, so that expressions that need it can be checked.
     """
     term = _at(ctx, body, turns.formal, 0)
     value = ctx.tree.node("call", body.type, (term, term), operator)
@@ -209,13 +209,13 @@ def _at(ctx: Context, body: Node, formal: Formal, turn: int) -> Node:
 
 
 def bounds_of_iterate(e: ast.Iterate, _scope: Scope) -> tuple[ast.Expression, ...]:
-    """What is evaluated outside of the loop."""
+    """The operands of an ``iterate``, which are evaluated outside of the loop."""
     return (e.initial, *bounds_of(e.turns))
 
 
 @frozen
 class _States:
-    """The states of a loop: what they are as a whole, and each as a variable with its start."""
+    """The states of a loop: their whole, and each as a variable with its initial value."""
 
     initial: Node
     starts: tuple[Node, ...]
@@ -284,7 +284,7 @@ def _iterated(
 
 
 def _following(ctx: Context, e: ast.Iterate, body: Node, initial: Node) -> Node | Failure:
-    """What a turn makes of the state, as a state."""
+    """The value of the state after an iteration, of the state's type."""
     fitted = coerce(ctx.tree, body, initial.type)
     if fitted is None:
         ctx.report.add(
@@ -301,7 +301,7 @@ def _looped(
     states: list[tuple[Formal, Node, Node, Node]],
     going: Node,
 ) -> list[Node]:
-    """The last states of a loop; what no turn changes is no part of it."""
+    """The last states of a loop; a state that no iteration changes is no part of it."""
     graph, moved = ctx.tree, ctx.follow
     fixed = {f: start for f, variable, start, following in states if following is variable}
     kept = [state for state in states if state[0] not in fixed]

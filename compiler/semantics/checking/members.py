@@ -1,4 +1,4 @@
-"""What stands behind a dot: lanes of vectors, members of structures, slots of records."""
+"""The members behind a dot: lanes of vectors, members of structures, slots of records."""
 
 from __future__ import annotations
 

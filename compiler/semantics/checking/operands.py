@@ -1,6 +1,6 @@
 """Operands that no signature of a builtin takes, and the edit that mends them.
 
-An edit is offered where the builtin is known to take what comes of it.
+An edit is offered where the builtin is known to take the edited operands.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def listed(operands: Sequence[Node]) -> str:
 def no_signature(
     ctx: Context, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
 ) -> Failure:
-    """Report operands that no signature of a builtin takes, or what is wrong with one of them."""
+    """Reports operands that no signature of a builtin takes, or an error in one of them."""
     if any(map(ctx.deferred.is_wrong, operands)):
         return FAILURE
     row, places = BUILTINS[name], [each.span for each in written]
@@ -152,7 +152,7 @@ def _of_one_length(operands: Sequence[Node], written: Written) -> list[Edited]:
 
 
 def _operator_hint(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> Hint:
-    """How to mend ``x * i`` between a float and an integer, and the like."""
+    """A hint how to mend ``x * i`` between a float and an integer, and the like."""
     of_bits = all(signature.startswith("I") for signature in BUILTINS[name].signatures)
     ways: tuple[Callable[[], Hint], ...] = (
         lambda: _parts(operands),
@@ -166,7 +166,7 @@ def _operator_hint(ctx: Context, name: str, operands: Sequence[Node], written: W
 
 
 def _bits(name: str, operands: Sequence[Node]) -> str:
-    """How to mend an operator that takes integers only."""
+    """A hint how to mend an operator that takes integers only."""
     kinds = {scalar_kind(node.type) for node in operands}
     if "float" in kinds:
         power = "a power is written `pow(x, y)`; " if name == "bit_xor" else ""
@@ -177,7 +177,7 @@ def _bits(name: str, operands: Sequence[Node]) -> str:
 
 
 def _integers(operands: Sequence[Node], written: Written) -> Hint:
-    """How to mend an operator between an ``int`` and a ``uint``."""
+    """A hint how to mend an operator between an ``int`` and a ``uint``."""
     if {scalar_kind(node.type) for node in operands} != _INTEGERS:
         return ""
     types = [node.type for node in operands]
@@ -190,7 +190,7 @@ def _integers(operands: Sequence[Node], written: Written) -> Hint:
 
 
 def _of_matrices(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> Hint:
-    """How to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
+    """A hint how to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
     if len(operands) != 2 or not isinstance(operands[0].type, Matrix):
         return ""
     matrix, vector = (operand(each.span) for each in written) if written else ("m", "v")

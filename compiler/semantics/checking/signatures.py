@@ -61,7 +61,7 @@ def shared_call(
     """A call by its signature; ``None`` if there is none that says enough of the arguments."""
     repeated = bodies_of(ctx, symbol) <= MOST_BODIES
     if repeated and surface is not None:
-        return None  # What a term reads of a surface is not known before its body is checked.
+        return None  # The slots that a term reads are unknown before its body is checked.
     base, slots = (None, {}) if surface is None else slots_given(ctx, surface)
     values = tuple(value for value in slots.values() if isinstance(value, Node))
     kinds = kinds_of(ctx, (*arguments, *values))
@@ -77,7 +77,7 @@ def shared_call(
 
 
 def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None:
-    """What the body for a signature gives for these arguments; ``None`` if no body serves all."""
+    """The result of the body for a signature; ``None`` if no body serves all arguments."""
     signature = call.signature
     if signature not in ctx.bodies:
         _check_body(ctx, call, span)
@@ -93,16 +93,16 @@ def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None
 
 
 def failed(ctx: Context, signature: Signature, before: int) -> None:
-    """Note that a call failed with its own arguments, too, so that no further one is checked.
+    """Notes that a call failed with its own arguments, too, so that no further one is checked.
 
-    If nothing was reported since ``before``, what went wrong with the shared body is.
+    If nothing was reported since ``before``, the errors in the shared body are.
     """
     if ctx.report.count == before:
         ctx.report.extend(ctx.withheld[signature])
     ctx.bodies[signature] = FAILURE
 
 
-# --- what a signature says of an argument --------------------------------------------------------
+# --- arguments in a signature --------------------------------------------------------------------
 
 
 def _literal(part: Node) -> tuple[str, bool] | None:
@@ -117,8 +117,11 @@ def _literal(part: Node) -> tuple[str, bool] | None:
 
 
 def _adapts_to_its_use(ctx: Context, part: Node) -> bool:
-    """Whether checks may look into a value that is no literal: constant expressions are computed
-    and choices between literals adapt where they are used, and of a splat all lanes are equal."""
+    """True if checks may look into a value that is no literal.
+
+    Constant expressions are computed, choices between literals adapt where they are used, and all
+    lanes of a splat are equal.
+    """
     if _literal(part) is not None:
         return False
     return bare(part).op == "splat" or is_constant(part) or ctx.constants.is_known(part)
@@ -157,13 +160,15 @@ def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
 
 @frozen
 class StandIns:
-    """What a body is checked with."""
+    """The placeholders with which a body is checked."""
 
     values: tuple[Node, ...]
-    """For each argument, and then for each replaced slot."""
+    """A placeholder for each argument, and then for each replaced slot."""
     parts: tuple[Node, ...]
-    """The numbers, vectors and matrices in these: variables, and constants that are the same in
-    all calls."""
+    """The numbers, vectors and matrices in ``values``.
+
+    They are variables, and constants that are the same in all calls.
+    """
     formals: tuple[Formal, ...]
 
 
@@ -219,7 +224,7 @@ def _finish(
     before, deferred, ctx.progress.unproven, unproven = *around, ctx.progress.unproven
     value = fit_result(ctx, symbol, result, arguments)
     if ctx.report.count > before or isinstance(value, Failure):
-        # The arguments of a call may tell what is missing here. If not, it is reported then. But
+        # The arguments of a call may supply the missing facts. If not, it is reported then. But
         # a function that calls itself does so for all arguments.
         found = ctx.report.since(before)
         ctx.report.forget(before)
@@ -279,7 +284,7 @@ def _of_operands(ctx: Context, node: Node, operands: tuple[Node, ...]) -> Node:
 
 
 def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool:
-    """Whether a body means the same as where it is called.
+    """True if a body means the same as where it is called.
 
     Choices between constants adapt to their use, and crossings and reads that depend on arguments
     are checked in the loop in which the call stands.
@@ -291,7 +296,7 @@ def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool
 
 
 def _closed(ctx: Context, symbol: Symbol, body: Node, formals: tuple[Formal, ...]) -> Node:
-    """A body with its variables bound, and with what texts show of the function."""
+    """A body with its variables bound, and with notes on the function for the texts."""
     closed = close(ctx.tree, body, formals, ctx.follow)
     ctx.notes.functions.setdefault(closed.id, symbol.name)
     ctx.notes.arguments.setdefault(closed.id, tuple(formal.name for formal in formals))

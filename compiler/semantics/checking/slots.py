@@ -62,7 +62,10 @@ def inherited(ctx: Context, instance: Instance, level: int, name: ast.Name) -> V
 
 
 def _unknown_inherited(ctx: Context, record: Record, name: ast.Name) -> None:
-    """A mixin, where no record has it, knows of the chain behind it only what it declares."""
+    """Reports an unknown ``inherited`` name.
+
+    A mixin that no record has knows only those names of the chain behind it that it declares.
+    """
     if isinstance(record.symbol.declaration, ast.Mixin) and name.text in record.definitions:
         hint = f"say of which type it has to be: `{name.text} : … = …`"
         kind = "inherited slot"
@@ -99,12 +102,12 @@ def slot(
 
 
 def _definition(instance: Instance, name: str, level: int) -> Definition:
-    """What the record says of ``name`` at ``level`` or further up."""
+    """The definition of ``name`` in the record at ``level`` or further up."""
     return next(d for d in instance.record.definitions[name] if d.level >= level)
 
 
 def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: int) -> None:
-    """Compute what the record itself says of a slot."""
+    """Computes the record's own definition of a slot."""
     definition = _definition(instance, name, level)
     member = definition.member
     if not isinstance(member, ast.Slot):
@@ -117,8 +120,10 @@ def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: 
 
 
 def _settle_made(ctx: Context, instance: Instance, name: str, span: Span) -> None:
-    """Compute what a slot is at the vertices that are made of a mesh's: each group of strips of an
-    expansion may say something else."""
+    """Computes the values of a slot at the vertices that are made of a mesh's.
+
+    Each group of strips of an expansion may say something else.
+    """
     assert instance.made is not None
     found = [
         _in_group(ctx, instance, instance.made, number, name, span)
@@ -133,7 +138,7 @@ def _settle_made(ctx: Context, instance: Instance, name: str, span: Span) -> Non
 def _in_group(
     ctx: Context, instance: Instance, slots: MadeSlots, number: int, name: str, span: Span
 ) -> Node | Failure:
-    """What a slot is at the vertices of one group."""
+    """The value of a slot at the vertices of one group."""
     group = slots.groups[number]
     written = group.equations.get(name)
     if written is None or written.value is None:
@@ -156,7 +161,7 @@ def _finish_made(
     equation: ast.Slot,
     value: Value,
 ) -> None:
-    """Keep what a group says of a slot, as a value of the slot's type."""
+    """Keeps a group's equation for a slot, as a value of the slot's type."""
     written, name, scope = equation.value, equation.name.text, slots.groups[number].scope
     assert written is not None
     node = plain(ctx, value, written)
@@ -212,7 +217,7 @@ def _settle_given(
     definition: Definition,
     within: Instance | None,
 ) -> None:
-    """Compute what a pass or a rig's entry says of a slot."""
+    """Computes the override of a slot by a pass or a rig's entry."""
     if within is not None and is_abstract(definition.member):
         _keep(ctx, instance, name, level, slot(ctx, within, name, span))
     else:
@@ -258,9 +263,9 @@ def _finish_equation(
 def like_overridden(
     ctx: Context, instance: Instance, name: str, level: int, node: Node | Failure
 ) -> Node | Failure:
-    """A literal adapts to the type of what it overrides, as it would to a written one.
+    """Adapts a literal to the type of the definition that it overrides.
 
-    ``level`` is that of the literal.
+    It does so as for a written type. ``level`` is that of the literal.
     """
     record = instance.record
     if isinstance(node, Failure) or not is_adaptable(node) or record.typing(name) is not None:
@@ -276,7 +281,7 @@ def like_overridden(
 
 
 def _twin(ctx: Context, instance: Instance) -> Twin | None:
-    """Where to ask for the types of what an instance overrides; nowhere, if it is in no shader."""
+    """The twin that knows the types of an instance's overrides; ``None`` outside of shaders."""
     if ctx.is_twin:
         return ctx, instance
     make = ctx.twins.get(instance)
@@ -306,7 +311,7 @@ def _report_abstract(ctx: Context, instance: Instance, definition: Definition, s
 
 
 def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Failure:
-    """What a member reads whose value comes from outside; nothing if its declaration is wrong."""
+    """The leaf of a member whose value comes from outside; a failure if it is declared wrongly."""
     name = member.name.text
     match ast.kind_of(member).contribution:
         case "parameter":

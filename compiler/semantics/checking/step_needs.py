@@ -1,4 +1,4 @@
-"""Which slots of a frame are steps, and which of them each one needs.
+"""Finds the slots of a frame that are steps, and which of them each one needs.
 
 ``frames`` asks before it evaluates anything, so that every step is checked behind those that it
 needs, however long a chain they form.
@@ -18,13 +18,15 @@ from ..names.modules import Module, Symbol
 from ..state.scope import OUTERMOST
 
 PREVIOUS = "previous"
-"""``previous(x)``: what an image held at the end of the last frame."""
+"""The name of ``previous(x)``: the content of an image at the end of the last frame."""
 
 SCREEN = "screen"
-"""What a pass draws that draws one triangle over everything."""
+"""The argument of a pass that draws one triangle over everything."""
 
 VIEWPORT, SCISSOR, BLEND_CONSTANT = OF_STEPS = "viewport", "scissor", "blend_constant"
-"""What is set of a step as a whole, and of no pass: any pass may be drawn into a part of something.
+"""The settings of a step as a whole, and of no pass.
+
+Any pass may be drawn into a part of something.
 """
 
 STEPS = ("pass", "kernel")
@@ -48,7 +50,7 @@ def applied(e: ast.Expression, module: Module) -> Symbol | None:
 
 
 def is_drawn(e: ast.Expression, record: Record) -> bool:
-    """Whether an expression says what a pass of a frame draws, which has no value."""
+    """True if an expression says what a pass of a frame draws, which has no value."""
     if not isinstance(e, ast.Reference) or not is_frame(record) or e.name in record.definitions:
         return False
     models = (member.name.text for member, _, _ in record.every(ast.Models))
@@ -56,19 +58,19 @@ def is_drawn(e: ast.Expression, record: Record) -> bool:
 
 
 def is_frame(record: Record) -> bool:
-    """Whether the steps of a record are those of a frame."""
+    """True if the steps of a record are those of a frame."""
     declaration = record.symbol.declaration
     return isinstance(declaration, ast.Record) and declaration.kind == "frame"
 
 
 def is_previous(e: object) -> bool:
-    """Whether an expression is ``previous(…)``."""
+    """True if an expression is ``previous(…)``."""
     callee = e.callee if isinstance(e, ast.Call) else None
     return isinstance(callee, ast.Reference) and callee.name == PREVIOUS
 
 
 def is_brought(record: Record, name: str) -> bool:
-    """Whether a slot is a step that a light brings to frames, of which nobody else knows."""
+    """True if a slot is a step that a light brings to frames, of which nobody else knows."""
     declaration = record.symbol.declaration
     assert isinstance(declaration, ast.Record | ast.Mixin)
     return declaration.kind == "light" and Dependencies(record, Report()).is_step((name, OUTERMOST))
@@ -81,7 +83,7 @@ class Need:
     key: Key
     span: Span
     before: bool
-    """Whether it has to be there before; else it is what the last frame left."""
+    """True if it has to be there before; otherwise it is the result of the last frame."""
 
 
 @record
@@ -91,12 +93,12 @@ class Dependencies:
     record: Record
     report: Report
     overrides: Mapping[str, Definition] = EMPTY
-    """What is said of slots from outside: of a light, by its rig."""
+    """Definitions from outside: for a light, those of its rig."""
     known: dict[Key, bool] = fresh(factory=dict)
     """Slots that have been asked for, and whether they are steps."""
 
     def definition(self, key: Key) -> Definition | None:
-        """What the frame says of a slot at a level or further up."""
+        """The frame's definition of a slot at a level or further up."""
         name, level = key
         if level == OUTERMOST and name in self.overrides:
             return self.overrides[name]
@@ -104,7 +106,7 @@ class Dependencies:
         return next(found, None)
 
     def is_step(self, key: Key) -> bool:
-        """Whether a slot is a step, or something that a step leaves, and no number."""
+        """True if a slot is a step, or a result of one, and no number."""
         pending = [key]
         while pending:
             top = pending[-1]
@@ -121,7 +123,7 @@ class Dependencies:
         return self.known[key]
 
     def _leads(self, key: Key) -> bool | Key:
-        """Whether a slot is a step, or another slot that is one if this is."""
+        """True or false for a slot that is a step or not; or another slot that decides it."""
         definition = self.definition(key)
         member = None if definition is None else definition.member
         if definition is None or not isinstance(member, ast.Slot) or member.value is None:
@@ -176,8 +178,7 @@ class Dependencies:
                 waiting += [(getattr(part, f), before, bound) for f in type(part).__match_args__]
 
     def ordered(self, roots: Sequence[Need]) -> list[Key]:
-        """The steps that some of them need, each behind those that it needs itself; cycles are
-        reported."""
+        """The steps that some needs lead to, each behind those it needs itself; reports cycles."""
         done: dict[Key, None] = {}
         path: dict[Key, Span] = {}
         waiting: list[tuple[Need, bool]] = [(root, False) for root in reversed(roots)]

@@ -22,5 +22,5 @@ def shaded(ctx: Context, surface: Instance, given: Mapping[str, Node | Failure])
 
 
 def slots_given(ctx: Context, surface: Instance) -> tuple[Instance, Mapping[str, Node | Failure]]:
-    """The surface without what ``with`` replaces, and what that is."""
+    """The surface without the slots that ``with`` replaces, and these with their values."""
     return ctx.shaded_from.get(surface, (surface, {}))

@@ -1,4 +1,4 @@
-"""Reads of textures: ``albedo(uv)``, ``albedo.level(uv, 2)``, ``shadow(uv, depth)`` …
+"""Reads of textures: ``albedo(uv)``, ``albedo.level(uv, 2)``, ``shadow(uv, depth)`` and others.
 
 Each is a row of ``stdlib/builtins/texture.py``, found by how it is written and by the texture.
 """
@@ -34,12 +34,12 @@ class _Way:
 
     row: Builtin
     names: tuple[str, ...]
-    """Of the operands behind the texture, for messages."""
+    """The names of the operands behind the texture, for messages."""
     operands: tuple[Type, ...]
     result: Type
 
     def usage(self, callee: str) -> str:
-        """How it is written, with types."""
+        """The form in which it is written, with types."""
         pairs = zip(self.names, self.operands, strict=True)
         return f"{callee}({', '.join(f'{name}: {type_}' for name, type_ in pairs)})"
 
@@ -72,7 +72,7 @@ def read(
 
 
 def can_read(ctx: Context, type_: Texture, method: ast.Name) -> bool:
-    """Whether textures of a type have a read; reports if they have not."""
+    """True if textures of a type have a read; reports if they have not."""
     if next(_ways(type_, method.text), None) is None:
         _no_way(ctx, type_, method.text, method.span)
         return False
@@ -80,7 +80,7 @@ def can_read(ctx: Context, type_: Texture, method: ast.Name) -> bool:
 
 
 def _ways(type_: Texture, method: str) -> Iterator[_Way]:
-    """How textures of a type can be read by a method: in one way, if at all."""
+    """The reads of textures of a type by a method: one, if at all."""
     for row in _READS:
         for signature in row.signatures if row.method == method else ():
             (first, *rest), result = parsed(signature)
@@ -110,7 +110,7 @@ def _no_way(ctx: Context, type_: Texture, method: str, span: Span) -> None:
 
 
 def _foreign(method: str) -> str:
-    """How a texture is read by a method of another language's."""
+    """The hint for a read of a texture by a method of another language's."""
     from ....stdlib.builtins.elsewhere import METHODS
 
     return f"it is `{METHODS[method]}` here" if method in METHODS else ""

@@ -1,8 +1,8 @@
-"""How often a loop turns.
+"""The trip count of a loop: its number of iterations.
 
-That may be known at run time only. How often it turns at most is known when compiling: from the
-ranges of what its bounds are computed from, or because it is written there. ``loops`` asks for this
-before a loop's body is checked.
+That may be known at run time only. The largest possible number is known when compiling: from the
+ranges of the values that its bounds are computed from, or because it is written there. ``loops``
+asks for this before a loop's body is checked.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ LONGEST = 4096
 
 @frozen
 class Turns:
-    """How often a loop turns."""
+    """The trip count of a loop."""
 
     count: Node
     bound: int
@@ -36,12 +36,12 @@ class Turns:
 
     @property
     def known(self) -> bool:
-        """Whether it turns ``bound`` times, no less."""
+        """True if the loop always has ``bound`` iterations."""
         return self.count.op == "constant"
 
 
 def bounds_of(turns: ast.Turns) -> tuple[ast.Expression, ...]:
-    """What is written about how often a loop turns, in the order in which it is evaluated."""
+    """The expressions in the bounds of a loop, in the order in which they are evaluated."""
     ends = (turns.start, turns.end)
     return ends if turns.most is None else (*ends, turns.most)
 
@@ -49,7 +49,7 @@ def bounds_of(turns: ast.Turns) -> tuple[ast.Expression, ...]:
 def turns_of(
     ctx: Context, written: ast.Turns, values: Sequence[Node], span: Span
 ) -> Turns | Failure:
-    """How often a loop turns, by the values of its ``bounds_of``."""
+    """The trip count of a loop, by the values of its ``bounds_of``."""
     bounds = [
         fit(ctx, value, INT, "int", bound.span)
         for value, bound in zip(values, bounds_of(written), strict=True)
@@ -82,7 +82,7 @@ def turns_of(
 def _count(
     ctx: Context, first: Node, end: Node, most: int, written: ast.Turns, span: Span
 ) -> tuple[Node, int] | None:
-    """How often a loop turns, and at most; reported where nothing says that."""
+    """The trip count of a loop, and its largest value; reported where nothing says that."""
     ctx.progress.unproven += bool(first.variables or end.variables)
     known = [ctx.constants.known_integer(node) for node in (first, end)]
     if known[0] is not None and known[1] is not None:

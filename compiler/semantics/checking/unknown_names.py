@@ -1,4 +1,4 @@
-"""Names that nothing declares, and what may have been meant."""
+"""Names that nothing declares, and hints at the names that may have been meant."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.scope import Scope
 
 _COUNTERS = (PRIMITIVE_INDEX.name, PATCH_INDEX.name)
-"""What counts the primitives of a mesh, or its patches."""
+"""The inputs that count the primitives of a mesh, or its patches."""
 
 
 def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
@@ -54,7 +54,7 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
 
 
 def _other_kernels(ctx: Context, name: str) -> str:
-    """What a kernel has in place of an input that kernels over something else have."""
+    """A hint about a kernel's own input, for an input of kernels over something else."""
     if ctx.extent is None or name not in KERNEL_INPUTS:
         return ""
     own = next(row.name for row in KERNEL_INPUTS.values() if row.type == ctx.extent.type)
@@ -69,7 +69,7 @@ _WHERE_MADE: Mapping[str, str] = MappingProxyType(
         PATCH_INDEX.name: "it counts patches where a `tessellate` divides them",
     }
 )
-"""What exists only where vertices are made of others, and where that is."""
+"""Hints for names that exist only where vertices are made of others, and where that is."""
 
 
 def _of_stages(name: str, scope: Scope) -> str:
@@ -83,7 +83,7 @@ def _of_stages(name: str, scope: Scope) -> str:
 
 
 def _other_vertices(scope: Scope, name: str) -> str:
-    """What counts the primitives of a surface in place of a number that others have."""
+    """A hint about the number that counts this surface's primitives, for another such number."""
     made = None if scope.surface is None else scope.surface.made
     if made is None or name not in _COUNTERS:
         return ""
@@ -92,13 +92,13 @@ def _other_vertices(scope: Scope, name: str) -> str:
 
 
 def is_known(scope: Scope, name: str) -> bool:
-    """Whether a name means something in an expression."""
+    """True if a name means something in an expression."""
     seen = scope.surface is not None and scope.surface.has(name)
     return name in scope.locals or seen or is_declared(scope, name)
 
 
 def is_declared(scope: Scope, name: str) -> bool:
-    """Whether the record or the file gives a name to something, called or not."""
+    """True if the record or the file gives a name to something, called or not."""
     own = scope.instance is not None and scope.instance.has(name)
     return own or bool(scope.module.find(name))
 
@@ -106,8 +106,10 @@ def is_declared(scope: Scope, name: str) -> bool:
 def unknown(
     ctx: Context, kind: str, name: str, span: Span, known: Iterable[str], declared_as: str = ""
 ) -> None:
-    """Report a name that nothing declares, with the nearest one that something does, or else with
-    how such a thing is declared."""
+    """Reports a name that nothing declares, with the nearest declared one.
+
+    If no name is near, it says how such a thing is declared.
+    """
     hint = advice.nearest_or_all(name, span, known) or advice.undeclared(declared_as, name)
     ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 

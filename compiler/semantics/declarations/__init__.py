@@ -1,1 +1,1 @@
-"""What declarations say: parameters, textures, the host's blocks, transforms, contracts."""
+"""Declarations: parameters, textures, the host's blocks, transforms, contracts."""

@@ -23,7 +23,10 @@ def assigned(
     scope: Scope,
     level: int,
 ) -> Node | Failure:
-    """``value`` as what ``record`` declares ``name`` to be, where it is written at ``level``."""
+    """``value`` with the type and meaning that ``record`` declares for ``name``.
+
+    It is written at ``level``.
+    """
     typing = record.typing(name)
     if typing is None or typing.member.type is None:
         return value

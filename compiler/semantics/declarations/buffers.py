@@ -71,7 +71,7 @@ def _report_type(ctx: Context, member: ast.Buffer, declared: Declared) -> None:
 
 
 def element_info(declared: Declared, span: Span) -> ParameterInfo:
-    """What is known of an element that was declared so, in the form of a parameter."""
+    """The description of an element of a declared type, in the form of a parameter."""
     one = Parameter("", declared.type, "", declared.fact, meaning=declared.meaning)
     members = member_infos(declared, span)
     return ParameterInfo(one, declared.text, None, None, "", span, members)

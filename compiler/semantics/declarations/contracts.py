@@ -1,4 +1,4 @@
-"""Values as what was declared: whether the meaning is the one wanted, and the contract is kept."""
+"""Checks values against declarations: the meaning has to be the wanted one, contracts are kept."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def as_declared(
     written: ast.Expression,
     scope: Scope | None = None,
 ) -> Node | Failure:
-    """The value of ``written`` as what was declared: its type, its meaning, its contract."""
+    """The value of ``written`` with its declared type, meaning and contract."""
     if _is_apart(node, ctx, declared):
         return meant(ctx, node, declared, written.span, written, scope)
     fitted = fit(ctx, node, declared.type, declared.text, written.span)
@@ -67,7 +67,7 @@ def meant(
 
 
 def _is_apart(node: Node | Failure, ctx: Context, declared: Declared) -> TypeGuard[Node]:
-    """Whether both are geometric, but not of one type (a point and a clip space point, say).
+    """True if both are geometric, but not of one type (a point and a clip space point, say).
 
     Then the meaning that does not fit is reported, and not the type.
     """
@@ -97,12 +97,12 @@ def contracted(
 
 
 def needs_unit(declared: Declared) -> bool:
-    """Whether a value has to be proven to have length one."""
+    """True if a value has to be proven to have length one."""
     return declared.fact.unit and isinstance(declared.type, Vector)
 
 
 def is_unit(ctx: Context, node: Node) -> bool:
-    """Whether range analysis, or the value itself, proves that a vector has length one."""
+    """True if range analysis, or the value itself, proves that a vector has length one."""
     for choice in _choices(node):
         if ctx.ranges.of(choice).unit:
             continue
@@ -114,7 +114,7 @@ def is_unit(ctx: Context, node: Node) -> bool:
 
 
 def _choices(root: Node) -> Iterator[Node]:
-    """What a value may be: itself, or what a choice chooses between."""
+    """Yields the possible values of a node: itself, or the sides of a choice."""
     pending, seen = [root], {root.id}
     while pending:
         node = pending.pop()
@@ -167,7 +167,7 @@ def _way_out(
 
 
 class Change(IntEnum):
-    """What has to be done to an argument for a function to take it, from least to most."""
+    """The change of an argument for a function to take it, from least to most."""
 
     NONE = 0
     ALIKE = 1
@@ -186,7 +186,7 @@ class Change(IntEnum):
 
 
 def change(ctx: Context, argument: Node, declared: Declared, *, broadcast: bool) -> Change | None:
-    """What has to be done to an argument to be what is declared; ``None`` if it cannot be that."""
+    """The change of an argument to a declared type and meaning; ``None`` if it is impossible."""
     found = ctx.meanings.of(argument)
     fitted = coerce(ctx.tree, argument, declared.type, broadcast=broadcast)
     if fitted is None or not fits(found, declared.meaning):
@@ -203,7 +203,7 @@ def change(ctx: Context, argument: Node, declared: Declared, *, broadcast: bool)
 
 
 def _of_type(found: Type, wanted: Type) -> Change:
-    """How a literal changes that adapts from one type to another."""
+    """The change of a literal that adapts from one type to another."""
     while isinstance(found, Array) and isinstance(wanted, Array):
         found, wanted = found.element, wanted.element
     kind = scalar_kind(wanted)
@@ -225,7 +225,7 @@ def assumed(ctx: Context, variable: Node, declared: Declared) -> Node:
 def light_variable(
     ctx: Context, light: LightVariable, name: str, variable: Node, sample: Node
 ) -> Node:
-    """A slot of ``light`` in a term: what all lights of the rig have to keep to."""
+    """A slot of ``light`` in a term, with the type that all lights of the rig have to keep."""
     if variable.id not in ctx.lights.types:
         declared, typing = None, light.record.typing(name)
         if typing is not None and typing.member.type is not None:

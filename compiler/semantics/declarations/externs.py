@@ -1,4 +1,4 @@
-"""Blocks that the host already owns: what is declared of them, checked against every backend."""
+"""Blocks that the host already owns: their declarations, checked against every backend."""
 
 from __future__ import annotations
 
@@ -22,14 +22,17 @@ from ..state.scope import FAILURE, Failure
 from .parameters import parameter_of
 
 LARGEST_PLACE = 65535
-"""Of groups and bindings. How many of them a language has is a limit of its profiles."""
+"""The largest number of a group or a binding.
+
+The number of them that a language has is a limit of its profiles.
+"""
 
 LARGEST_OFFSET = 65532
 """The last scalar of 64 KiB, beyond which no profile has a block."""
 
 
 def extern_value(ctx: Context, symbol: Symbol, span: Span) -> Node | Failure:
-    """What reads the member that ``symbol`` stands for, where it is written at ``span``."""
+    """The read of the member that ``symbol`` stands for, where it is written at ``span``."""
     if symbol.module in ctx.externs.reading:
         ctx.report.add(rules.NOT_CONSTANT, span)
         return FAILURE
@@ -108,7 +111,7 @@ def _check_place(ctx: Context, block: ast.ExternBlock, place: HostPlace) -> None
 
 
 def _fits(ctx: Context, member: ast.ExternMember, type_: Type, offset: int) -> bool:
-    """Whether every backend can read a type at an offset, or a report of why not."""
+    """True if every backend can read a type at an offset; reports why not."""
     if isinstance(type_, Array) and _is_packed(type_.element):
         ctx.report.add(
             rules.EXTERN_ARRAY, member.type.span, element=type_.element, count=type_.count
@@ -148,5 +151,5 @@ def _group(block: ast.ExternBlock) -> str:
 
 
 def _is_packed(element: Type) -> bool:
-    """Whether Burnish's blocks keep several such elements in 16 bytes, as no host does."""
+    """True if Burnish's blocks keep several such elements in 16 bytes, as no host does."""
     return isinstance(element, Scalar) or (isinstance(element, Vector) and element.size == 2)

@@ -17,7 +17,7 @@ from ..state.context import Context
 from .written_types import declared_type
 
 Settings = Mapping[str, tuple[str, ...]]
-"""What can be said of a sampler; the first of each is the default."""
+"""The settings of a sampler, each with its words; the first one is the default."""
 
 COLOR_DEFAULTS = ("white", "black", "gray", "transparent", "flat_normal")
 WRAP = ("repeat", "clamp", "mirror")
@@ -26,10 +26,10 @@ FILTERED: Settings = {"filter": ("linear", "nearest"), "mip": ("linear", "neares
 
 @frozen
 class Kind:
-    """What can be said of the maps of one kind of texture."""
+    """The possible defaults and settings of the maps of one kind of texture."""
 
     defaults: tuple[str, ...]
-    """What a host may bind that has no picture; the first where nothing is said."""
+    """The words for a texture that a host binds if it has no picture; the first is the default."""
     settings: Settings = EMPTY
     fixed: Mapping[str, str] = EMPTY
     """State that goes without saying."""
@@ -44,14 +44,14 @@ COMPARED: Settings = {
 DEPTHS = Kind(("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
 DEPTH_CUBES = Kind(("far", "near"), COMPARED, {"mip": "none", "wrap": "clamp"})
 INTEGERS = Kind(("zero",))
-"""Nothing filters them, so they have no sampler."""
+"""Maps of integers: nothing filters them, so they have no sampler."""
 
 DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
-"""All words for what a texture is until a host binds one."""
+"""All words for the texture that stands in until a host binds one."""
 
 
 def kind_of(texture: Texture) -> Kind:
-    """What can be said of a map of this type."""
+    """The kind of maps of this type."""
     is_cube = texture.dimension == "cube"
     match texture.sample:
         case "float":

@@ -1,4 +1,4 @@
-"""Overrides keep the type of what they override, and what a mixin needs has the type it says."""
+"""Checks that overrides keep the overridden type, and mixins' requirements their declared one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from .written_types import declared_type
 
 
 def check_overrides(ctx: Context, instance: Instance) -> None:
-    """A derived record may write a slot's type again but not change it; what does has no value."""
+    """Checks that a derived record may write a slot's type again but does not change it.
+
+    A definition that does has no value.
+    """
     for name, definitions in instance.record.definitions.items():
         if len(definitions) > 1 and not _keeps_type(ctx, definitions):
             instance.values[name, OUTERMOST] = FAILURE

@@ -1,4 +1,4 @@
-"""Declared parameters, textures and buffers as leaves, with what a host may know of them."""
+"""Declared parameters, textures and buffers as leaves, with their descriptions for a host."""
 
 from __future__ import annotations
 
@@ -58,10 +58,10 @@ DEFAULT_GROUPS: Mapping[str, str] = {
     "kernel": "draw",
     "frame": "frame",
 }
-"""The group of a parameter that names none, by what declares it."""
+"""The group of a parameter that names none, by the kind of its record."""
 
 STEPS = (VERTICES, INSTANCES)
-"""What an attribute can be declared ``per``; the first is the default."""
+"""The domains that an attribute can be declared ``per``; the first is the default."""
 
 
 @frozen
@@ -77,8 +77,10 @@ class Leaves:
 def all_parameters(
     leaves: Sequence[Leaves], externs: Iterable[ExternInfo]
 ) -> tuple[ParameterInfo, ...]:
-    """All that a shader has: those that are declared, those that count elements, and the members of
-    the host's blocks."""
+    """All parameters of a shader.
+
+    They are the declared ones, those that count elements, and the members of the host's blocks.
+    """
     own = [info for part in leaves for info in part.parameters]
     counts = [info.count for part in leaves for info in part.buffers]
     return (*own, *counts, *(member.info for block in externs for member in block.members))
@@ -113,8 +115,10 @@ def leaves_of(
 
 
 def _library_name(record: Record, of_leaf: str) -> str:
-    """Which declaration of the library a parameter or a texture is, by which a host tells it from
-    others that only have the same name; an empty text for others."""
+    """The name in the library of a parameter or a texture; an empty text for others.
+
+    A host tells it by this from others that only have the same name.
+    """
     name = of_leaf.rpartition(".")[2]
     declared = (ast.Param, ast.Map)
     owners = (each.owner for each in record.definitions[name] if isinstance(each.member, declared))
@@ -123,7 +127,7 @@ def _library_name(record: Record, of_leaf: str) -> str:
 
 
 def library_name(symbol: Symbol) -> str:
-    """Which declaration of the library something is: ``std.lights.Lantern``; empty for others."""
+    """The declaration of the library that a symbol is: ``std.lights.Lantern``; empty for others."""
     module = symbol.module
     if not module.is_standard or module.path is None:
         return ""
@@ -179,8 +183,10 @@ _LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
     ast.Buffer: _of_buffer,
     ast.Attribute: _of_attribute,
 }
-"""What a definition contributes as the leaf of a name, by the class of its member: one row for each
-kind whose contribution is a parameter, a resource or an attribute."""
+"""By the class of a member, the function that makes the leaf of its definition.
+
+There is one row for each kind whose contribution is a parameter, a resource or an attribute.
+"""
 
 
 def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
@@ -197,7 +203,7 @@ def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
 
 
 def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterInfo | None:
-    """What a ``param`` declares, as a leaf called ``name``; ``None`` after reporting."""
+    """The leaf that a ``param`` declares, called ``name``; ``None`` after reporting."""
     member = definition.member
     assert isinstance(member, ast.Param)
     module = definition.owner.module
@@ -305,7 +311,7 @@ def range_text(member: ast.Param, limits: tuple[float, float]) -> str:
 
 
 def is_within(value: ConstantValue | None, lo: float, hi: float) -> bool:
-    """Whether all lanes of a value are in a range."""
+    """True if all lanes of a value are in a range."""
     if isinstance(value, tuple):
         return all(is_within(lane, lo, hi) for lane in value)
     return value is not None and lo <= value <= hi
@@ -363,7 +369,7 @@ def as_array(ctx: Context, name: str, light: str, infos: tuple[ParameterInfo, ..
 
 
 def count_parameter(name: str, bound: int, group: str, of: ParameterInfo) -> ParameterInfo:
-    """How many of at most ``bound`` lights shine."""
+    """The parameter for the number of lights that shine, of at most ``bound``."""
     parameter = Parameter(f"{name}.count", INT, group, Fact(0.0, float(bound), kind="int"))
     doc = f"How many of `{name}` shine"
     return ParameterInfo(parameter, "int", (0, bound), 0, doc, of.span, light=of.light)

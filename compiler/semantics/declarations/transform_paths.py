@@ -26,7 +26,7 @@ class Way:
 
     @property
     def ends(self) -> tuple[str, ...]:
-        """From where to where."""
+        """The spaces from which and to which the way leads."""
         return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
 
 
@@ -51,7 +51,7 @@ def transforms(ctx: Context, scope: Scope) -> Iterator[Way]:
 
 
 def _leads(way: Way, kind: str) -> bool:
-    """Whether a way is one for points, or for vectors and normals."""
+    """True if a way is one for points, or for vectors and normals."""
     if kind == "point":
         return way.meaning.kind == "transform" and way.ends[0] != HOMOGENEOUS
     return HOMOGENEOUS not in way.ends
@@ -84,5 +84,5 @@ def _shortest(ways: list[Way], start: str, end: str) -> list[Way] | None:
 
 
 def is_offered(ctx: Context, meaning: Meaning, space: str, scope: Scope) -> bool:
-    """Whether `value in space` brings a value with this meaning into a space."""
+    """True if `value in space` brings a value with this meaning into a space."""
     return meaning.kind in GEOMETRY and path(ctx, meaning, space, scope) is not None

@@ -21,14 +21,19 @@ from ..types.typenames import Declared, Variables, array_of, structure, unsized_
 from .fitting import fit
 
 MOST_ELEMENTS = 4096
-"""Of an array."""
+"""The largest number of elements of an array."""
 
 MOST_LEVELS, MOST_PARTS = 64, 4096
-"""How deep structures nest, and into how many numbers, vectors and matrices one is taken apart."""
+"""The limits of structures: how deep they nest, and the number of parts of one.
+
+Parts are numbers, vectors and matrices.
+"""
 
 MOST_NUMBERS = 1 << 18
-"""Of a value, with those of all its elements and members: a megabyte. No API has uniform blocks of
-more than a sixteenth of that."""
+"""The largest number of numbers in a value, with those of all its elements and members.
+
+They take a megabyte. No API has uniform blocks of more than a sixteenth of that.
+"""
 
 
 _OPAQUE_MEMBER: Mapping[type, str] = {
@@ -36,7 +41,7 @@ _OPAQUE_MEMBER: Mapping[type, str] = {
     RuntimeArray: "a member is an array of a known length, `T[4]`; any number of elements is a "
     "`buffer` of a material, light or pass",
 }
-"""How to declare what cannot be a member of a structure."""
+"""Hints how to declare types that cannot be members of a structure."""
 
 
 def declared_type(
@@ -158,7 +163,7 @@ def _struct(ctx: Context, symbol: Symbol) -> Declared | None:
         ctx.types.structs[symbol] = None
         return None
     if not declaration.members:
-        # What could not be read of the file may have been its members.
+        # Unreadable text of the file may have been its members.
         if not ctx.report.unread_names:
             ctx.report.add(rules.EMPTY_STRUCT, declaration.name.span, name=symbol.name)
         return None
@@ -179,7 +184,7 @@ def _struct(ctx: Context, symbol: Symbol) -> Declared | None:
 def _members(
     ctx: Context, symbol: Symbol, declaration: ast.StructDeclaration
 ) -> list[tuple[str, Declared]]:
-    """The members that have a type, each with it; what is wrong with the others is reported."""
+    """The members that have a type, each with it; errors in the others are reported."""
     members = []
     ctx.progress.active[symbol] = (symbol.name, declaration.name.span)
     try:
@@ -198,8 +203,11 @@ def _members(
 
 
 def named_struct(ctx: Context, name: str, members: tuple[tuple[str, Type], ...]) -> Struct:
-    """A structure for the texts, where one name cannot stand for two: files may each have a
-    ``Layer``, and lights of one kind have fewer members where a rig sets one of them."""
+    """A structure for the texts, where one name cannot stand for two.
+
+    Files may each have a ``Layer``, and lights of one kind have fewer members where a rig sets one
+    of them.
+    """
     numbers_behind = range(2, 3 + len(ctx.types.struct_members))
     names = chain([name], (f"{name}_{number}" for number in numbers_behind))
     free = next(n for n in names if ctx.types.struct_members.get(n, members) == members)
@@ -222,7 +230,7 @@ def _too_large(ctx: Context, declaration: ast.StructDeclaration) -> None:
 def _extent(type_: Type) -> tuple[int, int]:
     """Levels of structures, and parts that are none; the elements of an array are one part.
 
-    Members are measured before what holds them, so the cache keeps this from recursing deeply.
+    Members are measured before their structure, so the cache keeps this from recursing deeply.
     """
     match type_:
         case Array(element=element):

@@ -1,4 +1,4 @@
-"""Where expressions about steps stand: in whose equations, and in which layers and levels.
+"""The surroundings of expressions about steps: the owner's equations, layers and levels.
 
 ``steps.py`` hands it down from an equation to the expressions in it.
 """
@@ -17,7 +17,7 @@ from .values import Made
 
 @frozen(eq=False)
 class Place:
-    """Into which layers and levels of its images a step draws that is repeated."""
+    """The layers and levels of its images into which a repeated step draws."""
 
     dimension: ImageDimension = "2d"
     layers: int = 1
@@ -25,9 +25,9 @@ class Place:
     levels: int = 1
     level: int = 0
     images: dict[str, Image] = fresh(factory=dict)
-    """Those that the first of the steps has made, and all others draw into as well."""
+    """The images that the first of the steps has made; all others draw into them as well."""
     suffix: str = ""
-    """What tells the names of the steps apart."""
+    """The suffix that tells the names of the steps apart."""
 
 
 WHOLE = Place()
@@ -35,33 +35,33 @@ WHOLE = Place()
 
 @frozen(eq=False)
 class Owner:
-    """Whose equations say what steps are: the frame's, or those of a light that brings some."""
+    """The owner of the equations of steps: the frame, or a light that brings some."""
 
     instance: Instance
     dependencies: Dependencies
     name: str = ""
-    """What the steps of a light are called after; empty for the frame."""
+    """The prefix of the names of a light's steps; empty for the frame."""
     values: dict[Key, Made] = fresh(factory=dict)
-    """What has been made of its slots."""
+    """The results of evaluating its slots."""
 
     def scope(self, owner: Symbol, level: int) -> Scope:
-        """Where an expression stands that ``owner``, one of the record's chain, says."""
+        """The scope of an expression of ``owner``, which is one of the record's chain."""
         return Scope(owner.module, self.instance, level)
 
 
 @frozen(eq=False)
 class Around:
-    """Where an expression about steps stands."""
+    """The surroundings of an expression about steps."""
 
     owner: Owner
     scope: Scope
     name: str
-    """What the step is called that the expression makes."""
+    """The name of the step that the expression makes."""
     states: Mapping[str, Made] = EMPTY
-    """What the states of ``iterate`` are."""
+    """The values of the states of ``iterate``."""
     place: Place | None = None
     light: bool = False
-    """Whether each draw is repeated for each light of the rig."""
+    """True if each draw is repeated for each light of the rig."""
     depth: int = 0
 
     def inside(self) -> Around:

@@ -26,7 +26,7 @@ from .values import Made
 
 
 class Bringing:
-    """What the single lights of a rig bring to the steps of one frame."""
+    """The textures that the single lights of a rig bring to the steps of one frame."""
 
     def __init__(
         self,
@@ -35,7 +35,7 @@ class Bringing:
         check: Callable[[Owner, list[Need]], None],
         made: Callable[[ast.Expression, Around], Made],
     ) -> None:
-        """``check`` makes the steps that an expression needs, and ``made`` says what it is."""
+        """``check`` makes the steps that an expression needs, and ``made`` evaluates it."""
         self._ctx = ctx
         self._lights = lights
         self._check = check
@@ -44,8 +44,10 @@ class Bringing:
         """The textures that are being made."""
 
     def given(self, shader: Shader, inputs: Inputs, e: ast.Call) -> tuple[Given, ...] | None:
-        """The textures of lights that a shader reads and that its step is not given otherwise;
-        ``None`` after reporting one that nobody makes."""
+        """The textures of lights that a shader reads and that its step is not given otherwise.
+
+        ``None`` after reporting one that nobody makes.
+        """
         found = []
         for light in self._lights.values():
             for name, info in _textures(light, shader):
@@ -67,7 +69,7 @@ class Bringing:
     def _source(
         self, light: Owner, definition: Definition, info: ResourceInfo, inputs: Inputs
     ) -> Source | Failure:
-        """What a light's texture is, with all steps that make it."""
+        """The source of a light's texture, with all steps that make it."""
         member = definition.member
         assert isinstance(member, ast.Map) and member.brought is not None
         written, name = member.brought, f"{light.name}.{member.name.text}"

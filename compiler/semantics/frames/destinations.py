@@ -1,4 +1,4 @@
-"""Where to a pass draws: new images of a size, or over what others have left.
+"""The destinations of passes: new images of a size, or results of others to draw over.
 
 ``steps.py`` asks for it, by the second argument of a pass.
 """
@@ -25,7 +25,7 @@ from .values import Made, Numbers, StepValue, no_result, on_host
 
 
 class Destinations:
-    """Finds what the passes of one frame draw to."""
+    """Finds the destinations of the passes of one frame."""
 
     def __init__(
         self,
@@ -34,14 +34,14 @@ class Destinations:
         numbers: Numbers,
         made: Callable[[ast.Expression, Around], Made],
     ) -> None:
-        """``made`` says what an expression about steps is."""
+        """``made`` evaluates an expression about steps."""
         self._ctx = ctx
         self._frame = frame
         self._numbers = numbers
         self._made = made
 
     def of(self, e: ast.Call, around: Around) -> Mapping[str, Image] | Size | None:
-        """Where to a pass draws: new images of a size, or over what others have left."""
+        """The destination of a pass: the size of new images, or results of others to draw over."""
         if len(e.arguments) == 1:
             return self._whole_size(e)
         written = e.arguments[1]
@@ -78,7 +78,7 @@ class Destinations:
         return found
 
     def check_size(self, image: Image, span: Span) -> bool:
-        """Whether an image can have its size, as far as that is known; reported if not."""
+        """True if an image can have its size, as far as that is known; reported if not."""
         whole = self.known_size(image.size, 0)
         if whole is None:
             return True
@@ -106,7 +106,7 @@ class Destinations:
         )
 
     def _is_step(self, e: ast.Expression, around: Around) -> bool:
-        """Whether an expression is about steps, and no number."""
+        """True if an expression is about steps, and no number."""
         if applied(e, around.scope.module) is not None:
             return True
         while isinstance(e, ast.Field | ast.With):
@@ -117,7 +117,7 @@ class Destinations:
         return applied(e, around.scope.module) is not None
 
     def _whole_size(self, e: ast.Call) -> Size | None:
-        """The size of what the host shows: the frame's own ``size``."""
+        """The size of the picture that the host shows: the frame's own ``size``."""
         reference = ast.Reference(e.span, "size")
         return self._size(reference, Scope(self._frame.record.root.module, self._frame))
 

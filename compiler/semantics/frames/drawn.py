@@ -1,4 +1,4 @@
-"""What a pass draws: models with materials, or vertices without them, and with which shaders.
+"""The draws of a pass: models with materials, or vertices without them, and their shaders.
 
 ``steps.py`` asks for it, by the first argument of a pass.
 """
@@ -34,12 +34,12 @@ CORNERS = 3
 VERTICES = "vertices"
 """``vertices(n)``: as many as that, which have nothing but their numbers."""
 BARE = ("point", "triangle")
-"""What vertices without a mesh can make."""
+"""The primitives that vertices without a mesh can make."""
 
 
 @frozen(eq=False)
 class What:
-    """What a pass draws: models with materials, or vertices without them."""
+    """The objects that a pass draws: models with materials, or vertices without them."""
 
     models: str = ""
     materials: tuple[Symbol | None, ...] = (None,)
@@ -56,7 +56,7 @@ class ModelsOf:
 
 
 class Draws:
-    """Finds what the passes of one frame draw."""
+    """Finds the draws of the passes of one frame."""
 
     def __init__(
         self,
@@ -73,8 +73,7 @@ class Draws:
         self._bringing = bringing
 
     def what(self, e: ast.Expression, scope: Scope) -> What | None:
-        """What is drawn, by the first argument of a pass; ``None`` after reporting what is wrong
-        with it."""
+        """The objects to draw, by the first argument of a pass; ``None`` after an error report."""
         name = e.name if isinstance(e, ast.Reference) else ""
         if name in self._models:
             materials = self._models[name].materials
@@ -107,7 +106,7 @@ class Draws:
         e: ast.Call,
         by_light: bool,
     ) -> list[Drawn] | None:
-        """What a pass draws, one behind the other; ``None`` after reporting what is wrong."""
+        """The draws of a pass, one behind the other; ``None`` after reporting an error."""
         rig = self._shaders.rig.declaration
         lights = rig.entries if by_light and isinstance(rig, ast.Rig) else (None,)
         draws = []
@@ -128,7 +127,7 @@ class Draws:
         return draws
 
     def _is_added(self, shader: FrameShader, symbol: Symbol, e: ast.Call) -> bool:
-        """Whether what one light adds does not replace what others have."""
+        """True if the light's part is added to that of others, and does not replace it."""
         for result in shader.shader.results_of(TARGET):
             if result.state is not None and result.state.blend == REPLACES:
                 self._ctx.report.add(rules.NOT_ADDED, e.span, target=result.name, step=symbol.name)
@@ -136,7 +135,7 @@ class Draws:
         return True
 
     def _is_bare(self, shader: FrameShader, symbol: Symbol, e: ast.Call) -> bool:
-        """Whether a shader can be drawn without a mesh."""
+        """True if a shader can be drawn without a mesh."""
         span, step = e.arguments[0].span, symbol.name
         expansion = shader.shader.expansion
         primitive = expansion.primitive if expansion else "triangle"
@@ -155,7 +154,7 @@ class Draws:
     def use(
         self, material: str, shader: FrameShader, symbol: Symbol, inputs: Inputs, e: ast.Call
     ) -> Use | None:
-        """A shader with what it is given; ``None`` after reporting what it lacks."""
+        """A shader with its inputs; ``None`` after reporting inputs that it lacks."""
         found = inputs.of(shader.shader)
         missing = inputs.lacks(required_of(self._ctx.records.of(symbol)))
         for name in missing:

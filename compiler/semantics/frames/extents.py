@@ -1,4 +1,4 @@
-"""How large the images of a kernel are, in terms of the frame that runs it.
+"""The size of a kernel's images, in terms of the frame that runs it.
 
 A kernel says so in terms of its own parameters and textures. Where the frame gives these, the size
 is a number of the frame, which is known before anything is drawn.
@@ -23,7 +23,7 @@ def in_frame(
     number_of: Callable[[Parameter], Node | None],
     size_of: Callable[[Resource], Node | None],
 ) -> Node | None:
-    """``extent`` as a tree of the frame; ``None`` where it depends on what the frame does not give.
+    """``extent`` as a tree of the frame; ``None`` where the frame does not give all of it.
 
     ``number_of`` tells what the frame gives a parameter, and ``size_of`` the size of a texture.
     """

@@ -39,7 +39,7 @@ from .values import no_result
 
 @frozen
 class Surroundings:
-    """What a frame is checked in."""
+    """The surroundings in which a frame is checked."""
 
     module: Module
     rig: Symbol
@@ -124,7 +124,7 @@ class _Checking:
             outputs=tuple(outputs),
         )  # fmt: skip
 
-    # --- what the frame draws, and under which lights ---
+    # --- the draws of the frame, and their lights ---
 
     def _single_lights(self) -> Iterator[tuple[str, Owner]]:
         for entry, leaves in self._entries:
@@ -179,8 +179,11 @@ class _Checking:
                 no_result(self._ctx, made, member.value.span)
 
     def _check_rest(self, *, are_whole: bool) -> None:
-        """Check what no output needs: other steps, and numbers. Unless all outputs ``are_whole``,
-        nobody knows what they would need, so nothing is said of steps that seem to be too many."""
+        """Checks the slots that no output needs: other steps, and numbers.
+
+        Unless all outputs ``are_whole``, nobody knows what they would need, so nothing is said of
+        steps that seem to be too many.
+        """
         for name, definitions in self._record.definitions.items():
             member = definitions[0].member
             if not isinstance(member, ast.Slot):
@@ -203,7 +206,7 @@ def _is_record(symbol: Symbol, kind: str) -> bool:
 
 
 def _is_material(symbol: Symbol) -> bool:
-    """Whether a symbol is a material that can be drawn."""
+    """True if a symbol is a material that can be drawn."""
     declaration = symbol.declaration
     return (
         isinstance(declaration, ast.Record)

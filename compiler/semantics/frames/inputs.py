@@ -1,4 +1,4 @@
-"""What a frame gives the inputs of a step by ``with``: numbers, textures and buffers.
+"""The inputs that a frame gives a step by ``with``: numbers, textures and buffers.
 
 ``steps.py`` makes ``Inputs`` for each pass or kernel that a frame applies, and asks it for each
 shader that this comes to: the same text means the same for all of them.
@@ -30,10 +30,10 @@ from .shaders import Input, host_name, inputs_of
 from .values import Made, Numbers, no_result, on_host
 
 Replacements = Sequence[tuple[ast.Name, ast.Expression]]
-"""What stands behind ``with``."""
+"""The names behind ``with``, with their expressions."""
 
 Later = tuple[Previous, Type, Span]
-"""What the last frame left, as what it is read, and where that is written."""
+"""A result of the last frame, the type by which it is read, and the span of the read."""
 
 
 def type_of(left: Image | Elements) -> Type:
@@ -44,7 +44,7 @@ def type_of(left: Image | Elements) -> Type:
 
 
 class Inputs:
-    """What one step is given."""
+    """The inputs of one step."""
 
     def __init__(
         self,
@@ -56,8 +56,10 @@ class Inputs:
         scope: Scope,
         later: list[Later],
     ) -> None:
-        """``made`` evaluates an expression about steps, for the input of this name; ``later`` gets
-        what is to be checked when it is known what the last frame left."""
+        """``made`` evaluates an expression about steps, for the input of this name.
+
+        ``later`` gets the checks that need the results of the last frame.
+        """
         self._ctx = ctx
         self._instance = instance
         self._numbers = numbers
@@ -65,7 +67,7 @@ class Inputs:
         self._given = given
         self._scope = scope
         self._known: dict[tuple[str, str], Source | Failure] = {}
-        """Sources by the name of the input, and what is declared there."""
+        """Sources by the name of the input, and its declaration."""
         self._met: set[str] = set()
         self._seen: set[str] = set()
         """The names of all inputs there are."""
@@ -73,7 +75,7 @@ class Inputs:
         check_once(ctx.report, (name for name, _ in given))
 
     def of(self, shader: Shader) -> tuple[Given, ...] | None:
-        """What a shader is given; ``None`` after reporting what is wrong."""
+        """The inputs of a shader; ``None`` after reporting an error."""
         inputs = inputs_of(shader)
         self._seen.update(name.removeprefix(f"{shader.pass_name}.") for name in inputs)
         found: list[Given] = []
@@ -89,12 +91,14 @@ class Inputs:
         return tuple(found)
 
     def sets(self, name: str) -> bool:
-        """Whether the step is given something of this name."""
+        """True if the step is given something of this name."""
         return any(name == given.text for given, _ in self._given)
 
     def lacks(self, required: Iterable[ast.Name]) -> list[ast.Name]:
-        """Which of these inputs are not given, not even by a name that is misspelt: of that one
-        ``report_unknown`` says what was meant."""
+        """The inputs among these that are not given, not even by a name that is misspelt.
+
+        ``report_unknown`` says what a misspelt name was meant to be.
+        """
         misspelt = {nearest_in(name.span.source, name.text, self._seen) for name in self._unmet()}
         return [name for name in required if not self.sets(name.text) and name.text not in misspelt]
 
@@ -103,7 +107,7 @@ class Inputs:
         return [name for name, _ in self._given if name.text not in self._met]
 
     def report_unknown(self) -> bool:
-        """Whether some name is no input of any of the shaders, which is reported."""
+        """True if some name is no input of any of the shaders, which is reported."""
         unmet = self._unmet()
         for name in unmet:
             if hint := of_a_pass(name.text):
@@ -142,7 +146,7 @@ class Inputs:
     def texture(
         self, source: Made, written: ast.Expression, wanted: ResourceInfo
     ) -> Source | Failure:
-        """What has been made as the texture that a shader reads."""
+        """A result as the texture that a shader reads."""
         type_ = wanted.resource.type
         assert isinstance(type_, Texture)
         return self._read(source, written, type_, "texture")
@@ -188,7 +192,7 @@ class Inputs:
 
 
 def fits(ctx: Context, found: Type, wanted: Type, span: Span) -> bool:
-    """Whether something is of the type by which it is read; reported if not."""
+    """True if something is of the type by which it is read; reported if not."""
     if found == wanted:
         return True
     ctx.report.add(
@@ -198,7 +202,7 @@ def fits(ctx: Context, found: Type, wanted: Type, span: Span) -> bool:
 
 
 def check_previous(ctx: Context, later: Sequence[Later]) -> None:
-    """Check the types of what the last frame left, once it is known what that is."""
+    """Checks the types of the last frame's results, once these are known."""
     for source, wanted, span in later:
         if source.of is None:
             continue
@@ -212,7 +216,7 @@ def check_previous(ctx: Context, later: Sequence[Later]) -> None:
 
 
 def _declared(wanted: Input) -> str:
-    """What is declared of an input, by which equal ones are told."""
+    """The declaration of an input, by which equal ones are told."""
     match wanted:
         case ParameterInfo(declared_type=declared):
             return declared

@@ -16,7 +16,7 @@ from ...ir.frame import Drawn, FrameShader, RenderStep, Step, Use
 from ...ir.shared_depths import SharedDepths, shared_depths
 
 Made = dict[FrameShader, FrameShader]
-"""Shaders with invariant positions, by what they were before."""
+"""Shaders with invariant positions, by the shaders that they replace."""
 
 
 def with_invariant_positions(

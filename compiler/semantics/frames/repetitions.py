@@ -1,6 +1,6 @@
 """Steps that are repeated: for layers, faces and mip levels, for lights, and one after the other.
 
-``steps.py`` asks for what ``each``, ``sum`` and ``iterate`` come to.
+``steps.py`` asks for the steps of ``each``, ``sum`` and ``iterate``.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from .values import Made, no_step
 
 FACES = 6
 MOST_STEPS = 256
-"""That one repetition may come to."""
+"""The largest number of steps of one repetition."""
 
 
 class Repetitions:
     """Repeats steps of one frame."""
 
     def __init__(self, ctx: Context, made: Callable[[ast.Expression, Around], Made]) -> None:
-        """``made`` says what an expression about steps is."""
+        """``made`` evaluates an expression about steps."""
         self._ctx = ctx
         self._made = made
 

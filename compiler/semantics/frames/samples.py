@@ -1,4 +1,4 @@
-"""Checks that steps with several samples for each pixel fit to what they draw over.
+"""Checks that steps with several samples for each pixel fit to the results that they draw over.
 
 ``steps.py`` asks for each step, and who reads a result for the depths.
 """
@@ -14,12 +14,12 @@ from ...ir.frame import Attachment, Image
 
 
 class SampleChecks:
-    """What has been drawn over so far, in one frame."""
+    """The results that have been drawn over so far, in one frame."""
 
     def __init__(self, report: Report) -> None:
         self._report = report
         self._over: dict[Image, Image] = {}
-        """Of each result with several samples, the one that is drawn over these."""
+        """For each result with several samples, the one that is drawn over these."""
 
     def check(self, drawn_to: Iterable[Attachment], samples: int, span: Span) -> None:
         """Report the first of its targets to which a step of so many ``samples`` cannot draw."""
@@ -32,7 +32,7 @@ class SampleChecks:
                 return
 
     def _misfit(self, image: Image, over: Image | None, samples: int) -> str:
-        """Why a step cannot draw to ``image``, or ``over`` what another one has left."""
+        """The reason why a step cannot draw to ``image``, or ``over`` the result of another one."""
         if image.samples != samples:
             return f"this step draws with {samples}, another one with {image.samples}"
         if over is None:
@@ -49,13 +49,15 @@ def _counted(samples: int) -> str:
 
 
 def _has_samples_only(image: Image) -> bool:
-    """Whether nobody joins the samples of a result to one value, which others can read."""
+    """True if nobody joins the samples of a result to one value, which others can read."""
     return image.is_depth and image.samples > 1
 
 
 def check_readable(report: Report, left: object, span: Span) -> bool:
-    """Whether others than passes that draw over it find something that a step leaves; reported if
-    not."""
+    """True if others than passes that draw over it can read a result of a step.
+
+    If not, this is reported.
+    """
     if isinstance(left, Image) and _has_samples_only(left):
         report.add(rules.DEPTHS_OF_SAMPLES, span, name=left.name, samples=left.samples)
         return False

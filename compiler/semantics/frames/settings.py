@@ -1,7 +1,7 @@
-"""What a step of a frame sets besides the inputs of its shaders: where it draws, and what is there.
+"""The settings of a frame's step besides its shaders' inputs: areas, and values to clear to.
 
-`with { viewport = …, clear.color = … }`: these are numbers that the host computes. ``steps.py``
-makes ``Settings`` of what stands behind `with` for each pass that a frame applies.
+``with { viewport = …, clear.color = … }``: these are numbers that the host computes. ``steps.py``
+makes ``Settings`` of the text behind ``with`` for each pass that a frame applies.
 """
 
 from __future__ import annotations
@@ -35,25 +35,25 @@ AREAS: Mapping[str, tuple[Type, str]] = {
     SCISSOR: (IVEC4, "ivec4 of left, top, width and height"),
     BLEND_CONSTANT: (VEC4, "vec4"),
 }
-"""What can be set of a whole step, with its type."""
+"""The settings of a whole step, with their types."""
 FLOATS = "32f"
-"""What the names of formats end with that not every device blends."""
+"""The ending of the names of formats that not every device blends."""
 CLEAR = "clear."
-"""What the names of clear values begin with."""
+"""The prefix of the names of clear values."""
 
 
 @record
 class Settings:
-    """What one step is set to."""
+    """The settings of one step."""
 
     ctx: Context
     numbers: Numbers
     written: Mapping[str, tuple[ast.Name, ast.Expression]]
     scope: Scope
     failed: bool = False
-    """Whether something is wrong, which has been reported."""
+    """True if there is an error, which has been reported."""
     _known: dict[str, object] = fresh(factory=dict)
-    """What the whole step is set to, where that is known when compiling."""
+    """The values of settings of the whole step that are known when compiling."""
     _cleared: set[str] = fresh(factory=set)
     """The names of the clear values that belong to something."""
 
@@ -61,14 +61,14 @@ class Settings:
     def parted(
         cls, ctx: Context, numbers: Numbers, given: Replacements, scope: Scope
     ) -> tuple[Settings, Replacements]:
-        """The settings among what stands behind `with`, and all else."""
+        """The settings among the replacements behind ``with``, and all other ones."""
         own = [row for row in given if row[0].text in AREAS or row[0].text.startswith(CLEAR)]
         check_once(ctx.report, (name for name, _ in own))
         written = {name.text: (name, value) for name, value in own}
         return cls(ctx, numbers, written, scope), [row for row in given if row not in own]
 
     def number(self, name: str) -> int | None:
-        """The number of what the whole step is set to, if it is."""
+        """The number of the value of a setting of the whole step, if it is set."""
         if name not in self.written:
             return None
         _, value = self.written[name]
@@ -78,10 +78,11 @@ class Settings:
         return self._numbered(node, value.span)
 
     def cleared(self, target: str, state: RenderTarget | float, over: Span | None) -> int | None:
-        """The number of what a target, or depths, are cleared to: what the step says or else the
-        pass, whose ``state`` this is; ``None`` for transparent black or a depth of 1.
+        """The number of the clear value of a target, or of depths.
 
-        ``over`` is where it is said that the step draws over something.
+        It is that of the step or else of the pass, whose ``state`` this is; ``None`` for
+        transparent black or a depth of 1. ``over`` is the span that says that the step draws over
+        something.
         """
         name = f"{CLEAR}{target}"
         if name not in self.written:
@@ -100,7 +101,7 @@ class Settings:
         return self._numbered(node, value.span)
 
     def _usual(self, state: RenderTarget | float) -> int | None:
-        """What the pass says."""
+        """The clear value of the pass itself."""
         tree = self.ctx.tree
         if isinstance(state, RenderTarget):
             if state.clear is None:
@@ -117,8 +118,10 @@ class Settings:
         return number
 
     def check(self, shader: Shader, step: str, span: Span, sides: Sides | None) -> bool:
-        """Whether everything is right that is said of the step; what is not is reported. ``sides``
-        are the width and height of its targets, if they are known."""
+        """True if all settings of the step are right; errors are reported.
+
+        ``sides`` are the width and height of its targets, if they are known.
+        """
         self._check_blending(shader, step, span)
         self._check_areas(step, sides)
         known = [result.name for result in shader.results_of(TARGET)]
@@ -142,8 +145,10 @@ class Settings:
                         )
 
     def _check_blending(self, shader: Shader, step: str, span: Span) -> None:
-        """Report targets that cannot be blended, or are blended by what nobody has said; and what
-        is said for no target."""
+        """Reports targets that cannot be blended, or whose blend constant nobody has set.
+
+        A blend constant that no target uses is reported, too.
+        """
         states = [result.state for result in shader.results_of(TARGET) if result.state is not None]
         takes = any(not OF_CONSTANT.isdisjoint(state.blend.factors) for state in states)
         if BLEND_CONSTANT in self.written and not takes:

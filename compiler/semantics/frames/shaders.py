@@ -21,12 +21,12 @@ from ..shading.kernels import kernel_shader
 from ..shading.room import has_room
 
 Input = ParameterInfo | ResourceInfo | BufferInfo
-"""What a host, or a frame, sets of a shader."""
+"""An input of a shader that a host, or a frame, sets."""
 
 
 @frozen
 class Key:
-    """What a shader is made of."""
+    """The parts of which a shader is made."""
 
     step: Symbol
     """A pass or a kernel."""
@@ -51,7 +51,7 @@ class Shaders:
 
     @property
     def made(self) -> tuple[FrameShader, ...]:
-        """All that there is something to say about."""
+        """All shaders that have no errors."""
         return tuple(shader for shader in self.known.values() if shader is not None)
 
     def drawn(
@@ -102,7 +102,7 @@ def _alone(rig: Symbol, light: ast.RigEntry) -> Symbol:
 
 
 def inputs_of(shader: Shader) -> Mapping[str, Input]:
-    """What can be set of a shader, by the names that hosts know."""
+    """The inputs of a shader that can be set, by the names that hosts know."""
     counts = {info.count.parameter.name for info in shader.buffers}
     found: dict[str, Input] = {
         info.parameter.name: info for info in shader.parameters if info.parameter.name not in counts
@@ -112,7 +112,7 @@ def inputs_of(shader: Shader) -> Mapping[str, Input]:
 
 
 def host_name(shader: Shader, name: str, inputs: Mapping[str, Input]) -> str | None:
-    """What hosts call the input that a frame calls ``name``; a pass's own one comes first."""
+    """The hosts' name of the input that a frame calls ``name``; a pass's own one comes first."""
     own = f"{shader.pass_name}.{name}"
     return own if own in inputs else name if name in inputs else None
 

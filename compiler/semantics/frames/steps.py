@@ -1,4 +1,4 @@
-"""The steps of a frame: what each draws or computes, where to, and what it is given.
+"""The steps of a frame: their draws or kernels, their destinations, and their inputs.
 
 ``frames.py`` asks for the slots of a frame in an order in which each stands behind those that it
 needs. A step is checked where it is written, with all that it reads of others.
@@ -56,12 +56,15 @@ from .shaders import Shaders
 from .values import Made, Numbers, StepValue, no_result, no_step
 
 DEEPEST = 48
-"""How deep expressions about steps nest."""
+"""The limit of nesting of expressions about steps."""
 
 MOST_STEPS = 1024
-"""Of one frame. The largest example has 52; planning and hosts look at each of them."""
+"""The largest number of steps of one frame.
+
+The largest example has 52; planning and hosts look at each of them.
+"""
 MOST_TOGETHER = 4096
-"""Of all frames of a compile."""
+"""The largest number of steps of all frames of a compile."""
 
 DEPTH_FORMAT = "depth32f"
 
@@ -72,7 +75,7 @@ OF_A_DEFAULT = (
 
 
 class Steps:
-    """Checks the steps of one frame, and keeps what they are."""
+    """Checks the steps of one frame, and keeps their values."""
 
     def __init__(
         self,
@@ -114,7 +117,7 @@ class Steps:
     # --- expressions ---
 
     def made(self, e: ast.Expression, around: Around) -> Made:
-        """What an expression about steps stands for; what is wrong with it has been reported."""
+        """The value of an expression about steps; errors have been reported."""
         if around.depth > DEEPEST:
             return no_step(self._ctx, e.span)
         inside = around.inside()
@@ -179,7 +182,7 @@ class Steps:
         unknown(self._ctx, "step", name, span, known)
 
     def _left(self, whole: Made, e: ast.Field) -> Made:
-        """``step.target``: what a step leaves."""
+        """``step.target``: a result of a step."""
         if isinstance(whole, Failure):
             return FAILURE
         if not isinstance(whole, StepValue):
@@ -210,7 +213,7 @@ class Steps:
         return found
 
     def settle_previous(self) -> None:
-        """Find what all ``previous(…)`` mean, once every step is there."""
+        """Finds the values of all ``previous(…)``, once every step is there."""
         for found, e, around in self._previous:
             left = self.made(e.arguments[0], around)
             if isinstance(left, Image | Elements):
@@ -287,8 +290,7 @@ class Steps:
         return StepValue(name, {**images, **buffers})
 
     def _extent(self, shader: FrameShader, use: Use, name: str) -> Size:
-        """How large the images of a kernel are: a number of the frame, if it gives all that says
-        so."""
+        """The size of a kernel's images: a number of the frame, if it gives all that it needs."""
         given = {each.name: each.source for each in use.given}
         tree, nodes = self._ctx.tree, self.numbers.nodes
 
@@ -360,7 +362,7 @@ class Steps:
         self._ctx.records.work.steps += 1
 
     def _has_room(self) -> bool:
-        """Whether there may be one more step; if not, that has been reported."""
+        """True if there may be one more step; if not, that has been reported."""
         if len(self.steps) >= MOST_STEPS:
             most = f"{MOST_STEPS} steps"
         elif self._ctx.records.work.steps >= MOST_TOGETHER:

@@ -1,4 +1,4 @@
-"""What the steps of a frame leave, while they are put together, and the numbers they are given."""
+"""The results of a frame's steps, while they are put together, and the numbers they are given."""
 
 from __future__ import annotations
 
@@ -15,12 +15,15 @@ from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 
 _CALLED: Mapping[str, str] = {"iterate": "`iterate`", "struct": "a structure"}
-"""What messages call operations that a host lacks; the others read texels or belong to a stage."""
+"""The names in messages of operations that a host lacks.
+
+Other operations read texels or belong to a stage.
+"""
 
 
 @frozen(eq=False)
 class StepValue:
-    """What a step leaves, by name: images, and the buffers of a kernel."""
+    """The results of a step, by name: images, and the buffers of a kernel."""
 
     name: str
     left: Mapping[str, Image | Elements]
@@ -63,8 +66,10 @@ def no_step(ctx: Context, span: Span) -> Failure:
 
 
 def no_result(ctx: Context, found: Made, span: Span, what: str = "result of a step") -> Failure:
-    """Report that something is not what a step leaves, unless more has been said about it; of a
-    whole step, say what it does leave."""
+    """Reports that something is not a result of a step, unless more has been said about it.
+
+    Of a whole step, it says which results there are.
+    """
     hint = ""
     if isinstance(found, StepValue):
         hint = f"a step leaves its results: {', '.join(f'`.{name}`' for name in found.left)}"

@@ -30,7 +30,7 @@ from ..state.scope import RigEntry, Scope
 from ..types.typenames import NAMED
 
 _FEW = 8
-"""As many names can be listed."""
+"""The number of names up to which all are listed."""
 
 ELEMENTS = "elements of a buffer are read by their number: `name[i]`"
 OF_A_STEP = "what a step leaves is read by other steps, as `step.target`; a number reads none"
@@ -40,7 +40,7 @@ _COLORS = "rgba"
 
 
 def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> Hint:
-    """How to make the value at ``span``, whose type is not the wanted one, fit."""
+    """A hint how to make the value at ``span``, whose type is not the wanted one, fit."""
     text = spanned(span)
     match found, wanted:
         case Texture(), _:
@@ -77,7 +77,7 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> Hint:
 
 
 def _is_literal(text: str) -> bool:
-    """Whether a text is one number in decimals."""
+    """True if a text is one number in decimals."""
     return text.replace(".", "", 1).isdecimal()
 
 
@@ -119,7 +119,7 @@ def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, span: Span)
 
 
 def joined_types(operator: str, left: Type, right: Type) -> str:
-    """How to mend an operator between bools and numbers, or a vector in front of a matrix."""
+    """A hint how to mend an operator between bools and numbers, or a vector before a matrix."""
     kinds = [scalar_kind(type_) for type_ in (left, right) if isinstance(type_, Scalar | Vector)]
     if isinstance(left, Texture) or isinstance(right, Texture):
         return READ
@@ -133,18 +133,18 @@ def joined_types(operator: str, left: Type, right: Type) -> str:
 
 
 def _is_called(name: str) -> bool:
-    """Whether a name is that of a builtin function."""
+    """True if a name is that of a builtin function."""
     row = BUILTINS.get(name)
     return row is not None and not row.operator and row.method is None
 
 
 def is_read(name: str) -> bool:
-    """Whether textures are read by a method of this name."""
+    """True if textures are read by a method of this name."""
     return any(row.method == name for row in BUILTINS.values())
 
 
 def missing_member(type_: Type, name: str, whole: Span) -> Hint:
-    """What to write in place of ``v.name``, which there is not; it stands at ``whole``."""
+    """The hint for ``v.name``, which does not exist; it stands at ``whole``."""
     if isinstance(type_, Texture):
         return f"reads are called: `{name}(…)`" if is_read(name) else READ
     if isinstance(type_, RuntimeArray):
@@ -245,12 +245,12 @@ _DECLARED_AS: Mapping[str, str] = MappingProxyType(
 
 
 def undeclared(kind: str, name: str) -> str:
-    """How to declare what nothing does."""
+    """A hint how to declare a name that nothing declares."""
     return _DECLARED_AS.get(kind, "").format(name)
 
 
 def uncalled(name: str) -> str:
-    """What to write for a function or type without arguments; empty if it is neither."""
+    """The hint for a function or type without arguments; empty if it is neither."""
     if name in NAMED:
         return f"`{name}` is a type: `{name}(…)` makes a value of it"
     if _is_called(name):

@@ -1,1 +1,1 @@
-"""Records flattened: bases and mixins in one chain, and what it says of each name."""
+"""Records flattened: bases and mixins in one chain, and its definitions of each name."""

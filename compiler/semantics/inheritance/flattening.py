@@ -19,26 +19,28 @@ from .inherited import inherited_names
 from .records import Definition, Record, Statement, is_abstract
 
 MOST_BASES = 64
-"""How many records one may extend, bases of bases included. Each record of a chain is flattened by
-itself, so the work would grow with the square of its length."""
+"""The largest number of records that one may extend, bases of bases included.
+
+Each record of a chain is flattened by itself, so the work would grow with the square of its length.
+"""
 
 
 class Records:
-    """Flattens records; each once. Reports what is wrong with an inheritance chain."""
+    """Flattens records; each once. Reports errors in an inheritance chain."""
 
     def __init__(self, report: Report) -> None:
         self._report = report
         self.work = Work()
-        """What the elaborations that share these records have computed together."""
+        """The work of all elaborations that share these records."""
         self._known: dict[Symbol, Record] = {}
         self._astray: set[Symbol] = set()
         """Records whose base is wrong, which has been reported."""
         self._clashes: set[tuple[Symbol, Symbol, str]] = set()
         """Mixins that both declare a name, which has been reported."""
         self._twice: set[Span] = set()
-        """Where a mixin is written that is in already, which has been reported."""
+        """The spans of mixins that are included already, which has been reported."""
         self._has_long_chain = False
-        """Whether a record has too many bases, which is reported for the first one only."""
+        """True if a record has too many bases, which is reported for the first one only."""
 
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
@@ -47,9 +49,9 @@ class Records:
         return self._known[symbol]
 
     def alone(self, mixin: Symbol) -> Record:
-        """A mixin in front of what every record of its kind extends.
+        """A mixin in front of the root, which every record of its kind extends.
 
-        What it needs beyond that, or builds on, is declared there without a value.
+        Names that the mixin needs beyond that, or builds on, are declared there without a value.
         """
         declaration = mixin.declaration
         assert isinstance(declaration, ast.Mixin)
@@ -89,7 +91,7 @@ class Records:
         return record
 
     def _in_place(self, declaration: ast.Record | ast.Mixin, member: ast.Member) -> bool:
-        """Whether a kind of member belongs into a kind of record."""
+        """True if a kind of member belongs into a kind of record; reported if not."""
         kind = ast.kind_of(member)
         if declaration.kind in kind.records:
             return True
@@ -118,7 +120,7 @@ class Records:
         member: ast.Member,
         seen: dict[object, tuple[ast.Name, ast.Member]],
     ) -> bool:
-        """Whether a record has declared nothing of this name yet, or no member of this kind."""
+        """True if a record has declared nothing of this name yet, or no member of this kind."""
         first, before = seen.setdefault((named, name.text), (name, member))
         if first is not name:
             self._report.add(
@@ -195,7 +197,7 @@ class Records:
         return found[::-1]
 
     def _report_twice(self, one: ast.Name, other: ast.Name) -> None:
-        """Once for each place, however many derived records share it."""
+        """Reports a double mixin once for each place, however many derived records share it."""
         first, again = one, other
         if one.span.source is other.span.source:
             first, again = sorted((one, other), key=lambda name: name.span.start)
@@ -225,7 +227,7 @@ class Records:
         return None
 
     def _follows_mixin(self, symbol: Symbol) -> bool:
-        """Whether a mixin stands where the base should, which is reported there."""
+        """True if a mixin stands where the base should, which is reported there."""
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
         base = symbol.module.find(declaration.base.text) if declaration.base is not None else ()
@@ -305,10 +307,10 @@ class Records:
 
 
 def _belong_together(later: ast.ReadMember, first: Definition) -> bool:
-    """Whether a mixin's definition means to continue, or to share, what another one declares."""
+    """True if a mixin's definition means to continue, or to share, another one's declaration."""
     if isinstance(later, ast.Slot) and later.value is not None:
         return later.name.text in inherited_names(later.value)
-    # What a vertex brings along is the mesh's: both mean the same.
+    # Vertex inputs are the mesh's: both mean the same.
     return isinstance(later, ast.Attribute) and isinstance(first.member, ast.Attribute)
 
 
@@ -335,7 +337,7 @@ def sole(module: Module, kind: str, *, abstract: bool) -> Symbol | None:
 
 
 def _apart(first: ast.Member, second: ast.Member) -> str:
-    """What to say of two members of one name that are of different kinds."""
+    """The hint for two members of one name that are of different kinds."""
     words = {ast.kind_of(first).word, ast.kind_of(second).word}
     if words == {"", "output"}:
         return (

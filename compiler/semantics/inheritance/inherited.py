@@ -1,4 +1,4 @@
-"""Which definitions of a name count beside the nearest one: those that ``inherited.name`` reaches.
+"""Finds overridden definitions that are still live because ``inherited.name`` reads them.
 
 That is seen from the declarations alone, so the layout of blocks does not depend on what a shader
 happens to read.
@@ -57,7 +57,7 @@ def leaf_definitions(
 
 
 def _in_force(record: Record, given: Mapping[str, Definition]) -> _InForce:
-    """The nearest definition of each name, and what these build on by ``inherited.name``."""
+    """The nearest definition of each name, and those that these reach by ``inherited.name``."""
     nearest = {name: given.get(name, own[0]) for name, own in record.definitions.items()}
     found = {(name, definition.level) for name, definition in nearest.items()}
     if not _hides_leaves(record, nearest):
@@ -77,7 +77,7 @@ def _in_force(record: Record, given: Mapping[str, Definition]) -> _InForce:
 
 
 def _hides_leaves(record: Record, nearest: Mapping[str, Definition]) -> bool:
-    """Whether something that comes from outside is overridden; in most records nothing is."""
+    """True if a leaf, which comes from outside, is overridden; in most records none is."""
     return any(
         isinstance(each.member, LEAVES) and each.level > nearest[name].level
         for name, definitions in record.definitions.items()

@@ -14,7 +14,7 @@ M = TypeVar("M", bound=ast.Member)
 
 @frozen
 class Definition:
-    """What a name is defined to be at one level of an inheritance chain."""
+    """A definition of a name at one level of an inheritance chain."""
 
     member: ast.ReadMember
     owner: Symbol
@@ -39,13 +39,16 @@ class Record:
     chain: tuple[Symbol, ...]
     """Most derived first."""
     definitions: dict[str, tuple[Definition, ...]] = fresh(factory=dict)
-    """Of each name, most derived first; names in order of first declaration, ancestors first."""
+    """The definitions of each name, most derived first.
+
+    Names are in order of first declaration, ancestors first.
+    """
     requirements: list[Definition] = fresh(factory=list)
-    """What mixins ask for that the chain behind them has: slots with a type and no value."""
+    """The slots that mixins require of the chain behind them: with a type and no value."""
     statements: tuple[Statement, ...] = ()
     """The members of the chain that count and have no definition, as nothing reads them."""
     baseless: bool = False
-    """Whether a base is wrong, so that no name can be said to be missing."""
+    """True if a base is wrong, so that no name can be said to be missing."""
 
     @property
     def name(self) -> str:
@@ -65,7 +68,7 @@ class Record:
                 yield member, statement.owner, statement.level
 
     def declaration(self, name: str) -> Definition:
-        """Where ``name`` was first declared (the furthest ancestor)."""
+        """The first declaration of ``name`` (that of the furthest ancestor)."""
         return self.definitions[name][-1]
 
     def above(self, name: str, level: int) -> Definition | None:
@@ -83,5 +86,5 @@ class Record:
 
 
 def is_abstract(member: ast.ReadMember) -> bool:
-    """Whether a member is a slot with a type and no value."""
+    """True if a member is a slot with a type and no value."""
     return isinstance(member, ast.Slot) and member.value is None

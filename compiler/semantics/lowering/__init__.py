@@ -1,1 +1,1 @@
-"""From a checked tree to the graph: equal values become one node, and functions share bodies."""
+"""Lowers checked trees to the graph: equal values become one node, and functions share bodies."""

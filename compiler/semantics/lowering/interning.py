@@ -1,4 +1,4 @@
-"""Makes a graph of checked trees: equal values become one node, and keep what was noted of them."""
+"""Makes a graph of checked trees: equal values become one node, and keep the notes about them."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ class Interning:
     """The graph of some trees, which grows with each of them. It reports nothing."""
 
     def __init__(self, noted: Notes) -> None:
-        """``noted`` is what was noted of the trees' nodes."""
+        """``noted`` are the notes about the trees' nodes."""
         self.graph = Graph()
         self.notes = Notes()
         self.written: dict[Callee, Callee] = {}
-        """What was called, as the trees say it, by how the graph says it."""
+        """The callees as the trees have them, by their form in the graph."""
         self._noted = noted
         self._made: dict[Node, Node] = {}
 
@@ -36,7 +36,7 @@ class Interning:
         return [made[root] for root in wanted]
 
     def _data(self, node: Node) -> Hashable:
-        """What a node says besides; of a call, the arguments that its body is for, as nodes."""
+        """The data of a node; for a call, with the arguments that its body is for as nodes."""
         if not isinstance(node.data, Callee):
             return node.data
         given = (

@@ -1,10 +1,10 @@
-"""Functions whose body serves several calls.
+"""Outlining: functions whose body serves several calls.
 
-In a checked tree, a call is what the function gives for its arguments, and marked as such
+In a checked tree, a call is the function's value for its arguments, with an annotation that says so
 (``call_marks.py``). When the trees have become a graph, each function that is called repeatedly
 gets a body in which variables stand for the arguments. A call becomes an ``apply`` of that body
 where this is the same value: with the arguments in place of the variables they are one node. Where
-they are not, the arguments had a say in what the body is, and the call stays written out.
+they are not, the body depends on the arguments in other ways, and the call stays written out.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from ..types.meanings import erased
 from .interning import Interning
 
 Fixed: TypeAlias = tuple[Node | None, ...]
-"""For each argument of a call the constant that it is in the body, if it is one there."""
+"""For each argument of a call, its constant value in the body, if it has one there."""
 
 _Candidate: TypeAlias = tuple[Callee, Fixed, tuple[Node, Formals]]
 """A body that calls may share, as a tree, with its variables."""
@@ -49,7 +49,7 @@ class _Group:
     fixed: Fixed
     formals: Formals
     body: Node
-    """With marks of its own."""
+    """The body, with call-site annotations of its own."""
     applied: Node | None = None
     """The body, closed, once it is known to serve several calls."""
 
@@ -67,11 +67,13 @@ class _Sharing:
         self._groups: dict[tuple[Callee, Fixed], _Group] = {}
         """Callees before those that call them: a mark is younger than the marks in its value."""
         self._group_of: dict[int, _Group] = {}
-        """By the ids of the marks of calls."""
+        """The groups, by the ids of the annotations of calls."""
         self._names: set[str] = set()
 
     def roots(self, roots: list[Node]) -> list[Node]:
-        """As ``lowered`` says."""
+        """Lowers the roots as ``lowered`` says."""
+        # A body may call functions itself, so calls are looked for in the bodies, too. Callees come
+        # first: their bodies are closed before those that apply them.
         self._find_bodies(roots)
         self._find_calls([*roots, *(group.body for group in self._groups.values())])
         uses = Counter(self._group_of.values())
@@ -123,8 +125,10 @@ class _Sharing:
         return closed
 
     def _name(self, group: _Group) -> str:
-        """The function's name, with its textures and buffers; further ones are told apart by their
-        types."""
+        """The function's name, with its textures and buffers.
+
+        Further functions of this name are told apart by their types.
+        """
         kept = (given.data for given in group.callee.given if isinstance(given, Node))
         maps = [leaf.name for leaf in kept if isinstance(leaf, Resource | Buffer)]
         name = "_".join([group.callee.symbol.name, *maps])
@@ -138,12 +142,14 @@ class _Sharing:
 
     def _find_calls(self, roots: list[Node]) -> None:
         """Find the calls whose values are those of a group's body."""
+        # Close the body of each group: its variables become the parameters of a function.
         groups = self._groups.values()
         marks = [mark for marks in _by_callee(roots).values() for mark in marks]
         bodies = {
             group: close(self._graph, body, group.formals)
             for group, body in zip(groups, self._plain([g.body for g in groups]), strict=True)
         }
+        # Put the arguments of each call into the body of its group.
         groups_of = [self._group(mark) for mark in marks]
         called = [(mark, group) for mark, group in zip(marks, groups_of, strict=True) if group]
         flat = self._plain([operand for mark, _ in called for operand in mark.operands])
@@ -154,7 +160,8 @@ class _Sharing:
             values.append(value)
             varying = group.varying(tuple(arguments))
             opened.append(open_body(self._graph, bodies[group], varying))
-        # Where a call's value is what the body is for its arguments, the body serves the call.
+        # Equal expressions are one node (hash-consing): where the body with these arguments is the
+        # node of the call's value, the body serves the call.
         for (mark, group), value, body in zip(called, values, self._plain(opened), strict=True):
             if body is value:
                 self._group_of[mark.id] = group

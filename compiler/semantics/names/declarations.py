@@ -58,7 +58,7 @@ def _declare(module: Module, declaration: Named, heads: _Heads, report: Report) 
 
 
 def _check_function(function: ast.Function, report: Report) -> None:
-    """What is wrong with a function's head, whatever its types stand for."""
+    """Reports errors in a function's head, whatever its types stand for."""
     if function.per is not None and function.per.text != "light":
         report.add(
             rules.UNKNOWN_NAME, function.per.span, kind="summation", name=function.per.text,

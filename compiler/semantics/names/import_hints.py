@@ -1,4 +1,4 @@
-"""What to do about an import that finds no file."""
+"""Hints for imports that find no file."""
 
 from __future__ import annotations
 

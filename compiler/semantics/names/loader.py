@@ -26,7 +26,7 @@ from .modules import Module
 from .standard_library import Parse, Read, StandardLibrary, in_library
 
 LONGEST_CYCLE = 8
-"""How many files of a cycle a message names."""
+"""The number of files of a cycle that a message names."""
 
 
 class Looked(Protocol):
@@ -42,11 +42,11 @@ class _Linking:
 
     module: Module
     imports: list[ast.Import]
-    """Those that are left, the last one first."""
+    """The imports that are left, the last one first."""
     path: Path | None = None
-    """Where it was read from, if another module imports it."""
+    """The path that it was read from, if another module imports it."""
     wanted: ast.Import | None = None
-    """By what that module does."""
+    """The import by which that module does so."""
 
 
 class Loader:
@@ -69,11 +69,15 @@ class Loader:
         self._looked = looked
         self._modules: dict[Path, Module] = {}
         self._loading: dict[Path, str] = {}
-        """The files whose imports are being read, each imported by the one before it, with what
-        messages call them."""
+        """The files whose imports are being read, with their names in messages.
+
+        Each is imported by the one before it.
+        """
         self._real: dict[Path, Path] = {}
-        """Folders without links, as far as anybody has asked: the system goes through all of a path
-        each time."""
+        """Folders without links, as far as anybody has asked.
+
+        They are kept, since the system goes through all of a path each time.
+        """
         report.extend(library.report.diagnostics)
 
     @property
@@ -150,7 +154,7 @@ class Loader:
         return None
 
     def _is_file(self, mode: int, wanted: ast.Import, found: Path) -> bool:
-        """Whether what an import has found is a file; anything else is reported, and not opened."""
+        """True if an import has found a file; anything else is reported, and not opened."""
         if S_ISDIR(mode):
             self._report.add(rules.NOT_A_FILE, wanted.span, path=found)
         elif not S_ISREG(mode):
@@ -216,7 +220,7 @@ def _real(path: Path) -> Path:
 
 
 def _mode(path: Path) -> int | None:
-    """What kind of file is there; ``None`` if there is none. Raises ``OSError``."""
+    """The kind of file at a path; ``None`` if there is none. Raises ``OSError``."""
     try:
         return path.stat().st_mode
     except (FileNotFoundError, NotADirectoryError):

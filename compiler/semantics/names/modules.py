@@ -1,7 +1,7 @@
-"""Modules and symbols: one file with the names that it can see, and what a name stands for.
+"""Modules and symbols: one file with the names that it can see, and their declarations.
 
-``loader.py`` reads files and links them. The rest of semantics asks a module what a name means.
-A module sees its own declarations, what it imports, and everything the library's prelude declares.
+``loader.py`` reads files and links them. The rest of semantics asks a module what a name means. A
+module sees its own declarations, those it imports, and everything the library's prelude declares.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Module:
     file: ast.File
     path: Path | None
     is_standard: bool = False
-    """Whether it is the standard library's, and so the same module in all compiles."""
+    """True if it is the standard library's, and so the same module in all compiles."""
     declared: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
     imported: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
     chosen: set[tuple[Path | None, str]] = fresh(factory=set)
@@ -49,9 +49,9 @@ class Module:
     missing: set[str] = fresh(factory=set)
     """Names whose import failed, about which enough has been said."""
     incomplete: bool = False
-    """Whether a file that was to be imported whole could not be, and its names are not known."""
+    """True if a file to be imported as a whole could not be, and its names are not known."""
     doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
-    """Names that several imported files declare, with what reports them once they are used."""
+    """Names that several imported files declare, with a function that reports one when used."""
     prelude: Module | None = None
     offered: Callable[[str], str] = lambda _name: ""
     """The library file that declares a name, as an import path; empty if none does."""
@@ -70,7 +70,7 @@ class Module:
         return found or ()
 
     def hint(self, name: ast.Name, known: Iterable[str]) -> Hint:
-        """What to do about an unknown name: import it, or write the nearest known one."""
+        """The hint for an unknown name: import it, or write the nearest known one."""
         path = self.offered(name.text)
         if not path:
             return respelling(name.text, name.span, known)

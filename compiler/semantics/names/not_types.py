@@ -7,7 +7,7 @@ from .modules import Symbol
 
 
 def not_a_type(symbols: tuple[Symbol, ...]) -> str:
-    """What to do about a written type that is the name of something else; empty for others."""
+    """The hint for a written type that is the name of something else; empty for others."""
     if not symbols:
         return ""
     name = symbols[0].name

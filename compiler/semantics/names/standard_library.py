@@ -46,11 +46,11 @@ class StandardLibrary:
     def __init__(self, folder: Path, parse: Parse, read: Read) -> None:
         self.folder = folder
         self.report = Report()
-        """What is wrong with the library itself: nothing, unless somebody is changing it."""
+        """The errors in the library itself: none, unless somebody is changing it."""
         self._parse = parse
         self._read = read
         self._modules: dict[str, Module] = {}
-        """By path within the folder; all of them are linked."""
+        """The modules by their paths within the folder; all of them are linked."""
         self._begun: dict[str, Module] = {}
         """The same, and those that are being linked just now."""
         self._stamps: dict[Path, tuple[int, int]] = {}
@@ -66,7 +66,7 @@ class StandardLibrary:
         return tuple(self._stamps)
 
     def is_current(self) -> bool:
-        """Whether the files that were read have not changed since."""
+        """True if the files that were read have not changed since."""
         try:
             return all(_stamp(path) == stamp for path, stamp in list(self._stamps.items()))
         except OSError:

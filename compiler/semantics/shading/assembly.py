@@ -30,11 +30,11 @@ from .tessellating import tessellated
 
 @frozen
 class Parts:
-    """What is multiplied."""
+    """The parts of a shader that are put together."""
 
     material: Symbol
     rig: Symbol
-    """A rig; or a light, for checking what is meant for lights that no rig has."""
+    """A rig; or a light, for checking declarations that are meant for lights that no rig has."""
     pass_: Symbol
     module: Module
     """The file being compiled."""
@@ -48,13 +48,13 @@ class Setting:
     parts: Parts
     entries: list[Entry]
     leaves: tuple[Leaves, Leaves]
-    """Of the pass and of the material."""
+    """The leaves of the pass and of the material."""
     surface: Instance
     passing: Instance
 
 
 def set_up(parts: Parts, report: Report, records: Records) -> Setting:
-    """The parts put together; what they lack because they are abstract has stand-ins."""
+    """The parts put together; slots that they lack because they are abstract get placeholders."""
     ctx = Context(report, records, RULES)
     leaves = _leaves(ctx, parts)
     entries = entries_of(ctx, parts.rig, names_taken(leaves, parts.module))
@@ -73,7 +73,7 @@ def set_up_beside(setting: Setting, parts: Parts) -> Setting:
 
 
 def _leaves(ctx: Context, parts: Parts) -> tuple[Leaves, Leaves]:
-    """What the pass and the material read from outside, under names of their own."""
+    """The leaves that the pass and the material read from outside, under names of their own."""
     material, drawn = ctx.records.of(parts.material), ctx.records.of(parts.pass_)
     material_leaves, pass_leaves = leaves_of(ctx, material), leaves_of(ctx, drawn)
     _check_attributes(ctx, pass_leaves, material_leaves, material)
@@ -113,8 +113,11 @@ def _put_together(
 
 
 def with_made_vertices(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
-    """The surface with the vertices that a tessellation makes, and an expansion of what these are
-    then, or of the mesh's own; there is no pass where a mixin is checked alone."""
+    """The surface with the vertices of a tessellation, and then of an expansion.
+
+    The expansion is of the tessellation's vertices, or of the mesh's own. There is no pass where a
+    mixin is checked alone.
+    """
     return expanded(ctx, tessellated(ctx, surface, passing), passing)
 
 
@@ -130,7 +133,7 @@ def _parts(surface: Instance) -> tuple[Instance, ...]:
 
 
 def _part_in(twin: Callable[[], Setting], number: int) -> Twin:
-    """Where the types are asked for of what a part of a surface with other vertices overrides."""
+    """The twin that knows the types of overrides in a part of a surface with other vertices."""
     setting = twin()
     return setting.ctx, _parts(setting.surface)[number]
 
@@ -143,7 +146,7 @@ def _twin(ctx: Context, parts: Parts) -> Setting:
 
 
 def is_declared_abstract(record: Record) -> bool:
-    """Whether a record is there only for others to be derived from it."""
+    """True if a record is there only for others to be derived from it."""
     declaration = record.symbol.declaration
     return isinstance(declaration, ast.Record) and declaration.abstract
 

@@ -1,4 +1,4 @@
-"""How the targets of a pass are blended, and which of their lanes are written.
+"""The blending of a pass's targets, and the masks of their lanes.
 
 ``elaborate.py`` asks for it for every target. A word says all of a target's blending; a setting
 says only what it names: so `blend add { mask = rgb }` adds, and leaves alpha alone.
@@ -35,7 +35,7 @@ _BY_ALPHA = ("alpha", "premultiplied")
 """The words that mix by the fourth lane of the value that is written."""
 
 ALPHA = "alpha_"
-"""What the settings begin with that are about alpha alone."""
+"""The prefix of settings that are about alpha alone."""
 EQUATION: Mapping[str, tuple[str, ...]] = {
     "source": get_args(Factor),
     "destination": get_args(Factor),
@@ -46,16 +46,19 @@ SETTINGS: Mapping[str, tuple[str, ...]] = {
     **{f"{ALPHA}{name}": words for name, words in EQUATION.items()},
     "mask": get_args(Mask),
 }
-"""What can be said of a target's blending, each with its words. What begins with ``alpha_`` says it
-of alpha, and the others of all lanes for which that is not said."""
+"""The settings of a target's blending, each with its words.
+
+Those that begin with ``alpha_`` are about alpha, and the others about all lanes without a setting
+of their own.
+"""
 
 LANES = "rgba"
 
 
 def blending_of(ctx: Context, drawn: Record, target: ast.Target) -> tuple[Blend, Mask]:
-    """A target's own blending, or what the nearest header of its pass names; and what it writes.
+    """A target's own blending, or that which the nearest header of its pass names; and its mask.
 
-    What is wrong is reported, and left out.
+    Errors are reported, and left out.
     """
     headers = (symbol.declaration for symbol in drawn.chain)
     written = target.blend
@@ -112,7 +115,7 @@ def _equation(equation: BlendEquation, said: Mapping[str, Any]) -> BlendEquation
 def _check_alpha(
     ctx: Context, target: ast.Target, blend: Blend, words: Iterable[ast.Name | None]
 ) -> None:
-    """Report what takes an alpha where a target has none; the hardware would invent one."""
+    """Reports words that take an alpha where a target has none; the hardware would invent one."""
     if OF_ALPHA.isdisjoint(blend.color.factors):
         return
     word = next(word for word in words if word and word.text in (*_BY_ALPHA, *OF_ALPHA))

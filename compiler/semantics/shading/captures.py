@@ -1,4 +1,4 @@
-"""What a pass captures: the values that it writes to a buffer for each vertex, instead of drawing.
+"""The captures of a pass: values that it writes to a buffer for each vertex, instead of drawing.
 
 ``elaborate.py`` calls ``captures_of`` for every pass.
 """
@@ -25,16 +25,19 @@ from ..state.scope import Failure, Instance
 from .instances import pass_scope
 
 MOST_NUMBERS = 64
-"""So many numbers of a vertex every device captures (OpenGL, ES 3.0, Vulkan and Direct3D)."""
+"""The number of a vertex's numbers that every device captures.
+
+OpenGL, ES 3.0, Vulkan and Direct3D promise it.
+"""
 
 
 def captures(record: Record) -> bool:
-    """Whether a pass captures vertices, so that there are no fragments."""
+    """True if a pass captures vertices, so that there are no fragments."""
     return any(True for _ in record.every(ast.Capture))
 
 
 def capture_of(record: Record, results: Iterable[Result]) -> Capture | None:
-    """How the captured values lie in the buffer; ``None`` for a pass that draws."""
+    """The layout of the captured values in the buffer; ``None`` for a pass that draws."""
     written = {member.name.text: member.type for member, *_ in record.every(ast.Capture)}
     if not written:
         return None
@@ -76,7 +79,7 @@ def _check_that_nothing_is_drawn(ctx: Context, record: Record, first: ast.Captur
 def _value(
     ctx: Context, passing: Instance, member: ast.Capture, owner: Symbol, level: int
 ) -> Node | None:
-    """What is captured of each vertex; ``None`` after a report of why it cannot be."""
+    """The captured value of each vertex; ``None`` after a report of why it cannot be."""
     declared = declared_type(ctx, member.type, owner.module)
     if declared is None:
         return None

@@ -1,4 +1,4 @@
-"""What a pass wants to be in its targets, and in its depths, before anything is drawn.
+"""The values to which a pass clears its targets and its depths, before anything is drawn.
 
 ``elaborate.py`` asks for it for every pass. Each value is inherited by itself: the nearest record
 that has it counts. Hosts clear by it where a pass is drawn alone, and so do the steps of frames
@@ -20,20 +20,20 @@ from ..state.scope import Scope
 from .formats import cleared_depth, cleared_value
 
 DEPTH = "depth"
-"""What depths are called among the targets of a pass."""
+"""The name of depths among the targets of a pass."""
 
 
 @frozen(eq=False)
 class Clears:
-    """What there is at first."""
+    """The values of targets and depths at first."""
 
     targets: dict[str, tuple[float, ...]]
-    """In four lanes, by the names of the targets."""
+    """The values in four lanes, by the names of the targets."""
     depth: float | None = None
 
 
 def clears_of(ctx: Context, drawn: Record) -> Clears:
-    """What a pass says; what is wrong is reported, and left out."""
+    """The clear values of a pass; errors are reported, and left out."""
     formats = {target.name.text: target.format.text for target, *_ in drawn.every(ast.Target)}
     found: dict[str, tuple[float, ...]] = {}
     depth: float | None = None
@@ -52,7 +52,7 @@ def clears_of(ctx: Context, drawn: Record) -> Clears:
 
 
 def _written(ctx: Context, drawn: Record) -> Iterator[tuple[ast.Name, ast.Expression, Scope]]:
-    """All that is said, ancestors first."""
+    """Yields all clear values that are written, those of ancestors first."""
     for member, owner, _ in drawn.every(ast.Clear):
         check_once(ctx.report, (value.name for value in member.values))
         for value in member.values:

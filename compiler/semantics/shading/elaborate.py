@@ -48,9 +48,9 @@ from .slot_checks import check_rig, check_slots
 
 
 def results_of(setting: Setting) -> tuple[Result, ...]:
-    """Check what the pass delivers, and everything else that the parts say.
+    """Checks the results of the pass, and everything else that the parts declare.
 
-    What is wrong has been reported, and is not among the results.
+    Errors have been reported, and their results are left out.
     """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
     parts, externs = setting.parts, ctx.externs
@@ -70,7 +70,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 
 
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
-    """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
+    """The results of the members of a pass; or of a mixin for passes, which is checked so."""
     check_samples(ctx, passing.record, render_state_of(ctx, passing.record))
     layers = layer_count(ctx, passing.record)
     return (
@@ -85,7 +85,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     """The shader of a material under a pass and a rig, or ``None`` after reporting why not.
 
     ``reached`` gets every declaration that was checked on the way. The setting can be used on:
-    what is checked in it later is no part of the shader's graph.
+    nodes that are checked in it later are no part of the shader's graph.
     """
     ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)
@@ -125,19 +125,22 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
 
 
 def _of_pattern(steps: Iterable[MadeSlots]) -> list[Node]:
-    """What tells the vertices of patches apart where no stage divides them."""
+    """The values that tell the vertices of patches apart where no stage divides them."""
     patterns = (step.pattern for step in steps if step.pattern is not None)
     return [node for pattern in patterns for node in (pattern.place, pattern.is_there)]
 
 
 def delivers_vertices(results: Iterable[Result]) -> bool:
-    """Whether there is a clip position, without which a pass draws nothing, or it captures."""
+    """True if there is a clip position, without which a pass draws nothing, or it captures."""
     return any(result.kind in (CLIP_POSITION, CAPTURE) for result in results)
 
 
 def _writes_something(results: Iterable[Result]) -> bool:
-    """Whether a pass has a target, or captures. One that has neither lost its targets to a mistake
-    elsewhere, such as a base that does not exist; this has been reported where it was made."""
+    """True if a pass has a target, or captures.
+
+    One that has neither lost its targets to a mistake elsewhere, such as a base that does not
+    exist; this has been reported there.
+    """
     return any(result.kind in (TARGET, CAPTURE) for result in results)
 
 
@@ -166,7 +169,7 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
 
 
 def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
-    """What the stages deliver that make vertices, besides these."""
+    """The results of the stages that make vertices, besides these."""
     captured, name = captures(passing.record), passing.record.name
     for step in surface.steps:
         yield from step.results
@@ -182,7 +185,7 @@ def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Ite
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
     is_empty = not written and not drawn.baseless and is_whole and not captures(drawn)
-    if is_empty and not ctx.report.unread_names:  # What could not be read may have been a target.
+    if is_empty and not ctx.report.unread_names:  # Unreadable text may have been a target.
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     cleared = clears_of(ctx, drawn).targets
     for row in written:

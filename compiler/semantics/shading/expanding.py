@@ -1,4 +1,4 @@
-"""Surfaces whose primitives turn into others: what an ``expand`` member makes of a material.
+"""Surfaces whose primitives turn into others by an ``expand`` member.
 
 It stands in the material, or in the pass that draws it. ``assembly.py`` calls ``expanded`` when the
 parts of a shader have been put together.
@@ -59,27 +59,27 @@ from ..state.scope import (
 from .made import by_vertices, differs_in_strip, pass_of, slots_set
 
 MOST_VERTICES = 4096
-"""So many vertices may come of one primitive."""
+"""The largest number of vertices of one primitive."""
 
 _NOT_WHOLE: Mapping[DrawnPrimitive, Rule] = {
     "point": rules.NO_POINTS,
     "line": rules.NO_SEGMENTS,
     "triangle": rules.NO_TRIANGLES,
 }
-"""What is wrong where vertices are no whole number of these."""
+"""The rule about vertices that make no whole number of these primitives."""
 
 
 def expands(instance: Instance) -> bool:
-    """Whether a material or a pass says what primitives turn into."""
+    """True if a material or a pass has an expansion."""
     return any(True for _ in instance.record.every(ast.Expand))
 
 
 def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
     """The surface as it is at the emitted vertices; itself where nothing is expanded.
 
-    The surface may divide patches: then what these are divided into is expanded. What ``passing``
-    says of primitives counts instead of what the surface says. The pass itself becomes what it is
-    at the emitted vertices. There is none where a mixin is checked alone.
+    The surface may divide patches: then the triangles or lines of these are expanded. The pass's
+    expansion counts before that of the surface. The pass itself becomes a pass at the emitted
+    vertices. There is none where a mixin is checked alone.
     """
     holder = surface if passing is None or not expands(passing) else passing
     written = list(holder.record.every(ast.Expand))
@@ -100,7 +100,7 @@ def expanded(ctx: Context, surface: Instance, passing: Instance | None) -> Insta
 
 
 def _is_there(ctx: Context, surface: Instance, member: ast.Expand) -> bool:
-    """Whether patches are divided into the primitives that are expanded, if any are divided."""
+    """True if patches are divided into the primitives that are expanded, if any are divided."""
     origin, primitive = surface.origin, member.primitive
     if not isinstance(origin, MixedEnds) or primitive.text == PATCH_KINDS[origin.patch].drawn:
         return True
@@ -115,11 +115,11 @@ def _is_there(ctx: Context, surface: Instance, member: ast.Expand) -> bool:
 
 @frozen
 class _Group:
-    """What one group of strips comes to."""
+    """The strips of one group, with their names and conditions."""
 
     strips: EmittedStrips | None
     emitted: Node | Failure
-    """Whether a strip is there."""
+    """A condition: the strip exists."""
     corner: Node | Failure
     """The corner that a vertex is like."""
     names: dict[str, Value]
@@ -184,15 +184,17 @@ class _Expanding:
         return made
 
     def _made(self, names: Iterable[str]) -> Instance:
-        """The surface with slots that some group sets, each in the pass or in the surface; the pass
-        likewise, in its place."""
+        """The surface with slots that some group sets, each in the pass or in the surface.
+
+        The pass is made likewise, in its place.
+        """
         base, passing = self._base, self._passing
         of_surface, of_pass = [], []
         for name in names:
             is_own = self._is_of_pass and self._below.has(name)
             if is_own:
                 of_pass.append(name)
-            # What the pass overrides is one slot of both.
+            # A slot that the pass overrides is one slot of both.
             if not is_own or name in base.replaced:
                 of_surface.append(name)
         made = changed(self._above, made=self._slots).with_replaced(by_vertices(of_surface))
@@ -212,7 +214,7 @@ class _Expanding:
         return self._passing
 
     def _fits(self, groups: list[EmittedStrips]) -> bool:
-        """Whether a primitive turns into something, and not into more than anything could draw."""
+        """True if a primitive turns into something, and not into more than anything could draw."""
         span, count = self._member.primitive.span, sum(group.listed for group in groups)
         emitted = {group.kind.emits for group in groups}
         if not count:
@@ -258,7 +260,7 @@ class _Expanding:
     def _condition(
         self, written: ast.Expression, names: Mapping[str, Value], vertex: ast.Name | None
     ) -> Node | Failure:
-        """Whether a strip is there, which is the same for all of its vertices."""
+        """The condition of a strip, which is the same for all of its vertices."""
         of_vertex = {} if vertex is None else {vertex.text: self._counted(STRIP_VERTEX)}
         holds = self._of_strips(written, {**of_vertex, **names}, BOOL, "bool")
         if isinstance(holds, Node) and (place := differs_in_strip(self._ctx, holds, written.span)):
@@ -283,7 +285,7 @@ class _Expanding:
         return index, found.bound, ctx.tree.node("call", BOOL, (number, found.count), "lt")
 
     def _vertices(self, written: ast.Strips) -> int | None:
-        """How many vertices each strip of a group has."""
+        """The number of vertices of each strip of a group."""
         ctx, span = self._ctx, written.count.span
         node = typed(ctx, written.count, Scope(self._owner.module), INT, "int")
         count = ctx.constants.integer(node, span)
@@ -314,8 +316,10 @@ class _Expanding:
     def _of_strips(
         self, written: ast.Expression, names: dict[str, Value], type_: Type, text: str
     ) -> Node | Failure:
-        """A value that is the same for all vertices of a strip, or that tells them apart only by
-        their numbers: it knows the surface at the corners only."""
+        """A value that is the same for all vertices of a strip.
+
+        Or it tells them apart only by their numbers: it knows the surface at the corners only.
+        """
         ctx = self._ctx
         scope = self._scope(self._below, {**names, self._index.name: self._index_of_all()})
         node = node_of(ctx, written, scope)

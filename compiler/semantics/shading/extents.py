@@ -1,4 +1,4 @@
-"""How many elements the buffers have that a kernel writes, and what it can compute them by.
+"""The numbers of elements of a kernel's buffers, and the values they can be computed from.
 
 ``kernels.py`` and ``scattering.py`` call these functions for each buffer or image.
 """
@@ -30,7 +30,7 @@ _KNOWN_TO_HOST = KNOWN_IN_TREES - _LOOPS
 """Operations by which a host computes how many elements a result has, or of which size it is."""
 
 ELEMENTS = "number of elements"
-"""What messages call it if something else than an image says how many elements it has."""
+"""The name of an extent in messages, if it is not that of an image."""
 
 
 def declared_extent(
@@ -41,7 +41,7 @@ def declared_extent(
     type_: Type = INT,
     what: str = ELEMENTS,
 ) -> Node | None:
-    """What stands in brackets behind a type; ``None`` after reporting what is wrong with it."""
+    """The extent in brackets behind a type; ``None`` after reporting an error."""
     if declared.count is None:
         ctx.report.add(rules.NO_EXTENT, declared.span, name=name, what=what)
         return None
@@ -56,7 +56,7 @@ def known_extent(
     type_: Type = INT,
     what: str = ELEMENTS,
 ) -> Node | None:
-    """How many elements there are: the same all over a dispatch, and known to the host."""
+    """The number of elements: the same all over a dispatch, and known to the host."""
     node = typed(ctx, written, scope, type_, str(type_))
     if isinstance(node, Failure):
         return None
@@ -73,8 +73,10 @@ def known_extent(
 
 
 def _sides(extent: Node) -> Sequence[Node]:
-    """The width and the height of an image, if they are written one by one; the extent itself if
-    not."""
+    """The width and the height of an image, if they are written one by one.
+
+    If they are not, the extent itself.
+    """
     known = bare(extent)
     return known.operands if known.op == "vector" else (extent,)
 
@@ -84,7 +86,7 @@ def _is_known_to_host(node: Node) -> bool:
 
 
 def exists_in_kernels(ctx: Context, value: Node, written: Span) -> bool:
-    """Whether a kernel has all that a value is computed by; reported if not."""
+    """True if a kernel has all that a value is computed from; reported if not."""
     missing = missing_in_kernels(value)
     if missing is not None:
         span = ctx.places.within(missing, written)

@@ -1,4 +1,4 @@
-"""Formats of render targets and of images: what a texel of each is given."""
+"""Formats of render targets and of images, and the values of their texels."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ FORMATS: Mapping[str, Type] = {
     "rgba8": VEC4, "rgba8_srgb": VEC4, "bgra8": VEC4, "bgra8_srgb": VEC4, "rgb10a2": VEC4,
     "rgba16f": VEC4, "rgba32f": VEC4,
 }  # fmt: skip
-"""The formats, and what is written to a texel of one of them."""
+"""The formats, and the type of the value that is written to a texel."""
 
 
 def texel_value(
     ctx: Context, format_: ast.Name, written: ast.Expression, scope: Scope
 ) -> Node | Failure:
-    """What is written to a texel of a format, of the format's own type; else it is reported."""
+    """The value of a texel of a format, of the format's own type; errors are reported."""
     if format_.text not in FORMATS:
         unknown(ctx, "format", format_.text, format_.span, FORMATS)
         return FAILURE
@@ -37,8 +37,10 @@ def texel_value(
 def cleared_value(
     ctx: Context, format_: str, written: ast.Expression, scope: Scope
 ) -> Node | Failure:
-    """What a target of a format is cleared to, in four lanes; a colour without alpha covers all.
-    What does not fit is reported."""
+    """The clear value of a target of a format, in four lanes; a colour without alpha covers all.
+
+    A value that does not fit is reported.
+    """
     type_ = FORMATS.get(format_, VEC4)
     node = node_of(ctx, written, scope)
     if isinstance(node, Failure) or (node.type, type_) != (VEC3, VEC4):
@@ -50,5 +52,5 @@ def cleared_value(
 
 
 def cleared_depth(ctx: Context, written: ast.Expression, scope: Scope) -> Node | Failure:
-    """What depths are cleared to; reported if it is no number."""
+    """The clear value of depths; reported if it is no number."""
     return typed(ctx, written, scope, FLOAT, "float for depths")

@@ -1,4 +1,4 @@
-"""What kernels compute for each of their work groups, and where there are none.
+"""The results of kernels for each of their work groups, and checks where there are no groups.
 
 ``kernels.py`` makes the results here that have one element for each work group. It and
 ``elaborate.py`` report by ``check_no_groups`` where values are joined that no work group has.
@@ -28,7 +28,7 @@ PER_GROUP = "group"
 
 
 def is_per_group(ctx: Context, member: ast.Result) -> bool:
-    """Whether a result has one element for each work group; reported what is wrong with that."""
+    """True if a result has one element for each work group; errors in that are reported."""
     if member.per is None:
         return False
     if member.per.text != PER_GROUP:
@@ -43,8 +43,10 @@ def is_per_group(ctx: Context, member: ast.Result) -> bool:
 def of_each_group(
     ctx: Context, info: BufferInfo, stores: Iterable[Result], group: WorkGroup
 ) -> Iterable[Result]:
-    """The parts of an element as the first invocation of a group writes them, and how many elements
-    there are: as many as groups."""
+    """The parts of an element, which the first invocation of a group writes.
+
+    The number of elements comes with them: as many as groups.
+    """
     size = invocations(group)
     for result in stores:
         assert result.store is not None
@@ -58,7 +60,7 @@ def of_each_group(
 
 
 def check_no_groups(ctx: Context, results: Iterable[Result], what: str, around: Span) -> None:
-    """Report what joins the values of a work group where there is none."""
+    """Reports operations that join the values of a work group where there is none."""
     if not ctx.progress.joins_groups:
         return
     for node in reachable(tuple(result.value for result in results)):

@@ -17,7 +17,7 @@ Entry = tuple[RigEntry, Leaves]
 """A light of a rig with its parameters, textures and buffers."""
 
 Named = tuple[str, str, Span]
-"""A name, what its first word stands for, and where that is declared."""
+"""A name, the thing that its first word stands for, and the place of its declaration."""
 
 
 def names_taken(leaves: Iterable[Leaves], module: Module) -> frozenset[str]:
@@ -32,7 +32,7 @@ def names_taken(leaves: Iterable[Leaves], module: Module) -> frozenset[str]:
 
 
 def light_name(rig: Symbol, name: str, taken: Container[str]) -> str:
-    """What a host calls a light: ``sun``, or ``Rig.sun`` where something else is called so.
+    """The host's name of a light: ``sun``, or ``Rig.sun`` where that name is taken.
 
     Who writes a material need not know the lights under which it is drawn.
     """
@@ -47,9 +47,9 @@ def check_host_names(
     entries: Iterable[Entry],
     externs: Iterable[ExternInfo],
 ) -> None:
-    """Report what a host would set by a name that something else has.
+    """Reports things that a host would set by a name that something else has.
 
-    What is in a light or a block begins with its name, as members of a structure do with the
+    Names of things in a light or a block begin with its name, as members of a structure do with the
     parameter's, so first words have to differ. Among things of one kind they do.
     """
     leaves = tuple(leaves)

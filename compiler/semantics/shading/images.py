@@ -22,17 +22,19 @@ from .formats import texel_value
 _OTHER_IMAGES = re.compile(
     r"[iu]?image_?(\d?d|cube|buffer|rect)\w*|rw_?texture\w*|texture_storage\w*"
 )
-"""What other languages call images, or may call them, in small letters."""
+"""The names of images in other languages, or possible ones, in small letters."""
 
 
 def is_image(member: ast.Result | ast.Scatter) -> bool:
-    """Whether a result is an image, or means to be one; else it is a buffer, as all is that is
-    scattered to."""
+    """True if a result is an image, or means to be one; otherwise it is a buffer.
+
+    All that is scattered to is a buffer.
+    """
     return member.type.name.text == IMAGE_TYPE or is_other_image(member)
 
 
 def is_other_image(member: ast.Result | ast.Scatter) -> bool:
-    """Whether the type of a result is an image that there is not here."""
+    """True if the type of a result is an image that does not exist here."""
     word = member.type.name.text
     return word != IMAGE_TYPE and _OTHER_IMAGES.fullmatch(word.lower()) is not None
 
@@ -48,17 +50,17 @@ def report_other_image(ctx: Context, member: ast.Result) -> None:
 
 
 def extent_type(member: ast.Result) -> Type:
-    """What stands in brackets: the size of an image, or the number of a buffer's elements."""
+    """The type of the extent in brackets: an image's size, or a buffer's number of elements."""
     return IVEC2 if is_image(member) else INT
 
 
 def extent_words(member: ast.Result) -> str:
-    """What messages call that."""
+    """The words for that extent in messages."""
     return "size" if is_image(member) else "number of elements"
 
 
 def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | None:
-    """An image with the value of one of its texels; ``None`` after reporting what is wrong."""
+    """An image with the value of one of its texels; ``None`` after reporting an error."""
     if member.type.name.text != IMAGE_TYPE:
         return None  # It has been reported that there is no such image.
     if len(member.type.arguments) != 1:
@@ -74,7 +76,7 @@ def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | Non
 
 
 def mixed(ctx: Context, members: Sequence[ast.Result | ast.Scatter]) -> bool:
-    """Whether a kernel writes both images and buffers, which is reported."""
+    """True if a kernel writes both images and buffers, which is reported."""
     others = [member for member in members if is_image(member) != is_image(members[0])]
     for member in others:
         kinds = ("an image", "a buffer") if is_image(member) else ("a buffer", "an image")
@@ -86,6 +88,6 @@ def mixed(ctx: Context, members: Sequence[ast.Result | ast.Scatter]) -> bool:
 
 
 def reads_only_sizes(node: Node) -> bool:
-    """Whether an operation does not read a texture, but for its size, which the host knows."""
+    """True if an operation reads nothing of a texture but its size, which the host knows."""
     has_texture = any(operand.op == "resource" for operand in node.operands)
     return not has_texture or node.data == "texture_size"

@@ -36,14 +36,14 @@ def instance_of(ctx: Context, record: Record, leaves: Leaves) -> Instance:
 
 
 def pass_scope(owner: Symbol, passing: Instance, level: int) -> Scope:
-    """What expressions in a member of a pass can name; ``owner`` is the record that declares it."""
+    """The scope of expressions in a member of a pass; ``owner`` is the record that declares it."""
     surface = passing.surface
     assert surface is not None
     return Scope(owner.module, passing, level, surface, {"material": surface})
 
 
 def _vertex_inputs(ctx: Context, infos: Iterable[AttributeInfo]) -> Iterator[tuple[str, Node]]:
-    """What reads each declared vertex input; a matrix is put together from its columns."""
+    """Yields the read of each declared vertex input; a matrix is put together from its columns."""
     columns: dict[str, list[Node]] = {}
     for info in infos:
         leaf = info.attribute

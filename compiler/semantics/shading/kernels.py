@@ -50,22 +50,22 @@ from .work_groups import work_group_of
 
 @frozen
 class _Extent:
-    """For how many elements a kernel runs, as one of its members says it."""
+    """The number of elements for which a kernel runs, as one of its members says it."""
 
     node: Node
     name: str
     said_by: str
-    """What messages call that member."""
+    """The words for that member in messages."""
     span: Span
     what: str
 
 
 @frozen
 class _Written:
-    """What a kernel writes by one of its members."""
+    """The part that a kernel writes by one of its members."""
 
     buffer: BufferInfo | None
-    """Where; ``None`` for an image."""
+    """The buffer that it writes; ``None`` for an image."""
     results: list[Result]
 
 
@@ -124,12 +124,12 @@ def kernel_shader(
 
 
 def _writes_something(ctx: Context, record: Record, declaration: ast.Record) -> bool:
-    """Whether a kernel has anything to write, each in one way; reported if not."""
+    """True if a kernel has anything to write, each in one way; reported if not."""
     results = {member.name.text: member for member, _, _ in record.every(ast.Result)}
     scatters = [member for member, _, _ in record.every(ast.Scatter)]
     name = declaration.name
     is_empty = not results and not scatters and not record.baseless
-    if is_empty and not ctx.report.unread_names:  # What could not be read may have been a result.
+    if is_empty and not ctx.report.unread_names:  # Unreadable text may have been a result.
         ctx.report.add(rules.NO_RESULT, name.span, name=name.text)
     for member in scatters:
         if (other := results.get(member.name.text)) is not None:
@@ -151,7 +151,7 @@ def _scope(owner: Symbol, instance: Instance, level: int) -> Scope:
 
 
 def _extents(ctx: Context, record: Record, instance: Instance) -> list[_Extent]:
-    """What each member says of how many elements the kernel runs for, which should be the same."""
+    """The extent by each member, which should all be the same."""
     found = []
     for own, owner, level in record.every(ast.Extent):
         node = known_extent(ctx, record.name, own.count, _scope(owner, instance, level))
@@ -192,13 +192,13 @@ def _lowered(
     return None if differ else (found, graph, notes)
 
 
-# --- what is written -----------------------------------------------------------------------------
+# --- results -------------------------------------------------------------------------------------
 
 
 def _all_written(
     ctx: Context, record: Record, instance: Instance, group: WorkGroup
 ) -> list[_Written]:
-    """What all members of a kernel write, as far as nothing is wrong with them."""
+    """The parts that all members of a kernel write, without those with errors."""
     found = []
     for result, owner, level in record.every(ast.Result):
         found.append(_result(ctx, result, _scope(owner, instance, level), group))
@@ -209,7 +209,7 @@ def _all_written(
 
 
 def _result(ctx: Context, member: ast.Result, scope: Scope, group: WorkGroup) -> _Written | None:
-    """What a result declares, and the value of an element or a texel."""
+    """The declaration of a result, and the value of an element or a texel."""
     if is_image(member):
         image = image_result(ctx, member, scope)
         if image is None or not exists_in_kernels(ctx, image.value, member.value.span):

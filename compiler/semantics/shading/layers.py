@@ -1,6 +1,6 @@
 """Render targets with layers: how many a pass has, and to which of them a strip is drawn.
 
-``elaborate.py`` calls this for what a pass delivers.
+``elaborate.py`` calls this for the results of a pass.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ MOST_LAYERS = 256
 
 
 def _place(ctx: Context, holder: Instance, declared: Span) -> Span:
-    """Where it is said that the vertices of a strip have different layers."""
+    """The place that gives the vertices of a strip different layers."""
     slots = holder.made
     for number, group in enumerate(() if slots is None else slots.groups):
         assert slots is not None
@@ -42,8 +42,10 @@ def _place(ctx: Context, holder: Instance, declared: Span) -> Span:
 
 
 def layer_count(ctx: Context, drawn: Record) -> int:
-    """How many layers a pass's targets have; 0 where it says nothing of them, or something wrong,
-    which is reported then."""
+    """The number of layers of a pass's targets; 0 where it has none.
+
+    It is also 0 after reporting an error.
+    """
     found = next(iter(drawn.every(ast.Layers)), None)
     if found is None:
         return 0
@@ -60,8 +62,10 @@ def layer_count(ctx: Context, drawn: Record) -> int:
 
 
 def layer_of(ctx: Context, passing: Instance, count: int) -> Iterator[Result]:
-    """To which of ``count`` layers a strip is drawn, if there are any: the slot ``layer`` of the
-    pass, or that of the material."""
+    """Yields the layer of a strip, if there are ``count`` layers and not 0.
+
+    It is the slot ``layer`` of the pass, or that of the material.
+    """
     surface, drawn = passing.surface, passing.record
     if surface is None or not count:
         return

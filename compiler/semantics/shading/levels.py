@@ -1,8 +1,8 @@
-"""Into how many steps the edges and the inside of patches are divided.
+"""Tessellation levels: into how many steps the edges and the inside of patches are divided.
 
 ``tessellating.py`` asks for the levels as results of the control stage. So that no crack can be
-written, an edge's level depends on its two ends only, and does not on which of them comes first:
-it is the larger of both ways round.
+written, an edge's level depends on its two ends only, and does not on which of them comes first: it
+is the larger of both ways round.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Levels:
         self._kind = PATCH_KINDS[patch]
 
     def results(self, ends: tuple[int, ...], points: int) -> tuple[Result, ...]:
-        """What the control stage delivers; nothing where something is wrong."""
+        """The results of the control stage; none where there is an error."""
         is_known = self._checked_words()
         edges = self._edges(ends)
         inner = self._inner(edges, points)
@@ -54,7 +54,7 @@ class Levels:
         )
 
     def _checked_words(self) -> bool:
-        """Whether nothing is said that this kind of patch does not have."""
+        """True if nothing is said that this kind of patch does not have."""
         has_lines = None in self._kind.edges
         for word, written, is_there in (
             ("inside", self._member.inside, bool(self._kind.inner)),
@@ -79,7 +79,10 @@ class Levels:
         return found
 
     def _lines(self) -> Node | Failure:
-        """How many lines a patch has: as an edge, each is there or not, for all patches alike."""
+        """The number of lines of a patch, which is delivered as the level of an edge.
+
+        It decides for all patches alike.
+        """
         written = self._member.lines
         if written is None:
             return build.floating(self._ctx.tree, 1.0)
@@ -145,7 +148,7 @@ class Levels:
         return level if isinstance(level, Node) and self._in_range(level, span) else FAILURE
 
     def _in_range(self, level: Node, span: Span) -> bool:
-        """Whether a level can be one that divides an edge."""
+        """True if a level can be one that divides an edge."""
         fact = self._ctx.ranges.of(level)
         if fact.hi > 0 and fact.lo <= MOST_LEVEL:
             return True

@@ -1,4 +1,4 @@
-"""What all surfaces have in common whose vertices are made of those of a mesh.
+"""The common part of surfaces whose vertices are made of those of a mesh.
 
 ``expanding.py`` and ``tessellating.py`` make them.
 """
@@ -21,8 +21,10 @@ from ..state.scope import Instance, Replacement
 
 
 def slots_set(ctx: Context, below: Instance, equations: Sequence[ast.Slot]) -> Iterator[str]:
-    """The slots that equations set of what is ``below`` them, a surface or a pass; reported where
-    there is none of that name."""
+    """Yields the slots that equations set in ``below``, a surface or a pass.
+
+    Equations for slots that do not exist there are reported.
+    """
     surface = below.surface or below
     seen: dict[str, Span] = {}
     for equation in equations:
@@ -44,7 +46,7 @@ def by_vertices(names: Iterable[str]) -> dict[str, Replacement]:
 
 
 def apart(surface: Instance, passing: Instance | None) -> tuple[Instance, Instance | None]:
-    """The surface with a pass of its own, so that what the pass overrides reads this surface."""
+    """The surface with a pass of its own, so that the pass's overrides read this surface."""
     base = changed(surface, replaced=dict(surface.replaced))
     return base, pass_of(base, passing)
 
@@ -63,8 +65,7 @@ def pass_of(surface: Instance, passing: Instance | None) -> Instance | None:
 
 
 def differs_in_strip(ctx: Context, value: Node, written: Span) -> Span | None:
-    """Where a value that is written somewhere depends on the number of a strip's vertex, if it
-    does."""
+    """The place where a written value depends on the number of a strip's vertex, if it does."""
     for node in reachable([value]):
         if node.op == "input" and INPUT.data(node) == STRIP_VERTEX:
             return ctx.places.within(node, written)

@@ -1,4 +1,4 @@
-"""Where the vertices of divided patches lie, for pipelines that do not divide patches themselves.
+"""The places of the vertices of patches, for pipelines that do not divide patches themselves.
 
 ``tessellating.py`` asks for the pattern of a tessellation, where there has to be one. Its
 arithmetic is that of the library's tessellator, ``stdlib/tessellator.burnish``, whose functions are
@@ -28,7 +28,7 @@ _FUNCTIONS: Mapping[Patch, str] = {
     "isoline": "line_vertex",
 }
 _SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
-"""In the order of the library's numbers."""
+"""The spacings in the order of the library's numbers."""
 
 
 def pattern_of(
@@ -56,7 +56,7 @@ def pattern_of(
 
 
 def known_to_host(ctx: Context, levels: Sequence[Result]) -> bool:
-    """Whether levels are the same for all patches of a draw, and a host can compute them."""
+    """True if levels are the same for all patches of a draw, and a host can compute them."""
     values = [level.value for level in levels]
     return all(ctx.crossings.domain(value) is None for value in values) and all(
         node.op in KNOWN_IN_TREES for node in reachable(values)

@@ -1,4 +1,4 @@
-"""What stands in for values that are not known where a declaration is checked by itself."""
+"""Placeholders for unknown values, where a declaration is checked by itself."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def some(
 
 
 def stand_in(ctx: Context, instance: Instance) -> None:
-    """Give each slot that a declaration leaves without a value a placeholder of its type.
+    """Gives each slot that a declaration leaves without a value a placeholder of its type.
 
-    So what reads such a slot, or builds on it as ``inherited.name``, is checked as if a base or a
-    derived record had set it.
+    So an expression that reads such a slot, or builds on it as ``inherited.name``, is checked as if
+    a base or a derived record had set it.
     """
     for name, definitions in instance.record.definitions.items():
         for definition in definitions:

@@ -1,4 +1,4 @@
-"""What a pass asks of the pipeline: how faces are drawn, what the depth test does, and the stencil.
+"""The state that a pass asks of the pipeline: rasterisation, depth test and stencil test.
 
 ``elaborate.py`` checks it for every pass, and gives it to the shader. Each setting is inherited by
 itself: the nearest record that has it counts.
@@ -57,7 +57,7 @@ class Whole:
     most: int
 
     def allows(self, number: int) -> bool:
-        """Whether it can be set to this."""
+        """True if the setting can have this value."""
         return self.least <= number <= self.most
 
     def __str__(self) -> str:
@@ -71,7 +71,7 @@ class OneOf:
     numbers: tuple[int, ...]
 
     def allows(self, number: int) -> bool:
-        """Whether it can be set to this."""
+        """True if the setting can have this value."""
         return number in self.numbers
 
     def __str__(self) -> str:
@@ -85,10 +85,10 @@ class Real:
 
 @frozen
 class Setting:
-    """What can be set."""
+    """A setting: the fields of the state that it sets, and its values."""
 
     fields: tuple[str, ...]
-    """Of the state: several where one setting sets both sides."""
+    """The fields of the state: several where one setting sets both sides."""
     values: Meant
 
 
@@ -104,8 +104,10 @@ def _plain(**values: Meant) -> Mapping[str, Setting]:
 
 
 def _sided(**values: Words) -> Mapping[str, Setting]:
-    """Settings of both sides, and of each: ``pass`` and ``front.pass``. Those of one side stand
-    last, as they count more."""
+    """Settings of both sides, and of each: ``pass`` and ``front.pass``.
+
+    Those of one side stand last, as they count more.
+    """
     fields = {name.removesuffix("_op"): name for name in values}
     both = {
         name: Setting(tuple(f"{side}.{field}" for side in SIDES), values[field])
@@ -138,12 +140,15 @@ SETTINGS: Mapping[Stated, Mapping[str, Setting]] = {
                  pass_op=OPERATIONS),
     },
 }  # fmt: skip
-"""What can be said in members of each kind."""
+"""The settings in members of each kind."""
 
 
 def render_state_of(ctx: Context, drawn: Record) -> RenderState:
-    """What a pass asks for. Settings that stand twice in one place, and values that mean nothing
-    there, are reported; for them, and where it says nothing, the defaults hold."""
+    """The state that a pass asks for.
+
+    Settings that stand twice in one place, and values that mean nothing there, are reported; for
+    them, and where the pass says nothing, the defaults hold.
+    """
     return RenderState(
         **_said(ctx, drawn, ast.Raster),
         depth=DepthState(**_said(ctx, drawn, ast.Depth), **_cleared(ctx, drawn)),
@@ -170,7 +175,7 @@ def _of_side(side: str, said: Said) -> Said:
 
 
 def of_a_pass(name: str) -> str:
-    """Where a setting of passes is written, for who sets it elsewhere; empty if it is none."""
+    """A hint where a setting of passes belongs, for who sets it elsewhere; empty for others."""
     for node, settings in SETTINGS.items():
         if name in settings:
             word = next(word for word, kind in ast.MEMBERS.items() if kind.node is node)
@@ -179,8 +184,10 @@ def of_a_pass(name: str) -> str:
 
 
 def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
-    """The settings in the members of one kind that mean something; the nearest record's count, and
-    in one record those of one side before those of both."""
+    """The settings in the members of one kind that mean something.
+
+    The nearest record's count, and in one record those of one side before those of both.
+    """
     known, found = SETTINGS[kind], dict[str, Any]()
     order = {name: number for number, name in enumerate(known)}
     for member, owner, _ in drawn.every(kind):
@@ -211,7 +218,7 @@ def _report_unknown(ctx: Context, word: str, name: ast.Name, known: Mapping[str,
 def _value(
     ctx: Context, name: ast.Name, written: ast.Expression, wanted: Meant, scope: Scope
 ) -> Any:
-    """What a setting is set to; ``None`` after reporting that it cannot be."""
+    """The value of a setting; ``None`` after reporting that it cannot be."""
     span = written.span
     match wanted:
         case Words():

@@ -29,7 +29,7 @@ from .host_names import Entry, light_name
 
 
 def entries_of(ctx: Context, rig: Symbol, taken: Container[str]) -> list[Entry]:
-    """The lights of a rig, in order; what is wrong with one is reported and leaves it out.
+    """The lights of a rig, in order; a wrong one is reported and left out.
 
     A light stands for a rig that has nothing else. One whose name is ``taken`` by the material or
     the pass is called ``Rig.light`` by a host.

@@ -1,4 +1,4 @@
-"""Whether a compile may elaborate one more material, kernel or frame."""
+"""Decides if a compile may elaborate one more material, kernel or frame."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ from ..work import MOST_NODES
 
 
 def has_room(symbol: Symbol, records: Records, report: Report) -> bool:
-    """Whether what was elaborated before has left room for this; if not, that is reported of the
-    first for which there is none."""
+    """True if the elaborations before have left room for this one.
+
+    If not, that is reported of the first one without room.
+    """
     work = records.work
     if work.is_spent and not work.is_told:
         work.is_told = True

@@ -1,4 +1,4 @@
-"""Whether a pass can have several samples for each pixel, which are joined at its end.
+"""Checks if a pass can have several samples for each pixel, which are joined at its end.
 
 ``elaborate.py`` asks for every pass, and once more when it is known what a material draws.
 """
@@ -22,7 +22,7 @@ UNRESOLVED = frozenset(("r32f", "rg32f", "rgba32f"))
 
 
 def check_samples(ctx: Context, drawn: Record, state: RenderState) -> None:
-    """Report what a pass says that goes with one sample only, if it asks for several."""
+    """Reports settings of a pass that need a single sample, if it asks for several."""
     if state.samples == 1:
         return
     for target, *_ in drawn.every(ast.Target):

@@ -1,4 +1,4 @@
-"""What the invocations of a kernel scatter: values that they join with elements of their choice.
+"""Scattered values of a kernel: its invocations join them with elements of their choice.
 
 ``kernels.py`` calls ``scattered`` for each ``scatter`` of a kernel.
 """
@@ -56,7 +56,7 @@ def _part(ctx: Context, written: ast.Expression, scope: Scope, type_: Type) -> N
 
 
 def _may_exist(ctx: Context, member: ast.Scatter, place: Node, length: Node) -> bool:
-    """Whether there may be the element that is chosen; reported if there never is."""
+    """True if the chosen element may exist; reported if it never does."""
     index, count = ctx.constants.known_integer(place), ctx.constants.known_integer(length)
     if index is None or (index >= 0 and (count is None or index < count)):
         return True
@@ -67,7 +67,7 @@ def _may_exist(ctx: Context, member: ast.Scatter, place: Node, length: Node) -> 
 def _results(
     ctx: Context, store: Store, value: Node, place: Node, condition: Node, length: Node
 ) -> Iterator[Result]:
-    """The rows of what is scattered: nothing is, where there is no such element."""
+    """The results of a ``scatter``; nothing is joined where there is no such element."""
     tree, zero = ctx.tree, build.constant(ctx.tree, INT, 0)
     after_first = tree.node("call", BOOL, (place, zero), "ge")
     before_end = tree.node("call", BOOL, (place, length), "lt")

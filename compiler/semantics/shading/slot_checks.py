@@ -1,4 +1,4 @@
-"""Checks of what a shader has and does not read, so that every mistake is found at once."""
+"""Checks of slots that a shader has and does not read, so that every mistake is found at once."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
 
 
 def check_overridden(ctx: Context, base: Instance, surface: Instance) -> None:
-    """Check what slots are without an expansion or a tessellation that sets them."""
+    """Checks the values of slots without an expansion or a tessellation that sets them."""
     for name, replacement in surface.replaced.items():
         definition = base.record.definitions[name][0]
         if replacement.made and not is_abstract(definition.member):
@@ -40,7 +40,7 @@ def check_overridden(ctx: Context, base: Instance, surface: Instance) -> None:
 
 
 def check_rig(ctx: Context, surface: Instance) -> None:
-    """Check what a rig sets of its lights, whether a term asks for it or not."""
+    """Checks the slots that a rig sets of its lights, whether a term asks for them or not."""
     for entry in ctx.rig:
         instance, _ = light_instance(ctx, entry, surface)
         for name, replacement in entry.replaced.items():

@@ -17,8 +17,11 @@ from ..state.context import Context
 
 
 def is_writable(type_: Type, *, inside: bool = False) -> bool:
-    """Whether the texts can write values of a type part by part. A matrix is written as the columns
-    that it is stored in, which only a buffer of matrices has as elements."""
+    """True if the texts can write values of a type part by part.
+
+    A matrix is written as the columns that it is stored in, which only a buffer of matrices has as
+    elements.
+    """
     match type_:
         case Matrix():
             return not inside

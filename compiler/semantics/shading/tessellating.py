@@ -1,4 +1,4 @@
-"""Surfaces whose patches are divided: what a ``tessellate`` member makes of a material.
+"""Surfaces whose patches are divided by a ``tessellate`` member.
 
 ``assembly.py`` calls ``tessellated`` when the parts of a shader have been put together.
 """
@@ -39,9 +39,9 @@ SPACINGS: tuple[Spacing, ...] = get_args(Spacing)
 
 
 def tessellated(ctx: Context, surface: Instance, passing: Instance | None) -> Instance:
-    """The surface as it is at the vertices that patches are divided into; itself where none are.
+    """The surface at the vertices that patches are divided into; itself where none are.
 
-    The pass becomes what it is there. There is none where a mixin is checked alone.
+    The pass becomes a pass at these vertices. There is none where a mixin is checked alone.
     """
     written = list(surface.record.every(ast.Tessellate))
     if not written:
@@ -132,7 +132,7 @@ class _Tessellating:
 
     @property
     def _is_captured(self) -> bool:
-        """Whether vertices are captured: a kernel does this, which no host gives a pattern."""
+        """True if vertices are captured: a kernel does this, which no host gives a pattern."""
         return self._passing is not None and captures(self._passing.record)
 
     def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
@@ -147,7 +147,7 @@ class _Tessellating:
         return tuple(range(self._kind.ends))
 
     def _points(self) -> int | None:
-        """How many control points a patch has."""
+        """The number of control points of a patch."""
         written, least = self._member.points, self._kind.ends
         if written is None:
             return least
@@ -161,7 +161,7 @@ class _Tessellating:
         return count
 
     def _ends(self, points: int | None) -> tuple[int, ...] | None:
-        """Which of them are its corners."""
+        """The numbers of the control points that are its corners."""
         written = self._member.ends
         if written is None:
             return self._default_ends()

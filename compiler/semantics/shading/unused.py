@@ -1,8 +1,8 @@
-"""Checks of what a file declares and its shaders do not use, so that a library is checked, too.
+"""Checks declarations of a file that its shaders do not use, so that a library is checked, too.
 
-What reads slots of a surface or of a light can be told right or wrong only together with one. It is
-right if it is right with any of those that the file declares; otherwise the errors of the setting
-with the fewest errors are reported.
+A declaration that reads slots of a surface or of a light can be right or wrong only together with
+one. It is right if it is right with any of those that the file declares; otherwise the errors of
+the setting with the fewest errors are reported.
 """
 
 from __future__ import annotations
@@ -46,35 +46,44 @@ from .room import has_room
 from .slot_checks import check_instance, check_rig
 
 MOST_EXAMPLES = 256
-"""So many ways to fill in type parameters are tried."""
+"""The number of ways to fill in type parameters that are tried."""
 MOST_SETTINGS = 16
-"""With so many materials and lights a declaration is tried that is wrong with all of them."""
+"""The number of materials and lights with which a wrong declaration is tried.
+
+It is wrong if it is wrong with all of them.
+"""
 MOST_TRIED = 1_000_000
-"""How many characters of declarations are tried in a compile, each as often as it is: about five
-seconds. What a record extends is tried with it, down to what the library declares."""
+"""The number of characters of declarations that are tried in a compile, in about five seconds.
+
+Each declaration counts as often as it is tried. The records that it extends are tried with it, down
+to those of the library.
+"""
 
 Check = Callable[[Setting], bool]
-"""Reports what it finds, and says whether it came to values."""
+"""A check that reports its findings, and says whether it came to values."""
 
 
 @frozen
 class Attempt:
-    """What one try of checking a declaration led to."""
+    """The outcome of one try of checking a declaration."""
 
     found: tuple[Diagnostic, ...]
     right: bool
     reached: frozenset[Symbol] = frozenset()
-    """What else was checked by that."""
+    """Other declarations that were checked by it."""
 
     @property
     def errors(self) -> int:
-        """How many errors it found."""
+        """The number of errors that it found."""
         return sum(diagnostic.severity == "error" for diagnostic in self.found)
 
 
 @frozen
 class CandidateContexts:
-    """What a file's declarations can be checked with, the likeliest first; none is empty."""
+    """The contexts in which a file's declarations can be checked, the likeliest first.
+
+    No field is empty.
+    """
 
     materials: tuple[Symbol, ...]
     lights: tuple[Symbol, ...]
@@ -101,7 +110,7 @@ class UnusedDeclarations:
         report: Report,
         records: Records,
     ) -> None:
-        """What has been checked in ``settings`` already is not checked once more."""
+        """Declarations that have been checked in ``settings`` already are not checked once more."""
         self._module = module
         self._around = around
         self._reached = reached
@@ -111,7 +120,7 @@ class UnusedDeclarations:
         self._trials = {setting.parts: _Trial(setting) for setting in settings}
 
     def check(self) -> None:
-        """Report what is wrong with them; what records use counts as checked with them."""
+        """Reports the errors in declarations; those that records use count as checked with them."""
         with suppress(_TooMuchError):
             self._check(ast.Record)
             self._check(ast.Rig, ast.Mixin)
@@ -147,7 +156,7 @@ class UnusedDeclarations:
             yield attempt
 
     def _length(self, symbol: Symbol) -> int:
-        """How many characters are read to try a declaration once."""
+        """The number of characters that are read to try a declaration once."""
         match symbol.declaration:
             case ast.Record(kind=kind):
                 length = sum(_written(each) for each in self._records.of(symbol).chain)
@@ -174,10 +183,10 @@ class UnusedDeclarations:
         return sorted(found, key=lambda symbol: not _is_material(symbol))
 
     def _tell(self, attempts: Iterable[Attempt]) -> None:
-        """Take over what the first right attempt found, or that with the fewest errors.
+        """Takes over the findings of the first right attempt, or of that with the fewest errors.
 
         Only errors count that have not been reported before, of other declarations. A wrong attempt
-        without such errors says nothing.
+        without such errors is ignored; its cause has been reported elsewhere.
         """
         best: Attempt | None = None
         for tried in attempts:
@@ -192,7 +201,7 @@ class UnusedDeclarations:
             self._reached.update(best.reached)
 
     def _attempts(self, symbol: Symbol) -> Iterator[Attempt]:
-        """What is wrong with a declaration, in one setting after the other."""
+        """Tries a declaration in one setting after the other."""
         around = self._around
         match symbol.declaration:
             case ast.Record(kind="material", abstract=abstract):
@@ -254,7 +263,7 @@ class UnusedDeclarations:
 
 
 def _written(symbol: Symbol) -> int:
-    """How many characters its declaration takes."""
+    """The number of characters of its declaration."""
     return symbol.declaration.span.end - symbol.declaration.span.start
 
 
@@ -273,9 +282,9 @@ class _Trial:
         self._from_start = self._report.since(0)
 
     def attempt(self, check: Check, whole: bool = False) -> Attempt:
-        """What a check finds.
+        """The findings of a check.
 
-        As a ``whole``, what was wrong with the setting from the start belongs to it.
+        If it is of the ``whole`` setting, the errors that this had from the start belong to it.
         """
         before = self._report.count
         self._setting.ctx.passing = self._setting.passing
@@ -289,7 +298,7 @@ class _Trial:
         return attempt if came_to_values and not attempt.errors else changed(attempt, right=False)
 
     def beside(self, parts: Parts) -> Attempt:
-        """What is wrong with other parts under the same lights."""
+        """The findings of a check of other parts under the same lights."""
         known = set(self._setting.ctx.reached())
         check = partial(_check_parts, parts)
         attempt = self.attempt(check, whole=parts == self._setting.parts)
@@ -337,7 +346,7 @@ def _check_light(symbol: Symbol, setting: Setting) -> bool:
 
 
 def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
-    """Check what a mixin says, with stand-ins for what it needs of the records it is for."""
+    """Checks a mixin, with placeholders for the slots that it needs of its records."""
     ctx, surface = setting.ctx, setting.surface
     record = ctx.records.alone(symbol)
     if mixin.kind == "light":

@@ -1,4 +1,4 @@
-"""How many invocations of a kernel run together: the size that it names, or the usual one.
+"""The work group of a kernel: the size that it names, or the usual one.
 
 ``kernels.py`` calls ``work_group_of`` when it knows how many dimensions the results have.
 """
@@ -16,7 +16,7 @@ from ..state.scope import Scope
 
 
 def work_group_of(ctx: Context, record: Record, dimensions: int) -> WorkGroup:
-    """The size of a kernel's work groups; the usual one after reporting what is wrong with it."""
+    """The size of a kernel's work groups; the usual one after reporting an error in it."""
     usual = USUAL[dimensions]
     found = next(iter(record.every(ast.WorkGroup)), None)
     if found is None:

@@ -1,1 +1,1 @@
-"""What the elaboration of one shader has built so far."""
+"""The state of the elaboration of one shader."""

@@ -1,4 +1,4 @@
-"""Which conditions are known when compiling: by constants, or by the ranges of what is compared.
+"""Finds conditions that are known when compiling: by constants, or by ranges of operands.
 
 ``deferred`` asks for this, to find the sides of choices that are never taken.
 """
@@ -24,10 +24,10 @@ class Conditions:
         self._ranges = ranges
         self._known: dict[Node, bool | None] = {}
         self._copies: dict[Node, bool | None] = {}
-        """What is known of all that a node is a copy of."""
+        """The common value of all conditions that a node is a copy of, as far as it is known."""
 
     def value(self, condition: Node) -> bool | None:
-        """Whether a scalar condition always or never holds; ``None`` where that is not known."""
+        """True if a scalar condition always holds, false if it never does; ``None`` if unknown."""
         known, pending = self._known, [condition]
         while pending:
             node = pending[-1]
@@ -41,11 +41,11 @@ class Conditions:
         return known[condition]
 
     def follow(self, old: Node, new: Node) -> bool:
-        """What is known of ``old`` for all values of its variables holds for the copy ``new`` too.
+        """Copies the known value of ``old``, for all values of its variables, to its copy ``new``.
 
         In the copy, the index of a loop may be bound: nobody could tell from it how far it runs.
-        Bodies of several loops may have the same copy. Then what holds in only some of them is not
-        known. The result says whether less is known than before.
+        Bodies of several loops may have the same copy. Then a value that holds in only some of them
+        is not known. The result is true if less is known than before.
         """
         if new.type != BOOL:
             return False

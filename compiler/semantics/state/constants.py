@@ -42,8 +42,10 @@ class ConstantValues:
     """Evaluates nodes that depend on nothing; reports those that do."""
 
     def __init__(self, report: Report, is_wrong: Callable[[Node], bool], work: Work) -> None:
-        """``is_wrong`` says whether a value has errors of its own, and reports them. ``work`` is
-        what the whole compile has computed by now."""
+        """``is_wrong`` says whether a value has errors of its own, and reports them.
+
+        ``work`` is the computation of the whole compile so far.
+        """
         self._report = report
         self._work = work
         self._is_wrong = is_wrong
@@ -108,21 +110,21 @@ class ConstantValues:
         return max(abs(float(lane)) for column in columns for lane in column)
 
     def is_zero(self, node: Node) -> bool:
-        """Whether a node is a constant with a lane that counts as zero."""
+        """True if a node is a constant with a lane that counts as zero."""
         if not self.is_known(node):
             return False
         lanes = self._known.value(node)
         return any(not isinstance(v, tuple) and abs(v) < SMALLEST_NORMAL for v in lanes)
 
     def is_unit(self, node: Node) -> bool:
-        """Whether a node is a constant vector of length one, up to rounding."""
+        """True if a node is a constant vector of length one, up to rounding."""
         if not self.is_known(node):
             return False
         lanes = [float(v) for v in self._known.value(node) if not isinstance(v, tuple)]
         return abs(hypot(*lanes) - 1.0) < UNIT_SLACK
 
     def is_known(self, node: Node) -> bool:
-        """Whether a node is plainly made of constants, without loops: it can be computed at once.
+        """True if a node is plainly made of constants, without loops: it can be computed at once.
 
         Each node is looked at once, however many values are made of it.
         """
@@ -141,7 +143,7 @@ class ConstantValues:
 
 
 def _is_computed(node: Node) -> bool:
-    """Whether an operation can be computed at once, if its operands can."""
+    """True if an operation can be computed at once, if its operands can."""
     return node.op in _OPERATIONS and not joins_group(node)
 
 

@@ -1,4 +1,4 @@
-"""The state of one elaboration: the trees that are being made, and what is known already.
+"""The state of one elaboration: the trees that are being made, and all that is known already.
 
 This module holds data and no rules. The rules for each kind of expression are handed in, so that
 the modules in which they stand can import this one.
@@ -33,7 +33,7 @@ from .tree import Tree
 
 @record
 class WrittenTypes:
-    """What written types stand for, as far as anybody has asked."""
+    """The resolved written types, as far as anybody has asked."""
 
     resolver: TypeResolver
     declared: dict[ast.TypeName, Declared | None] = fresh(factory=dict)
@@ -49,7 +49,7 @@ class ExternBlocks:
     """The blocks of the host that have been read so far."""
 
     known: dict[Symbol, ExternInfo] = fresh(factory=dict)
-    """By the declaration of each, in the order in which they were met."""
+    """The blocks by their declarations, in the order in which they were met."""
     parameters: dict[tuple[Module, str], ParameterInfo | None] = fresh(factory=dict)
     """The members, by file and name."""
     reading: set[Module] = fresh(factory=set)
@@ -66,7 +66,7 @@ class Lights:
     """The lights of the rig, as far as somebody has asked for them."""
 
     types: dict[int, Declared] = fresh(factory=dict)
-    """How the slots of `light` are declared, by the variables that stand for them in terms."""
+    """The declared types of the slots of ``light``, by the variables for them in terms."""
     instances: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = fresh(factory=dict)
     bodies: dict[Application, LightBody | Failure] = fresh(factory=dict)
     """Bodies of terms that are summed over the lights."""
@@ -76,25 +76,28 @@ class Lights:
 
 @record
 class Progress:
-    """Which values are being computed at the moment, and which never can be."""
+    """The values that are being computed at the moment, and those that never can be."""
 
     active: dict[Hashable, tuple[str, Span]] = fresh(factory=dict)
-    """By key, outermost first: to meet one of them again is a cycle."""
+    """The demands by key, outermost first: to meet one of them again is a cycle."""
     cyclic: set[Hashable] = fresh(factory=set)
-    """What is defined by itself, which has been reported."""
+    """Values that are defined by themselves, which has been reported."""
     recursive: set[Symbol] = fresh(factory=set)
     """Functions that call themselves, which has been reported."""
     unproven: int = 0
-    """How often something depended on a variable's value, in the body that is being checked: on how
-    large it is, say. Then what was found does not hold for all its values."""
+    """The number of times that a check depended on a variable's value, in the current body.
+
+    It may have depended on how large the value is, say. Then its outcome does not hold for all
+    values.
+    """
     joins_groups: bool = False
-    """Whether some value has been joined from those of a work group."""
+    """True if some value has been joined from those of a work group."""
     depth: int = 0
-    """How many values are computed inside each other on Python's stack (``evaluation``)."""
+    """The number of values computed inside each other on Python's stack (``evaluation``)."""
 
 
 Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
-"""What a body knows of an argument: its value, or what kind of value it is."""
+"""A call's argument for the body: its node if it is known, otherwise its type and meaning."""
 
 
 Kinds: TypeAlias = "tuple[tuple[Type, Meaning | None], ...]"
@@ -106,8 +109,10 @@ class Overloads:
     """The functions that a file has under one name."""
 
     exact: dict[Kinds, Symbol]
-    """Those without type parameters, by what they declare. The first of equal ones: that there are
-    others has been reported."""
+    """The functions without type parameters, by their declared arguments.
+
+    Of equal ones, this is the first; that there are others has been reported.
+    """
     of_count: dict[int, list[Symbol]]
     """All of them, by how many arguments they take."""
 
@@ -127,11 +132,11 @@ class Context:
         self.constants = ConstantValues(report, self._is_wrong, records.work)
         self.meanings = Meanings(self.tree)
         self.ranges = Ranges(())
-        """What is known of values already: it bounds loops and proves lengths."""
+        """Ranges of values so far: they bound loops and prove lengths."""
         self.extent: Node | None = None
-        """How many elements a kernel computes."""
+        """The number of elements that a kernel computes."""
         self.ends: dict[Formal, Node] = {}
-        """What the indices of loops that count from 0 stay below."""
+        """The exclusive upper bounds of the indices of loops that count from 0."""
         self.deferred = Deferred(report, self.tree, Conditions(self.constants, self.ranges))
         self.types = WrittenTypes(TypeResolver(report))
         self.externs = ExternBlocks()
@@ -141,33 +146,35 @@ class Context:
         self.applied: dict[Application, Node | Failure] = {}
         """Values of functions and of the file's constants."""
         self.overloads: dict[Symbol, Overloads] = {}
-        """By the first of them."""
+        """The overloads, by the first function of each name."""
         self.lights = Lights()
         self.is_step: dict[Instance, Callable[[tuple[str, int]], bool]] = {}
-        """For frames, and the lights that bring something to them, whether a slot as it is defined
-        at a level is a step, and so has no value."""
+        """For frames, and lights that bring something to them: is a slot a step, without a value?
+
+        The key is the slot's name and the level at which it is defined.
+        """
         self.call_sizes: dict[Symbol, int] = {}
-        """How many bodies one call of a function comes to (``call_sizes``)."""
+        """The number of bodies in one call of a function (``call_sizes``)."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were evaluated."""
         self.twins: dict[Instance, Callable[[], Twin]] = {}
-        """For materials, passes and lights, the same in a context apart (``Twin``)."""
+        """For each material, pass or light, the same one in a context apart (``Twin``)."""
         self.is_twin = False
         self.placeholders: set[Node] = set()
         """Arguments and slots without a value, in a declaration that is checked by itself."""
         self.shaded: dict[tuple[Instance, Hashable], Instance] = {}
         """Surfaces with slots replaced by ``with``, by the surface and the new values."""
         self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
-        """For each of these the surface without replacements, and the new values."""
+        """For each of these, the surface without replacements, and the new values."""
         self.bodies: dict[Signature, SharedBody | Failure | None] = {}
         """Checked bodies of functions; ``None`` where they depend on the arguments' values."""
         self.applicable: set[Node] = set()
-        """Those of them, closed, that mean the same wherever they are applied."""
+        """Bodies in ``bodies`` that do not depend on the caller, with their variables bound."""
         self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
-        """What is wrong with a function's body as long as nothing is known of its arguments."""
+        """Errors in a function's body that occur as long as nothing is known of its arguments."""
 
     def follow(self, old: Node, new: Node) -> None:
-        """Hand what is known of a node on to its copy."""
+        """Hands all knowledge about a node on to its copy."""
         self.notes.follow(old, new)
         self.deferred.follow(old, new)
 
@@ -181,48 +188,50 @@ class Context:
         yield from (symbol for symbol, *_ in self.applied)
 
     def is_left_to_a_use(self, node: Node) -> bool:
-        """Whether a value depends on a placeholder, so that only a use can say what it is."""
+        """True if a value depends on a placeholder, so that only a use can say what it is."""
         return not self.placeholders.isdisjoint(reachable((node,)))
 
 
 Twin: TypeAlias = "tuple[Context, Instance]"
-"""An instance in a context of its own, which is there to ask for the types of what is overridden.
+"""An instance in a context of its own, which can be asked for the types of overridden slots.
 
 Nothing there is part of the shader or reported, so it does no harm if an overridden equation is
-wrong, or is defined by what overrides it.
+wrong, or is defined by its own override.
 """
 
 
 @frozen
 class Signature:
-    """What calls of a function have in common that share a body."""
+    """The key of calls of a function that share a body."""
 
     symbol: Symbol
     given: tuple[Given, ...]
-    """What is known of each argument, and then of each replaced slot."""
+    """The kind, or the value, of each argument, and then of each replaced slot."""
     constants: tuple[tuple[str, bool] | None, ...]
-    """For each number, vector and matrix among these the literal that it is, if it is one: its text
-    and whether it has a sign."""
+    """For each number, vector and matrix among these, its literal, if it is one.
+
+    The literal is a text and whether it has a sign.
+    """
     units: tuple[bool, ...]
-    """For each of them whether it has length one; nothing, if the body is ``repeated``."""
+    """For each of them, does it have length one? Empty, if the body is ``repeated``."""
     surface: Instance | None
-    """What is shaded, without replaced slots."""
+    """The surface that is shaded, without replaced slots."""
     slots: tuple[str, ...]
     """The names of the slots that are replaced."""
     repeated: bool
-    """Whether each call is the body once more, with its own arguments in it; else it applies it."""
+    """True if each call repeats the body, with its own arguments in it; otherwise it applies it."""
 
 
 @frozen
 class SharedBody:
-    """What a function gives for a signature."""
+    """The result of a function for a signature."""
 
     value: Node
-    """Of a body that is applied, closed."""
+    """The value of the body: of one that is applied, closed."""
     formals: tuple[Formal, ...]
-    """Its variables."""
+    """The variables of the body."""
     parts: tuple[Node, ...] = ()
-    """What the parts of the arguments are in a body that is repeated."""
+    """The placeholders for the parts of the arguments, in a body that is repeated."""
     own: tuple[Node, ...] = ()
     """The nodes of a body that is repeated, operands before users."""
 
@@ -237,22 +246,24 @@ class LightBody:
 
 @frozen
 class Rule:
-    """How one kind of expression is checked; ``Any`` is the class of its syntax tree."""
+    """The rule for one kind of expression; ``Any`` is the class of its syntax tree."""
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
     """The parts that are checked first, in the expression's own scope and in this order."""
     value: Callable[[Context, Any, Sequence[Node], Scope], Value | Inner]
-    """The expression's value, given those of its operands. Nobody asks for it where one of them is
-    wrong, or is no value: that has been reported."""
+    """The expression's value, given those of its operands.
+
+    Nobody asks for it where one of them is wrong, or is no value: that has been reported.
+    """
 
 
 @frozen
 class OpenRule:
-    """The same where an operand may be more than a value: what has members, or may be called."""
+    """A rule whose operands may be more than values: have members, or be called."""
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
     value: Callable[[Context, Any, Sequence[Value], Scope], Value]
-    """It sees wrong operands, too."""
+    """Gives the expression's value; it sees wrong operands, too."""
 
 
 Rules: TypeAlias = Mapping[type[ast.Expression], Rule | OpenRule]

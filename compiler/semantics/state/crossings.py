@@ -46,7 +46,7 @@ KERNEL_INPUTS = inputs_of(COMPUTED)
 _KERNEL_CROSSINGS = joined_in(COMPUTED)
 """Between which stages of a kernel values cross: there are none, as it has only one."""
 INPUTS = inputs_of(RASTERISED)
-"""The names by which expressions read what the pipeline supplies."""
+"""The inputs that the pipeline supplies, by their names in expressions."""
 
 
 class Crossings:
@@ -55,20 +55,22 @@ class Crossings:
     def __init__(
         self, graph: Graph, report: Report, follow: Callable[[Node, Node], None], places: Places
     ) -> None:
-        """``follow`` hands what is known of a node on to its copy."""
+        """``follow`` hands the knowledge about a node on to its copy."""
         self._graph = graph
         self._report = report
         self._follow = follow
         self._places = places
         self._vertex: dict[int, Node] = {}
-        """What nodes are at the vertices, by their ids."""
+        """The values of nodes at the vertices, by the nodes' ids."""
         self._missing: dict[int, Node | None] = {}
-        """What they have that the vertex stage has not."""
+        """For a node's id, an operation in it that the vertex stage does not have."""
         self._domains = Domains()
 
     def attribute(self, leaf: Node, origin: Origin | None) -> Node:
-        """A vertex input as the fragment stage sees it, where vertices are made of those of the
-        mesh that of theirs; a matrix crosses column by column."""
+        """A vertex input as the fragment stage sees it; a matrix crosses column by column.
+
+        Where vertices are made of those of the mesh, it is the input of the made ones.
+        """
         return self.to_fragments(leaf if origin is None else self._made(leaf, origin))
 
     def supplied(self, row: SystemInput, origin: Origin | None) -> Node:
@@ -82,7 +84,7 @@ class Crossings:
         return self.attribute(leaf, origin if row in VERTEX.inputs else None)
 
     def domain(self, node: Node) -> Domain | None:
-        """What a value varies over; raises ``MixedDomainsError``."""
+        """The domain over which a value varies; raises ``MixedDomainsError``."""
         return self._domains.of(node)
 
     def to_fragments(self, value: Node) -> Node:
@@ -117,7 +119,7 @@ class Crossings:
         return self.to_fragments(inner)
 
     def checked_at_vertex(self, root: Node, span: Span) -> Node | Failure:
-        """``root`` as the vertex stage computes it, or a report of what it cannot compute."""
+        """``root`` as the vertex stage computes it; reports a part that it cannot compute."""
         inner = self.at_vertex(root)
         found = self._missing_at_vertex(inner)
         if found is None:
@@ -199,7 +201,7 @@ def _unseen(root: Node, seen: Container[int]) -> list[Node]:
 
 
 def _exists_before_fragments(node: Node) -> bool:
-    """Whether stages before the fragments have what an operation needs, besides its operands."""
+    """True if stages before the fragments have all that an operation needs besides operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
     return node.op != "input" or INPUT.data(node) not in FRAGMENT.inputs
@@ -211,7 +213,7 @@ def missing_in_kernels(root: Node) -> Node | None:
 
 
 def _exists_in_kernels(node: Node) -> bool:
-    """Whether a kernel has what an operation needs, besides its operands."""
+    """True if a kernel has all that an operation needs besides its operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
     if node.op == "cross":

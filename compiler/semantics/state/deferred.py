@@ -30,14 +30,16 @@ class Deferred:
         self._conditions = conditions
         self._found: dict[Node, Diagnostic] = {}
         self._also: dict[Node, tuple[Node, ...]] = {}
-        """What was evaluated for a node that is no part of its value."""
+        """Nodes that were evaluated for a node and are no part of its value."""
         self._passed: set[Node] = set()
-        """Nodes that nothing may need, and whose errors count elsewhere: there are copies of them,
-        or parts of them have been taken."""
+        """Nodes that nothing may need, and whose errors count elsewhere.
+
+        There are copies of them, or parts of them have been taken.
+        """
         self._touched: dict[Node, bool] = {}
-        """Whether a node needs one with an error, on whatever side."""
+        """True for nodes that need one with an error, on whatever side."""
         self._reached: set[Node] = set()
-        """What the program can come to, as far as ``report`` has walked."""
+        """The nodes that the program can come to, as far as ``report`` has walked."""
         self._first = 0
         """The first node that no ``report`` has seen."""
 
@@ -75,9 +77,9 @@ class Deferred:
             self._also.setdefault(new, self._also[old])
 
     def unread(self, value: Node, evaluated: Sequence[Node], first: int | None = None) -> None:
-        """Note what was evaluated for a value and is no part of it: an argument, an element.
+        """Notes nodes that were evaluated for a value and are no part of it, such as an argument.
 
-        The value was made since there were ``first`` nodes, or after what was evaluated.
+        The value was made since there were ``first`` nodes, or after the evaluated ones.
         """
         if not self._found or not evaluated:
             return
@@ -86,7 +88,7 @@ class Deferred:
             return
         first = 1 + max(node.id for node in evaluated) if first is None else first
         seen, pending = {value}, [value]
-        for node in pending:  # It grows on the way.
+        for node in pending:  # The list grows on the way.
             if node.id >= first:
                 new = [operand for operand in node.operands if operand not in seen]
                 seen.update(new)
@@ -103,7 +105,7 @@ class Deferred:
             self._tell(self._errors(outermost, self._reached))
 
     def is_wrong(self, node: Node) -> bool:
-        """Whether a value that is needed now has errors, which are reported."""
+        """True if a value that is needed now has errors, which are reported."""
         if not self._touches(node):
             return False
         return self._tell(self._errors([node], set()))
@@ -137,7 +139,7 @@ class Deferred:
             needed.update(node.operands)
 
     def _taken(self, node: Node) -> Iterator[Node]:
-        """What a node needs, without sides that are never taken."""
+        """Yields the nodes that a node needs, without sides that are never taken."""
         yield from self._also.get(node, ())
         match node.op, node.data:
             case "select", _:
@@ -159,7 +161,7 @@ class Deferred:
                 yield from node.operands
 
     def _turned(self, loop: Node) -> Iterator[Node]:
-        """What a loop needs: not its body, if it never turns."""
+        """Yields the nodes that a loop needs: not its body, if it has no iterations."""
         assert isinstance(loop.data, Folding | Iterating)
         count, bodies = loop.operands[0], loop.data.bodies
         yield from loop.operands[: bodies.start]

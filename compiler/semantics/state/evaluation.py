@@ -23,7 +23,10 @@ from .context import Context, OpenRule, Rule
 from .scope import FAILURE, Failure, Inner, Scope, Value
 
 DEEPEST = 16
-"""So many demands may wait for each other on Python's stack; each takes about ten frames."""
+"""The number of demands that may wait for each other on Python's stack.
+
+Each takes about ten frames.
+"""
 
 
 @frozen
@@ -33,14 +36,16 @@ class Demand:
     key: Hashable
     """To meet the same key again while the value is computed is a cycle."""
     name: str
-    """What messages about a cycle call it."""
+    """The name of the value in messages about a cycle."""
     span: Span
-    """Where it is asked for."""
+    """The span that asks for it."""
     expression: ast.Expression
     scope: Scope
     finish: Callable[[Value], None]
-    """Keeps the value where it belongs, such as in ``ctx.applied`` or in an instance's ``values``;
-    whoever asked looks there."""
+    """Keeps the value where it belongs; whoever asked looks there.
+
+    This is ``ctx.applied`` or an instance's ``values``, for example.
+    """
 
 
 class Unsettled(Exception):  # noqa: N818
@@ -68,8 +73,11 @@ class _Leave:
 
 
 _Work: TypeAlias = "tuple[ast.Expression, Scope, int] | _Finish | _Leave | _Again"
-"""What is left to do. An expression comes with the place of its first operand's value, or with
-``_NEW`` as long as its operands have not been evaluated."""
+"""A task that is left to do.
+
+An expression comes with the place of its first operand's value, or with ``_NEW`` as long as its
+operands have not been evaluated.
+"""
 _NEW = -1
 
 

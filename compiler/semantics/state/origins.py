@@ -1,7 +1,7 @@
-"""Where the vertices of a surface come from that turns the primitives of a mesh into others.
+"""The origins of vertices, in a surface that turns the primitives of a mesh into others.
 
-What a mesh has at its own vertices has to get to those that are made of them: as it is at one
-corner of the primitive, or as a mean of what it is at several. ``crossings.py`` asks for that.
+Values at the vertices of the mesh have to get to the vertices that are made of them: as they are at
+one corner of the primitive, or as a mean of several. ``crossings.py`` asks for that.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ class OneCorner:
 
     number: Node
     crossing: Crossing = CORNER
-    """How a corner's value gets to the vertex."""
+    """The crossing of a corner's value to the vertex."""
     patch: MixedEnds | None = None
-    """Where the corner itself lies in its patch, if the primitive is a part of one."""
+    """The place of the corner itself in its patch, if the primitive is a part of one."""
 
     def value(self, graph: Graph, part: Node, *, is_of_instance: bool) -> Node:
         """A value of the mesh at this vertex."""
@@ -34,7 +34,7 @@ class OneCorner:
         return build.at_corner(graph, part, number, self.crossing)
 
     def of_patch(self, graph: Graph, part: Node) -> Node:
-        """What is the same all over the patch that the primitive is a part of."""
+        """A value that is the same all over the patch that the primitive is a part of."""
         assert self.patch is not None
         there = self.patch.of_patch(graph, part)
         return build.at_corner(graph, there, build.constant(graph, INT, 0), self.crossing)
@@ -48,10 +48,10 @@ class MixedEnds:
     ends: tuple[int, ...]
     """The numbers of these control points."""
     coordinate: Node
-    """Where in the patch the vertex lies."""
+    """The place of the vertex in the patch."""
 
     def value(self, graph: Graph, part: Node, *, is_of_instance: bool) -> Node:
-        """A value of the mesh at this vertex; what is no float is that of the first end."""
+        """A value of the mesh at this vertex; a value that is no float is that of the first end."""
         ends = [
             build.at_corner(graph, part, build.constant(graph, INT, end), CONTROL_POINT)
             for end in self.ends
@@ -61,7 +61,7 @@ class MixedEnds:
         return self._mixed(graph, ends)
 
     def of_patch(self, graph: Graph, part: Node) -> Node:
-        """What is the same all over the patch."""
+        """A value that is the same all over the patch."""
         return build.cross(graph, part, OF_PATCH)
 
     def _mixed(self, graph: Graph, ends: Sequence[Node]) -> Node:

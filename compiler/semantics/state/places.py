@@ -1,4 +1,4 @@
-"""Where values are written. What has a name is one node, and stands wherever the name is used."""
+"""The places where values are written. A named value is one node, with a place for each use."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from ...ir.node import Node
 
 
 class Places:
-    """All places of each node; ``spans`` has the first, which is what the other phases show."""
+    """All places of each node; ``spans`` has the first, which the other phases show."""
 
     def __init__(self, spans: dict[int, Span]) -> None:
         self._first = spans
         self._further: dict[int, list[Span]] = {}
 
     def note(self, node: Node, span: Span) -> None:
-        """A node is the value of what is written at ``span``."""
+        """Notes that a node is the value of the text at ``span``."""
         if self._first.setdefault(node.id, span) is not span:
             self._further.setdefault(node.id, []).append(span)
 
@@ -23,8 +23,11 @@ class Places:
         self._further.setdefault(new.id, []).extend(self._further.get(old.id, ()))
 
     def within(self, node: Node, around: Span) -> Span:
-        """Where a node is written inside of ``around``; the first place if it is not, as the value
-        of a slot or of a function's body that is read there; ``around`` if none is known."""
+        """The place inside of ``around`` where a node is written.
+
+        It is the first place if the node is not written there, as the value of a slot or of a
+        function's body that is read there; and ``around`` if none is known.
+        """
         first = self._first.get(node.id)
         if first is None:
             return around

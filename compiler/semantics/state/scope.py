@@ -1,4 +1,4 @@
-"""What names stand for while an expression is being checked."""
+"""Scopes: the values of names while an expression is being checked."""
 
 from __future__ import annotations
 
@@ -28,8 +28,10 @@ class Failure:
 FAILURE = Failure()
 
 OUTERMOST = -1
-"""Level −1: a name means what was given from outside (by a pass, `with` or a rig's entry), which
-wins over the record's own definitions."""
+"""Level −1: an override from outside, which wins over the record's own definitions.
+
+It is from a pass, `with` or a rig's entry.
+"""
 
 
 @record
@@ -46,23 +48,23 @@ class Instance:
     surface: Instance | None = None
     """The material instance whose slots are visible behind this record's own names."""
     parameters: Mapping[str, Node] = fresh(factory=dict)
-    """What reads each ``param``; for one light of many, a member of an array element."""
+    """The value of each ``param``; for one light of many, a member of an array element."""
     resources: Mapping[str, Node] = fresh(factory=dict)
-    """Its textures and buffers."""
+    """The textures and buffers."""
     attributes: Mapping[str, Node] = fresh(factory=dict)
     replaced: dict[str, Replacement] = fresh(factory=dict)
     made: MadeSlots | None = None
-    """Where vertices are made of those of a mesh, what the surface and the pass are made of."""
+    """The slots at vertices that are made of those of a mesh, of the surface and the pass."""
     values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
 
     @property
     def origin(self) -> Origin | None:
-        """Where vertices are made of those of a mesh, how their inputs are."""
+        """The origin of vertex inputs, where vertices are made of those of a mesh."""
         return None if self.made is None else self.made.origin
 
     @property
     def steps(self) -> tuple[MadeSlots, ...]:
-        """What makes its vertices of those of a mesh, in pipeline order."""
+        """The steps that make its vertices of those of a mesh, in pipeline order."""
         return () if self.made is None else (*self.made.base.steps, self.made)
 
     @property
@@ -71,13 +73,14 @@ class Instance:
         return VERTEX if self.made is None else self.made.stages[-1]
 
     def has(self, name: str) -> bool:
-        """Whether the record defines ``name``."""
+        """True if the record defines ``name``."""
         return name in self.record.definitions or name in self.replaced
 
     def declares(self, name: str, level: int) -> bool:
-        """Whether ``name`` was declared at ``level`` of the chain, or by an ancestor of that level.
+        """True if ``name`` was declared at ``level`` of the chain, or by an ancestor of that level.
 
-        What only a more derived record declares was unknown to whoever wrote the text of ``level``.
+        A name that only a more derived record declares was unknown to whoever wrote the text of
+        ``level``.
         """
         found = self.record.definitions.get(name)
         return found is not None and found[-1].level >= level
@@ -96,7 +99,7 @@ class Replacement:
     within: Instance | None = None
     """The instance in whose scope ``definition`` is checked."""
     made: bool = False
-    """Whether an expansion or a tessellation says which value it has at each vertex it makes."""
+    """True if an expansion or a tessellation gives it another value at each vertex it makes."""
 
 
 @frozen(eq=False)
@@ -104,44 +107,48 @@ class MadeGroup:
     """Vertices that are made alike: a group of strips of an expansion, or all of a patch."""
 
     equations: Mapping[str, ast.Slot]
-    """What is said of slots at these vertices."""
+    """The equations of slots at these vertices."""
     scope: Scope
-    """Where these are checked."""
+    """The scope in which they are checked."""
 
 
 @record
 class MadeSlots:
-    """A surface whose vertices are made of those of a mesh: what it and its pass are made of."""
+    """A surface whose vertices are made of those of a mesh, and the slots of it and its pass."""
 
     base: Instance
-    """The surface as it is at the vertices that these are made of: the mesh's own, or those of
-    divided patches."""
+    """The surface at the vertices that these are made of.
+
+    They are the mesh's own, or those of divided patches.
+    """
     passing: Instance | None
     """The pass as it is there; ``None`` where a material's mixin is checked alone."""
     corners: int
-    """How many vertices each primitive, or patch, of the mesh has."""
+    """The number of vertices of each primitive, or patch, of the mesh."""
     stages: tuple[StageRow, ...]
     """The stages that make the vertices; the last one delivers them."""
     inputs: Mapping[str, SystemInput]
-    """The names by which expressions read what the pipeline supplies."""
+    """The inputs that the pipeline supplies, by their names in expressions."""
     origin: Origin | None = None
-    """How the vertex inputs are at the vertices that are made."""
+    """The origin of the vertex inputs at the vertices that are made."""
     groups: tuple[MadeGroup, ...] = ()
     unset: Instance | None = None
-    """In a tessellation, the surface at these vertices as it is where nothing is set anew."""
+    """In a tessellation, the surface at these vertices if nothing is set anew."""
     passing_unset: Instance | None = None
     """The pass as it is there."""
     expansion: Expansion | None = None
-    """Of an expansion, what is the same for all primitives; ``None`` if it is wrong."""
+    """The expansion, which is the same for all primitives; ``None`` if it is wrong."""
     tessellation: Tessellation | None = None
-    """Likewise of a tessellation and its patches."""
+    """The tessellation, which is the same for all patches; ``None`` if it is wrong."""
     results: tuple[Result, ...] = ()
-    """What the stages deliver besides vertices: which strips there are, or a patch's levels."""
+    """The results of the stages besides vertices: which strips there are, or a patch's levels."""
     pattern: PatchPattern | None = None
-    """Of a tessellation, where the vertices of a patch lie."""
+    """The pattern of a tessellation, with the places of the vertices of a patch."""
     values: dict[tuple[int, str], Node | Failure] = fresh(factory=dict)
-    """By the number of a group and a slot's name: what the slot is at the vertices made there.
-    Checked on demand and once."""
+    """The value of a slot at made vertices, by the number of the group and the slot's name.
+
+    Each is checked on demand and once.
+    """
 
     @property
     def parts(self) -> tuple[Instance, ...]:
@@ -151,7 +158,7 @@ class MadeSlots:
         return tuple(part for part in parts if part is not None)
 
     def is_set_behind(self, instance: Instance, name: str) -> bool:
-        """Whether ``instance`` is the surface where nothing is set anew, and this slot is."""
+        """True if ``instance`` is the surface where nothing is set anew, and this slot is."""
         return instance is self.unset and any(name in group.equations for group in self.groups)
 
     def base_of(self, instance: Instance) -> Instance:
@@ -168,12 +175,15 @@ class Corners:
 
     word: str
     instance: Instance
-    """Whose slots they have: the surface, or the pass if the expansion stands there, and behind its
-    slots those of the surface."""
+    """The instance whose slots they have.
+
+    It is the surface, or the pass if the expansion stands there, and behind its slots those of the
+    surface.
+    """
     numbers: tuple[int, ...]
-    """Which vertices of the primitive they are."""
+    """The numbers of these vertices in the primitive."""
     crossing: Crossing
-    """How values get from them to where they are read."""
+    """The crossing of values from them to where they are read."""
 
 
 @frozen
@@ -181,7 +191,7 @@ class Corner:
     """``corner[k]``: a surface or a pass as it is at one of them."""
 
     instance: Instance
-    """As it is at the vertices that the corners are."""
+    """The instance at the vertices that the corners are."""
     number: Node
     crossing: Crossing
 
@@ -222,7 +232,7 @@ class FunctionParts:
 
 @frozen
 class Scope:
-    """Where a name is looked up: locals, the record's own names, the file's names, the surface."""
+    """A scope for names: locals, the record's own names, the file's names, the surface."""
 
     module: Module
     instance: Instance | None = None
@@ -231,11 +241,11 @@ class Scope:
     surface: Instance | None = None
     locals: Mapping[str, Value] = fresh(factory=dict)
     variables: Variables = fresh(factory=dict)
-    """What the type parameters of the function stand for whose body this is."""
+    """The values of type parameters, of the function whose body this is."""
     parts: FunctionParts | None = None
-    """What that function names behind ``where``."""
+    """The names of that function behind ``where``."""
     loops: int = 0
-    """How many loops of the same expression are around the text that is being checked."""
+    """The number of loops of the same expression around the text that is being checked."""
 
     def inside_loop(self, locals_: Mapping[str, Value]) -> Scope:
         """The scope of a loop's body: this one with the loop's own names."""
@@ -244,7 +254,7 @@ class Scope:
 
 @frozen
 class Inner:
-    """What a loop leaves to be evaluated under names of its own, and what is made of it then."""
+    """The part of a loop to evaluate under names of its own, and what to make of it then."""
 
     expressions: tuple[ast.Expression, ...]
     scope: Scope
@@ -256,19 +266,22 @@ class RigEntry:
     """One line of a rig: its light and where its parameters are kept."""
 
     name: str
-    """What a host calls it: ``sun``, or ``Rig.sun`` where something else is called so."""
+    """The host's name: ``sun``, or ``Rig.sun`` where that name is taken."""
     span: Span
-    """Of the name."""
+    """The span of the name."""
     record: Record
     kind: Literal["single", "array", "buffer"]
     parameters: tuple[Parameter, ...]
-    """Single: one for each ``param``. Array: the array of structs. Buffer: none, as the lights are
-    the elements of the only one of ``buffers``."""
+    """The parameters of the entry.
+
+    A single light has one for each ``param``, an array the array of structs, and a buffer none, as
+    the lights are the elements of the only one of ``buffers``.
+    """
     resources: tuple[Resource, ...]
     buffers: tuple[Buffer, ...] = ()
     bound: int = 1
     count: Parameter | None = None
-    """Of ``[<= N]`` and ``[]``: the run-time count."""
+    """The run-time count of ``[<= N]`` and ``[]``."""
     replaced: Mapping[str, Replacement] = fresh(factory=dict)
 
     @property

@@ -1,9 +1,9 @@
-"""What has been checked: typed trees, in which every use of a value stands in its own place.
+"""Typed trees: checked expressions, in which every use of a value stands in its own place.
 
-A tree is made of the graph's nodes, with the graph's operations, so that whatever can be asked of
-a graph (its types, ranges, constants) can be asked of a tree. But equal expressions are not one
-node: each stands where it is written, and messages and editors can tell them apart. Only what has a
-name is shared, as the value of a slot is by all that read it. ``lowering`` makes a graph of it.
+A tree is made of the graph's nodes, with the graph's operations, so that whatever can be asked of a
+graph (its types, ranges, constants) can be asked of a tree. But equal expressions are not one node:
+each stands where it is written, and messages and editors can tell them apart. Only values with a
+name are shared, as the value of a slot is by all that read it. ``lowering`` makes a graph of it.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from ..work import Work
 class Tree(Graph):
     """Makes nodes, and a new one whenever it is asked for one.
 
-    Only a rule that runs once more gets the nodes that it made before (``evaluation``), as what was
-    computed for it in between is known by these.
+    Only a rule that runs once more gets the nodes that it made before (``evaluation``), as values
+    computed for it in between are known by these.
     """
 
     def __init__(self, work: Work) -> None:
@@ -28,9 +28,9 @@ class Tree(Graph):
         super().__init__()
         self._work = work
         self.nodes: list[Node] = []
-        """All that were made, in order."""
+        """All nodes that were made, in order."""
         self.again: Mapping[Hashable, Node] = EMPTY
-        """What the rule made before that runs once more."""
+        """The nodes that a rule made before, if it runs once more."""
 
     def __len__(self) -> int:
         return len(self.nodes)
@@ -47,6 +47,6 @@ class Tree(Graph):
         return node
 
     def made_since(self, first: int) -> dict[Hashable, Node]:
-        """What was made since there were ``first`` nodes, to be found ``again``."""
+        """The nodes that were made since there were ``first`` of them, to be found ``again``."""
         made = self.nodes[first:]
         return {key_of(node.op, node.type, node.operands, node.data): node for node in made}

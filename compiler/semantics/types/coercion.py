@@ -33,7 +33,7 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
 
 
 def _elements(graph: Graph, node: Node, wanted: Array) -> Node | None:
-    """``[1, 2]`` as two floats: what is put together of constants adapts as they do."""
+    """``[1, 2]`` as two floats: an array of constants adapts as they do."""
     if node.op != "array" or len(node.operands) != wanted.count:
         return None
     fitted = [coerce(graph, element, wanted.element) for element in node.operands]
@@ -70,7 +70,7 @@ def _choices(root: Node) -> list[Node]:
 
 
 def is_constant(node: Node) -> bool:
-    """Whether a value is written in the program: a literal, one with a sign, or a choice."""
+    """True if a value is written in the program: a literal, one with a sign, or a choice."""
     node = bare(node)
     if node.op == "select":
         sides = (side for choice in _choices(node) for side in choice.operands[1:])
@@ -79,7 +79,7 @@ def is_constant(node: Node) -> bool:
 
 
 def is_adaptable(node: Node) -> bool:
-    """Whether a value adapts to a type that is required: a constant, or an array of constants."""
+    """True if a value adapts to a type that is required: a constant, or an array of constants."""
     node = bare(node)
     if node.op == "array":
         return all(is_constant(element) for element in node.operands)
@@ -91,7 +91,7 @@ def _is_literal(node: Node) -> bool:
 
 
 def is_negated_literal(node: Node) -> bool:
-    """Whether a value is a literal with a sign; a second sign gives the literal itself.
+    """True if a value is a literal with a sign; a second sign gives the literal itself.
 
     So no value has two of them, and nothing has to look through a long row.
     """

@@ -1,8 +1,8 @@
-"""What the type parameters of a function stand for in one call.
+"""Binds the type parameters of a function in one call.
 
 Written types of arguments are patterns (``T``, ``T[N]``, ``vec<K, N>``, ``point<S>``), which are
-matched with what the arguments are and mean. A pattern never fails because of a meaning: that a
-value is in the wrong space is told when it is fitted to the type that comes out.
+matched with the types and meanings of the arguments. A pattern never fails because of a meaning: a
+value in the wrong space is reported when it is fitted to the resulting type.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from .typenames import GENERIC_VECTOR, NAMED, Declared, Variable, Variables
 SPACES, WIDTHS, COUNTS = "spaces", "widths", "counts"
 MATRICES, TEXTURES = "matrices", "textures"
 FAMILIES = (*overloads.WRITTEN_FAMILIES, MATRICES, TEXTURES, SPACES, WIDTHS, COUNTS)
-"""What a type parameter may range over."""
+"""The families that a type parameter may range over."""
 
 SOME_SPACE, SOME_COUNT = ("world",), (16,)
-"""What stands for any space, and for any number of elements."""
+"""The examples of any space, and of any number of elements."""
 
 _WHOLE: Mapping[str, type[Matrix | Texture]] = {MATRICES: Matrix, TEXTURES: Texture}
 """Families of types without lanes that could adapt."""
@@ -35,14 +35,14 @@ _WHOLE: Mapping[str, type[Matrix | Texture]] = {MATRICES: Matrix, TEXTURES: Text
 
 @frozen
 class Use:
-    """An argument, or what is in it, where a pattern is matched with it."""
+    """An argument, or a part of it, where a pattern is matched with it."""
 
     operand: Operand
     meaning: Meaning | None
 
 
 def bind(function: ast.Function, uses: Sequence[Use]) -> Variables | None:
-    """What each type parameter stands for; ``None`` where the arguments do not say, or disagree."""
+    """The value of each type parameter; ``None`` where the arguments do not say, or disagree."""
     binding = _Binding(function)
     for formal, use in zip(function.arguments, uses, strict=True):
         if not binding.match(formal.type, use):
@@ -51,7 +51,7 @@ def bind(function: ast.Function, uses: Sequence[Use]) -> Variables | None:
 
 
 def examples(function: ast.Function) -> Iterator[Variables]:
-    """What the type parameters of a function may stand for, each combination once.
+    """Possible values of the type parameters of a function, each combination once.
 
     Any space and any number of elements are like all others.
     """
@@ -98,7 +98,7 @@ def _names(written: ast.TypeName) -> list[str]:
 
 
 def shown(name: str, variables: Variables) -> str:
-    """A generic function with what its parameters stand for, as messages call it."""
+    """A generic function with the values of its type parameters, as messages show it."""
     values = (v.text if isinstance(v, Declared) else str(v) for v in variables.values())
     known = [value for value in values if value]
     return f"{name}<{', '.join(known)}>" if known else name
@@ -111,7 +111,7 @@ class _Binding:
         self._known: dict[str, Variable] = {}
 
     def match(self, pattern: ast.TypeName, use: Use) -> bool:
-        """Learn from one argument; False where it cannot be what is written."""
+        """Learns from one argument; False where it cannot have the written type."""
         if pattern.count is not None:
             matched = self._array(pattern.count, use)
             if matched is None:
@@ -176,7 +176,7 @@ class _Binding:
 
 
 def _common(family: str, uses: Sequence[Use]) -> Declared | None:
-    """The one type of a family for all arguments of a type parameter, with what they all mean."""
+    """The one type of a family for all arguments of a type parameter, with their common meaning."""
     if not uses:
         return None
     operands = [use.operand for use in uses]
@@ -194,7 +194,7 @@ def _common(family: str, uses: Sequence[Use]) -> Declared | None:
 
 
 def _shared(uses: Sequence[Use], type_: Type) -> Meaning | None:
-    """What the arguments of the common type mean; where they disagree, what the first one does."""
+    """The common meaning of arguments of the common type; where they disagree, the first one's."""
     first: Meaning | None = None
     for use in uses:
         if use.operand.type == type_:

@@ -1,4 +1,4 @@
-"""The algebra of meanings: what an operation of meaningful values means, and which ones have none.
+"""The typing rules of meanings: the meaning of each operation's result, or why it has none.
 
 One rule for each way of working, named by the ``meaning`` column of the builtins' rows. A rule sees
 only meanings and types. A side without a meaning is a bare number, which fits everywhere: rules
@@ -25,8 +25,11 @@ class Side:
     type: Type
     meaning: Meaning | None
     equal: bool = False
-    """Whether it is a bare number, or that number in every lane: it may be a distance or a factor
-    as well as a vector. What was declared to have a meaning has it, whatever its lanes are."""
+    """True if it is a bare number, or that number in every lane.
+
+    It may then be a distance or a factor as well as a vector. A value that was declared to have a
+    meaning has it, whatever its lanes are.
+    """
 
 
 @frozen
@@ -49,7 +52,7 @@ def side(node: Node, meaning: Meaning | None) -> Side:
     return Side(node.type, meaning, alike and meaning is None)
 
 
-# --- what several rules share --------------------------------------------------------------------
+# --- shared by several rules ---------------------------------------------------------------------
 
 
 def family(meaning: Meaning) -> str:
@@ -61,7 +64,7 @@ def family(meaning: Meaning) -> str:
 
 
 def fits(found: Meaning | None, wanted: Meaning | None) -> bool:
-    """Whether a value of one meaning may stand where another is wanted; bare numbers always do."""
+    """True if a value of one meaning may stand where another is wanted; bare numbers always may."""
     if found is None or wanted is None or found == wanted:
         return True
     arrows = found.kind in ARROWS and wanted.kind in ARROWS
@@ -87,7 +90,7 @@ def apart(sides: tuple[Side, ...]) -> Clash | None:
 
 
 def joined(one: Meaning | None, other: Meaning | None) -> Meaning | None:
-    """The meaning of what may be either of two values that are not ``apart``, if there is one."""
+    """The meaning of a value that may be either of two that are not ``apart``, if there is one."""
     if one is None or other is None:
         return weakened(one or other)
     if one == other:
@@ -220,7 +223,7 @@ def _bare_moved(by: Meaning | None, other: Side) -> Meaning | None:
 
 
 def moved(by: Meaning, what: Meaning) -> Meaning | Clash:
-    """What a transform or basis makes of a point or vector that stands to its right."""
+    """The meaning of a point or vector that a transform or basis to its left has moved."""
     if what.kind not in GEOMETRY:
         return Clash(rules.MIXED_MEANINGS, 0, 1)
     if what.spaces != by.spaces[:1]:
@@ -249,12 +252,12 @@ def _negation(sides: tuple[Side, ...], _result: Type) -> Found:
 
 
 def _numbers(sides: tuple[Side, ...], _result: Type) -> Found:
-    """What comes out is a mere number."""
+    """The rule of operations whose result is a mere number."""
     return apart(sides)
 
 
 def _lanes(sides: tuple[Side, ...], result: Type) -> Found:
-    """Colours stay colours; what is done to single coordinates leaves no geometry."""
+    """The rule of operations lane by lane: colours stay colours, and geometry is lost."""
     known = _first(sides)
     clash = apart(sides)
     if clash is not None or known is None or known.kind not in COLORS:
@@ -263,7 +266,7 @@ def _lanes(sides: tuple[Side, ...], result: Type) -> Found:
 
 
 def _limits(sides: tuple[Side, ...], result: Type) -> Found:
-    """As ``_lanes``, and angles stay angles."""
+    """Like ``_lanes``, and angles stay angles."""
     found = _lanes(sides, result)
     is_angle = _first(sides) == ANGLE and isinstance(result, Scalar)
     return ANGLE if found is None and is_angle else found
@@ -283,7 +286,7 @@ def _blend(sides: tuple[Side, ...], _result: Type) -> Found:
 
 
 def _change(sides: tuple[Side, ...], _result: Type) -> Found:
-    """From one pixel to the next: of a point, the vector between them."""
+    """The rule of differences between pixels: that of a point is the vector between them."""
     (only,) = (s.meaning for s in sides)
     if only is not None and only.kind in GEOMETRY:
         return Meaning("vector", only.spaces)
@@ -353,7 +356,7 @@ RULES: Mapping[str, AlgebraRule] = {
     "turned": _turned,
     "reversed": _reversed,
 }
-"""By the ``meaning`` of a builtin's row."""
+"""The rules, by the ``meaning`` of a builtin's row."""
 
 
 def chosen(sides: tuple[Side, ...]) -> Found:
@@ -368,7 +371,7 @@ def chosen(sides: tuple[Side, ...]) -> Found:
 
 
 def gathered(sides: Sequence[Side]) -> Found:
-    """What all elements of an array mean; a bare number among them means what the others do."""
+    """The meaning of all elements of an array; a bare number among them has that of the others."""
     last, found = 0, sides[0].meaning
     for i, each in enumerate(sides[1:], 1):
         together = chosen((Side(each.type, found), each))

@@ -1,4 +1,4 @@
-"""What each node means: derived from its operands when asked for, and kept.
+"""The meaning of each node: derived from its operands when asked for, and kept.
 
 Meanings begin at ascriptions (nodes ``as``), which semantics makes where something was declared:
 parameters, attributes, typed slots, arguments, colours, angles. ``erased`` takes them out again.
@@ -27,7 +27,7 @@ class Meanings:
         self._known: dict[Node, Meaning | None] = {}
 
     def of(self, node: Node) -> Meaning | None:
-        """What ``node`` means; ``None`` for a bare number."""
+        """The meaning of ``node``; ``None`` for a bare number."""
         if node.op not in _RULES:
             return None
         known = self._known
@@ -51,7 +51,7 @@ class Meanings:
         return known[node]
 
     def keep(self, node: Node, meaning: Meaning | None) -> None:
-        """Remember what was worked out for ``node`` already."""
+        """Remembers a meaning that was worked out for ``node`` already."""
         self._known[node] = meaning
 
     def ascribed(self, node: Node, meaning: Meaning | None) -> Node:
@@ -62,7 +62,7 @@ class Meanings:
 
 
 MARKS = ("as", "called")
-"""What semantics notes in the graph, and no pass ever sees."""
+"""Operations that semantics notes in the graph, and no pass ever sees."""
 
 
 def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:

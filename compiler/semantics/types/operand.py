@@ -1,6 +1,6 @@
-"""What resolution of overloads needs to know of an operand.
+"""The properties of an operand for overload resolution.
 
-It is part of keys more often than anything else, and so a named tuple, whose hash is fast.
+An operand is part of keys more often than anything else, and so a named tuple, whose hash is fast.
 """
 
 # Annotations are evaluated in this module: a named tuple compiles those that are texts, and to load

@@ -1,8 +1,8 @@
-"""Which signature of a builtin fits which operands.
+"""Finds the signature of a builtin that fits the operands.
 
-What fits as it is (``ir/signatures.py``) comes first. Beyond that, constants adapt: an integer
-literal may stand for a float, and a scalar may stand for a vector of equal lanes where the letter's
-family has both.
+A signature that fits without conversions (``ir/signatures.py``) comes first. Beyond that, constants
+adapt: an integer literal may stand for a float, and a scalar may stand for a vector of equal lanes
+where the letter's family has both.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def operand(node: Node) -> Operand:
 
 
 def takes(name: str, count: int) -> bool:
-    """Whether some signature of ``name`` has ``count`` operands."""
+    """True if some signature of ``name`` has ``count`` operands."""
     return any(len(parsed(signature)[0]) == count for signature in BUILTINS[name].signatures)
 
 
@@ -92,7 +92,7 @@ def signatures(row: Builtin) -> str:
 
 
 def adapts(operand: Operand, kind: ScalarKind) -> bool:
-    """Whether an operand's lanes have ``kind``, or are a constant that can be taken as it."""
+    """True if an operand's lanes have ``kind``, or are a constant that can be taken as it."""
     found = scalar_kind(operand.type)
     return found == kind or (operand.constant and found == "int" and kind in NUMBER_KINDS)
 

@@ -1,7 +1,7 @@
-"""Written types to representation types.
+"""Resolves written types to representation types.
 
-Geometry types name a space (``point<world>``), which has to exist. A written type says what a value
-is on the machine, what it means beyond that, and what holds of it by contract.
+Geometry types name a space (``point<world>``), which has to exist. A written type says the
+representation of a value on the machine, its meaning, and the facts that hold by contract.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ HOMOGENEOUS = "clip"
 
 @frozen
 class Named:
-    """A type with a name: representation, how many spaces it names, and what holds by contract."""
+    """A type with a name: representation, number of spaces that it names, and contract."""
 
     representation: Type
     spaces: int = 0
@@ -92,16 +92,16 @@ class Declared:
 
     type: Type
     text: str
-    """As the user wrote it, for the reflection and for messages."""
+    """The type as the user wrote it, for the reflection and for messages."""
     fact: Fact = UNKNOWN
-    """What holds by contract; of a structure's or array's vectors, too."""
+    """The fact that holds by contract; of a structure's or array's vectors, too."""
     meaning: Meaning | None = None
     members: tuple[tuple[str, Declared], ...] = ()
-    """Of a struct."""
+    """The members of a struct."""
 
 
 Variable = Declared | str | int
-"""What a type parameter stands for: a type, a space (empty where none is known), or a number."""
+"""The value of a type parameter: a type, a space (empty if unknown), or a number."""
 _RENAMED: Mapping[str, str] = {"frame": "basis"}
 """Types that had another name in an earlier version of the language."""
 
@@ -109,7 +109,7 @@ Variables = Mapping[str, Variable]
 
 
 _SEMANTICS = re.compile(r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINORMAL)[0-9]*", re.I)
-"""What HLSL writes behind the members of a structure, and behind functions."""
+"""The semantics that HLSL writes behind the members of a structure, and behind functions."""
 
 
 def described(name: ast.TypeName) -> str:
@@ -125,7 +125,7 @@ def _written(word: str, arguments: Sequence[str]) -> str:
 
 
 class TypeResolver:
-    """Looks written types up; reports what it cannot find."""
+    """Looks written types up; reports those that it cannot find."""
 
     def __init__(self, report: Report) -> None:
         self._report = report
@@ -205,9 +205,9 @@ class TypeResolver:
 
 @lru_cache(maxsize=1024)
 def _named(word: str, arguments: tuple[str, ...], spaces: tuple[str, ...]) -> Declared:
-    """The type that ``word`` names; where a space among its arguments is unknown, ``spaces`` lacks
-    it, and the type has no meaning.
+    """The type that ``word`` names.
 
+    Where a space among its arguments is unknown, ``spaces`` lacks it, and the type has no meaning.
     A compile asks for the same few types again and again.
     """
     named = NAMED[word]
@@ -228,7 +228,7 @@ def structure(type_: Struct, name: str, members: tuple[tuple[str, Declared], ...
 
 
 def _elsewhere(name: ast.Name) -> Hint:
-    """What a type is called here that has its name in another language, or had it before."""
+    """The hint for a type that has another name here than in another language, or than before."""
     from ....stdlib.builtins.elsewhere import TYPES
 
     if name.text in _RENAMED:

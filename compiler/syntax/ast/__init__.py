@@ -1,4 +1,4 @@
-"""The abstract syntax tree: what was written, with its span, before anything is looked up.
+"""The abstract syntax tree: the written text, with spans, before anything is looked up.
 
 All nodes are frozen and slotted. ``builder.py`` makes them, and nothing changes them later.
 """

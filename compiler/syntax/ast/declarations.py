@@ -1,4 +1,4 @@
-"""What stands in a file by itself: imports, records, functions, rigs and the rest."""
+"""Declarations of a file: imports, records, functions, rigs and the rest."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Mixin:
     span: Span
     doc: str
     kind: RecordKind
-    """Of the records that it is for."""
+    """The kind of the records that it is for."""
     name: Name
     members: tuple[Member, ...]
 
@@ -90,14 +90,19 @@ class Function:
 
 
 LightNumber = Literal["one", "exactly", "at_most", "any"]
-"""How many lights an entry of a rig is: one, or an array of as many as is said, of at most so many,
-or of any number."""
+"""The number of lights that an entry of a rig stands for.
+
+It is one; or an array of exactly as many as written, of at most so many, or of any number.
+"""
 
 
 @frozen(eq=False)
 class RigEntry:
-    """``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, ``all : Lamp[]``, with
-    overrides."""
+    """An entry of a rig:
+
+    ``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, ``all : Lamp[]``. Overrides may
+    follow.
+    """
 
     span: Span
     doc: str
@@ -110,7 +115,7 @@ class RigEntry:
 
 @frozen(eq=False)
 class Rig:
-    """Which lights shine."""
+    """A rig: the lights that shine."""
 
     span: Span
     doc: str
@@ -158,7 +163,7 @@ class ExternBlock:
     doc: str
     name: Name
     group: Name | None
-    """How often the host changes it; ``frame`` if nothing is written."""
+    """The group, which says how often the host changes it; ``frame`` if nothing is written."""
     bind_group: Number
     binding: Number
     members: tuple[ExternMember, ...]

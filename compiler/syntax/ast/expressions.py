@@ -169,7 +169,7 @@ class Turns:
 
 
 FoldWord = Literal["sum", "product", "min", "max", "any", "all", "each"]
-"""``each`` makes layers of what a frame draws, and has no meaning elsewhere."""
+"""``each`` makes layers of a frame's draws, and has no meaning elsewhere."""
 
 
 @frozen(eq=False)
@@ -185,7 +185,7 @@ class Fold:
 
 @frozen(eq=False)
 class FoldOver:
-    """``sum lamp in rig : e``, ``each face in cube : e``: what a frame repeats, over no range."""
+    """``sum lamp in rig : e``, ``each face in cube : e``: a frame's repetition, over no range."""
 
     span: Span
     operator: FoldWord

@@ -20,19 +20,21 @@ from .expressions import Expression, Name, TypeName
 from .members import RECORD_KINDS, Member, NamedMember, ReadMember, RecordKind
 
 Inheritance = Literal["overridden", "replaced", "gathered"]
-"""What becomes of a member that a base or a mixin has:
+"""The way in which a record inherits a member of a base or a mixin.
 
-- ``overridden``: its name means a value. The nearest definition of the name is what it means, and
-  ``inherited.name`` reads what the next one further up says. Kinds may override each other.
+- ``overridden``: its name means a value. The nearest definition counts, and ``inherited.name``
+  reads the next one further up. Kinds may override each other.
 - ``replaced``: nothing reads it. Of one name, or of the kind if it has no names, the nearest one
   counts.
 - ``gathered``: it has no name, and those of the whole chain count together.
 """
 
 Contribution = Literal["parameter", "resource", "attribute", "value", "result", "drawn"]
-"""What a shader gets of a member: a value that the host sets, a texture or a buffer that it binds,
-an input of the vertices, something computed that others read, something that the shader delivers,
-or something that is drawn."""
+"""The contribution of a member to a shader.
+
+It is a value that the host sets, a texture or a buffer that it binds, an input of the vertices, a
+value that others read, a result of the shader, or something that is drawn.
+"""
 
 
 @frozen
@@ -43,10 +45,10 @@ class MemberKind:
     """The word that it begins with; empty for an equation, which begins with its name."""
     node: type[Member]
     productions: Mapping[str, Callable[..., Member]]
-    """The productions of ``burnish.lark`` that read it, each with what makes the node.
+    """The productions of ``burnish.lark`` that read it, each with the function that makes the node.
 
     They are called with the span, with the doc comment if the node has a field ``doc``, and with
-    what the production hands over.
+    the parts of the production.
     """
     opening: tuple[str, ...]
     """Symbols that follow the word in every such member, up to one that tells it from an equation.
@@ -58,21 +60,24 @@ class MemberKind:
     inheritance: Inheritance
     contribution: Contribution
     form: str
-    """How it is written, as messages and the manual say it."""
+    """The form of a member, as messages and the manual show it."""
     doc: str
-    """What it is for, as the manual says it."""
+    """The purpose of such members, as the manual tells it."""
     has_default: bool = False
-    """Whether ``= …`` may follow its type."""
+    """True if ``= …`` may follow its type."""
 
     @property
     def places(self) -> str:
-        """Where it may stand, as messages list it: ``a material, a light or a pass``."""
+        """The records in which it may stand, as messages list them:
+
+        ``a material, a light or a pass``.
+        """
         *others, last = (f"a {record}" for record in self.records)
         return f"{', '.join(others)} or {last}" if others else last
 
     @property
     def is_named(self) -> bool:
-        """Whether it has a name."""
+        """True if it has a name."""
         return "name" in self.node.__match_args__
 
 
@@ -392,12 +397,12 @@ def kind_of(member: Member | NamedMember) -> MemberKind:
 
 
 def is_named(member: Member) -> TypeGuard[NamedMember]:
-    """Whether a member has a name."""
+    """True if a member has a name."""
     return kind_of(member).is_named
 
 
 def only_one(member: Member) -> Name | None:
-    """What a record may declare only once: the member's name or, if it has none, its kind."""
+    """The key of which a record may have one member only: its name or, without one, its kind."""
     if is_named(member):
         return member.name
     kind = kind_of(member)
@@ -405,5 +410,5 @@ def only_one(member: Member) -> Name | None:
 
 
 def is_read(member: Member) -> TypeGuard[ReadMember]:
-    """Whether the name of a member means a value in expressions."""
+    """True if the name of a member means a value in expressions."""
     return kind_of(member).inheritance == "overridden"

@@ -39,14 +39,14 @@ class Map:
     type: TypeName
     group: Name | None
     default: Name | None
-    """A word for what a host may bind that has no picture; or a step of the light's own."""
+    """A word for a texture that a host may bind if it has no picture; or a step of the light."""
     result: Name | None
-    """What that step leaves: in frames the light brings the texture itself."""
+    """The result of that step: in frames the light brings the texture itself."""
     state: tuple[tuple[Name, Name], ...]
 
     @property
     def brought(self) -> Field | None:
-        """The expression for what a step leaves, if that is what the texture is."""
+        """The expression for a result of a step, if the texture is one."""
         if self.default is None or self.result is None:
             return None
         span = self.default.span
@@ -89,7 +89,7 @@ class Slot:
 
 @frozen(eq=False)
 class Blending:
-    """``blend alpha { mask = rgb }``: a state that has a name, and what is set besides."""
+    """``blend alpha { mask = rgb }``: a state that has a name, and further settings."""
 
     span: Span
     mode: Name | None
@@ -98,7 +98,7 @@ class Blending:
 
 @frozen(eq=False)
 class Target:
-    """``target color : rgba8 = e blend alpha``: what a pass writes to one render target."""
+    """``target color : rgba8 = e blend alpha``: the value that a pass writes to a render target."""
 
     span: Span
     doc: str
@@ -110,7 +110,7 @@ class Target:
 
 @frozen(eq=False)
 class Clear:
-    """``clear { color = #112233, depth = 0 }``: what is there before a pass draws."""
+    """``clear { color = #112233, depth = 0 }``: the contents before a pass draws."""
 
     span: Span
     values: tuple[Slot, ...]
@@ -133,7 +133,7 @@ class Layers:
 
 
 Settings = tuple[tuple[Name, Expression], ...]
-"""What is set, each with its value: a word, which is a reference then, or a constant."""
+"""Settings, each with its value: a word, which is a reference then, or a constant."""
 
 
 @frozen(eq=False)
@@ -146,7 +146,7 @@ class Raster:
 
 @frozen(eq=False)
 class Depth:
-    """``depth { compare = less_equal, write = false }``: what a pass does with depths."""
+    """``depth { compare = less_equal, write = false }``: the depth test of a pass."""
 
     span: Span
     settings: Settings
@@ -154,8 +154,7 @@ class Depth:
 
 @frozen(eq=False)
 class Stencil:
-    """``stencil { compare = equal, front.pass = invert }``: what a pass does with the small whole
-    numbers beside the depths."""
+    """``stencil { compare = equal, front.pass = invert }``: the stencil test of a pass."""
 
     span: Span
     settings: Settings
@@ -163,7 +162,7 @@ class Stencil:
 
 @frozen(eq=False)
 class Capture:
-    """``capture place : vec3 = e``: what a pass keeps of each vertex."""
+    """``capture place : vec3 = e``: a value of each vertex that a pass keeps."""
 
     span: Span
     doc: str
@@ -173,8 +172,11 @@ class Capture:
 
 
 StripShape = Literal["strip", "list", "line", "points"]
-"""Triangles that each share two vertices with the one before, or that share none; lines from each
-vertex to the next one; or points."""
+"""The shape of strips.
+
+``strip``: triangles that each share two vertices with the one before. ``list``: triangles that
+share none. ``line``: lines from each vertex to the next one. ``points``: points.
+"""
 
 
 @frozen(eq=False)
@@ -184,11 +186,11 @@ class Strips:
     span: Span
     shape: StripShape
     count: Expression
-    """How many vertices each of the strips has."""
+    """The number of vertices of each of the strips."""
     vertex: Name | None
-    """What the number of a vertex in its strip is called."""
+    """The name of the number of a vertex in its strip."""
     turns: Turns | None
-    """How many strips there are, and what the number of one is called."""
+    """The number of strips, and the name of the number of one."""
     condition: Expression | None
     like: Expression | None
     """The corner whose values slots have that are not set."""
@@ -197,7 +199,7 @@ class Strips:
 
 @frozen(eq=False)
 class Expand:
-    """``expand point { strip of 4 as i { … } }``: what becomes of each primitive of a mesh."""
+    """``expand point { strip of 4 as i { … } }``: the expansion of each primitive of a mesh."""
 
     span: Span
     doc: str
@@ -207,30 +209,32 @@ class Expand:
 
 @frozen(eq=False)
 class Tessellate:
-    """``tessellate triangle by e as at { … }``: what each patch of a mesh is divided into."""
+    """``tessellate triangle by e as at { … }``: the division of each patch of a mesh."""
 
     span: Span
     doc: str
     patch: Name
     points: Expression | None
-    """How many control points a patch has."""
+    """The number of control points of a patch."""
     ends: tuple[Expression, ...] | None
     """The numbers of those that are its corners."""
     spacing: Name | None
     level: Expression
-    """Into how many steps an edge is divided."""
+    """The level of edges: into how many steps an edge is divided."""
     inside: Expression | None
     lines: Expression | None
-    """How many lines a patch of isolines has."""
+    """The number of lines of a patch of isolines."""
     coordinate: Name | None
-    """What the place of a vertex in its patch is called."""
+    """The name of the place of a vertex in its patch."""
     equations: tuple[Slot, ...]
 
 
 @frozen(eq=False)
 class Result:
-    """``result after : T[n] = e``: what a kernel writes to each of ``n`` elements; or
-    ``result totals : T[] per group = e``, to one for each work group."""
+    """``result after : T[n] = e``: the value that a kernel writes to each of ``n`` elements.
+
+    ``result totals : T[] per group = e`` is one for each work group.
+    """
 
     span: Span
     doc: str
@@ -241,12 +245,12 @@ class Result:
 
 
 Scattering = Literal["add", "min", "max", "and", "or"]
-"""How a value is joined with what an element has. The order in which that happens never matters."""
+"""The operator that joins a value with an element; the order of joining never matters."""
 
 
 @frozen(eq=False)
 class Scatter:
-    """``scatter bins : uint[n] add 1u at i where c``: what invocations join with elements."""
+    """``scatter bins : uint[n] add 1u at i where c``: values to join with elements."""
 
     span: Span
     doc: str
@@ -282,7 +286,7 @@ class Models:
     doc: str
     name: Name
     material: Name | None
-    """What the materials of these models extend."""
+    """The base of the materials of these models."""
 
 
 @frozen(eq=False)
@@ -312,7 +316,7 @@ class NamedMember(Protocol):
 
     @property
     def doc(self) -> str:
-        """Its doc comment."""
+        """The doc comment of the member."""
 
     @property
     def name(self) -> Name:

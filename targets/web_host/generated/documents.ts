@@ -1,63 +1,63 @@
 // Generated from the records of documents (compiler/documents, documents.py) by the tests: do not edit.
 
-/** What a target of the pass, or its depths, is drawn to. */
+/** An attachment: a texture that a target of the pass, or its depths, is drawn to. */
 export interface AttachmentRow {
   /** The target of the pass, or `depth`. */
   name: string;
   /** The result. */
   result: string;
-  /** Its texture. */
+  /** Texture. */
   texture: number;
-  /** The layer that is drawn to; null for all of them, as the reflection's `draw.layers` says. */
+  /** The layer that is drawn to; null for all, as the reflection's `draw.layers` says. */
   layer: number | null;
   /** The mip level. */
   level: number;
-  /** Whether what is there is kept or cleared. */
+  /** Start of the step: keep the contents, or clear them. */
   load: "load" | "clear";
   /**
-   * The number of the value that it is cleared to: a `vec4`, or a `float` of depths; null for
-   * transparent black, or a depth of 1. What the pass itself says is contained in it.
+   * Number of the value that it is cleared to: a `vec4`, or a `float` of depths. Null for
+   * transparent black, or a depth of 1. The value of the pass itself is contained in it.
    */
   clear: number | null;
-  /** Whether anybody needs what is drawn. */
+  /** True if anybody reads the result. */
   store: boolean;
   /**
-   * Where the mean of each texel's samples is written behind the step, of a texture with several;
-   * null if nobody reads it.
+   * Texture to which the mean of each texel's samples is written behind the step. It is that of an
+   * attachment with several samples; null if nobody reads it.
    */
   resolve: ResolveRow | null;
   /** The result that is there before and is drawn over. */
   over: string | null;
-  /** What becomes of the stencil values beside depths; null if there are none. */
+  /** Handling of the stencil values beside depths; null if there are none. */
   stencil: StencilLoad | null;
 }
 
-/** What one profile's text says. */
+/** One profile's texts. */
 export interface BackendRow {
-  /** Where the statements of each file come from, by file name. */
+  /** The origin of the statements of each file, by file name. */
   source_maps: Record<string, SourceMapRow>;
   /** Language of the text: `hlsl`, `glsl`, `wgsl` … */
   language: string;
   /** Depth range of clip space that the text writes. */
   clip_depth: "0..1" | "-1..1";
   /**
-   * What a host gives to OpenGL's `glClipControl`: its origin and its depth mode. Empty where a
-   * host does not call it.
+   * The arguments that a host gives to OpenGL's `glClipControl`: its origin and its depth mode.
+   * Empty where a host does not call it.
    */
   clip_control: string[];
-  /** Whether the text negates clip y. */
+  /** True if the text negates clip y. */
   flip_y: boolean;
   /** Winding that a host has to set as front, in the API's own terms. */
   front_face: "ccw" | "cw";
-  /** Which row of the picture comes first in the framebuffer's memory. */
+  /** The row of the picture that comes first in the framebuffer's memory. */
   first_row: "top" | "bottom";
   /** Emitted files. */
   files: FileRow[];
   /** Blocks by name. */
   blocks: Record<string, BlockBindingRow>;
   /**
-   * Images that a kernel writes, by name; none where it is a full-screen pass, of which they are
-   * the render targets.
+   * Images that a kernel writes, by name. There are none where the kernel is a full-screen pass,
+   * whose render targets they are.
    */
   images: Record<string, BindingRow>;
   /** Storage buffers by name. */
@@ -69,14 +69,15 @@ export interface BackendRow {
   /** Vertex inputs by name. */
   vertex_inputs: Record<string, VertexInputNameRow>;
   /**
-   * How a host captures vertices: as the text says, by the names of outputs that it gives before
-   * linking, by their semantics; null where the profile has no stream output.
+   * The way in which a host captures vertices. `text`: as the text says. `names`: by the names of
+   * outputs that it gives before linking. `semantics`: by their semantics. Null where the profile
+   * has no stream output.
    */
   stream_output: "text" | "names" | "semantics" | null;
   /**
-   * The outputs that hold captured values, by name of the value: those that OpenGL is told before
-   * it links, or whose semantics Direct3D's stream output names. Empty where the profile has no
-   * stream output, or a kernel captures.
+   * The outputs that hold captured values, by name of the value. OpenGL is told them before it
+   * links, or Direct3D's stream output names their semantics. Empty where the profile has no stream
+   * output, or a kernel captures.
    */
   captures: Record<string, VertexInputNameRow>;
   /** Loose float uniforms that the host sets besides the blocks. */
@@ -84,21 +85,21 @@ export interface BackendRow {
 }
 
 /**
- * From here on, a texture is used in another way. What was written before has to be there;
- * `undefined` means that it has no contents yet.
+ * A change of a texture's use from here on. Earlier writes have to be complete; `undefined` means
+ * that the texture has no contents yet.
  */
 export interface BarrierRow {
-  /** Whether the barrier stands in the first frame only. */
+  /** True if the barrier stands in the first frame only. */
   only_first: boolean;
   /** The texture. */
   texture: number;
-  /** How it was used. */
+  /** Use before. */
   before: "undefined" | "target" | "depth" | "image" | "sampled" | "copied_from" | "copied_to";
-  /** How it is used. */
+  /** Use from here on. */
   after: "target" | "depth" | "image" | "sampled" | "copied_from" | "copied_to";
 }
 
-/** Where a texture or sampler is bound. */
+/** The binding of a texture or sampler. */
 export interface BindingRow {
   /** Name in the text. */
   identifier: string;
@@ -106,33 +107,33 @@ export interface BindingRow {
   group: number | null;
   /** Number within the group; null where the host binds by name. */
   binding: number | null;
-  /** What the language itself calls the binding, `b0` in HLSL; null where it has no word for it. */
+  /** Name of the binding in the language itself, `b0` in HLSL; null where it has none. */
   register: string | null;
 }
 
-/** How a target is blended. */
+/** The blending of a target. */
 export interface Blend {
   color: BlendEquation;
   alpha: BlendEquation;
 }
 
 /**
- * What is kept of two colours, or of two alphas: `source * src operation destination * dst`. Where
+ * The equation of two colours, or of two alphas: `source * src operation destination * dst`. Where
  * the operation has no factors, both are `one`, as WebGPU wants them.
  */
 export interface BlendEquation {
   /**
-   * By what the colour that is drawn is multiplied: `src` is what is drawn, `dst` what is there,
-   * and `constant` what the host sets for the whole pass.
+   * The factor of the colour that is drawn. `src` is the colour that is drawn, `dst` the one in the
+   * target, and `constant` the one that the host sets for the whole pass.
    */
   source: "zero" | "one" | "src" | "one_minus_src" | "src_alpha" | "one_minus_src_alpha" | "dst" | "one_minus_dst" | "dst_alpha" | "one_minus_dst_alpha" | "src_alpha_saturated" | "constant" | "one_minus_constant";
-  /** By what the colour that is there is multiplied. */
+  /** The factor of the colour in the target. */
   destination: "zero" | "one" | "src" | "one_minus_src" | "src_alpha" | "one_minus_src_alpha" | "dst" | "one_minus_dst" | "dst_alpha" | "one_minus_dst_alpha" | "src_alpha_saturated" | "constant" | "one_minus_constant";
-  /** How the products are joined: `subtract` takes the second one from the first. */
+  /** The operation that joins the products: `subtract` takes the second one from the first. */
   operation: "add" | "subtract" | "reverse_subtract" | "min" | "max";
 }
 
-/** Where a block is bound. */
+/** The binding of a block. */
 export interface BlockBindingRow {
   /** Name in the text. */
   identifier: string;
@@ -140,7 +141,7 @@ export interface BlockBindingRow {
   group: number | null;
   /** Number within the group; null where the host binds by name. */
   binding: number | null;
-  /** What the language itself calls the binding, `b0` in HLSL; null where it has no word for it. */
+  /** Name of the binding in the language itself, `b0` in HLSL; null where it has none. */
   register: string | null;
   /** Identifiers in the text by member name in the block. */
   members: Record<string, string>;
@@ -148,7 +149,7 @@ export interface BlockBindingRow {
 
 /** One member. */
 export interface BlockMember {
-  /** Suggested identifier; each backend says what it became. */
+  /** Suggested identifier; each backend says its final name. */
   name: string;
   /** Stored type. */
   type: string;
@@ -165,22 +166,21 @@ export interface BlockRow {
   /** Name by which other parts of this document refer to it. */
   name: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
-  /** Whether the host computes its contents from other parameters. */
+  /** True if the host computes its contents from other parameters. */
   derived: boolean;
-  /**
-   * Whether the file says of it that the host owns it: names, offsets and binding are the host's.
-   */
+  /** True if the file says that the host owns it: names, offsets and binding are the host's. */
   extern: boolean;
   /** Bytes, a multiple of 16. */
   size: number;
   /** Stages that read it. */
   stages: string[];
   /**
-   * A digest of the members, with their types and offsets, and of the structs: blocks with one id
-   * have the same bytes for the same values, whatever material they are of.
+   * A digest of the members, with their types and offsets, and of the structs. Blocks with one id
+   * have the same bytes for the same values, in whatever material.
    */
   layout_id: string;
   /**
@@ -199,24 +199,23 @@ export interface BoundStep {
   type: string;
   args: [];
   /**
-   * Which enclosing variable it is, counted outwards from 0. Outside of all bodies that is the
-   * number of the element.
+   * The enclosing variable, counted outwards from 0. Outside of all bodies, this is the number of
+   * the element.
    */
   binder: number;
 }
 
 /**
- * From here on, the buffer of a result is used in another way. What was written before has to be
- * there, and what was read before has been read.
+ * A change of a result's buffer's use from here on. Earlier writes and reads have to be complete.
  */
 export interface BufferBarrierRow {
   /** The result. */
   result: string;
-  /** How it was used; `undefined` means that its contents do not matter. */
+  /** Use before; `undefined` means that its contents do not matter. */
   before: "undefined" | "written" | "read";
-  /** How it is used. */
+  /** Use from here on. */
   after: "written" | "read";
-  /** Whether the barrier stands in the first frame only. */
+  /** True if the barrier stands in the first frame only. */
   only_first: boolean;
 }
 
@@ -229,7 +228,8 @@ export interface BufferRow {
   /** The type on the machine: `vec3[]`. */
   representation: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /**
@@ -274,18 +274,18 @@ export interface CameraRow {
 
 /** Captured vertices: all values of a vertex without gaps, one vertex behind the other. */
 export interface CaptureRow {
-  /** What the captured vertices are: points, lines of two each, or triangles of three each. */
+  /** Captured primitives: points, lines of two vertices each, or triangles of three each. */
   primitive: "point" | "line" | "triangle";
-  /** How many vertices come of each primitive that is drawn, at most. */
+  /** Largest number of vertices for each primitive that is drawn. */
   vertices: number;
   /** Bytes of each vertex. */
   stride: number;
   /** The result that has the vertices, where a kernel captures; null for a stream output. */
   buffer: string | null;
   /**
-   * Where a kernel writes of each vertex, behind its values, whether it is there, 1 or 0: in bytes
-   * from where the vertex begins, which then has 4 bytes more. Null where all vertices are there,
-   * and for a stream output.
+   * Offset of a flag behind the values of a vertex, in bytes from where the vertex begins. The flag
+   * is 1 if the vertex is there, and 0 if not; the vertex then has 4 bytes more. A kernel writes
+   * it. Null where all vertices are there, and for a stream output.
    */
   there: number | null;
   /** The values, in order. */
@@ -294,21 +294,21 @@ export interface CaptureRow {
 
 /** A captured value. */
 export interface CapturedRow {
-  /** Its name. */
+  /** Name of the value. */
   name: string;
-  /** As declared. */
+  /** Type as declared. */
   type: string;
-  /** Its type without meaning: a number of 32 bits, or a vector of these. */
+  /** Type without meaning: a number of 32 bits, or a vector of these. */
   representation: string;
   /** Bytes from where the vertex begins. */
   offset: number;
-  /** Its doc comment; empty where there is none. */
+  /** Doc comment; empty where there is none. */
   doc: string;
 }
 
 /**
- * Parts that are put together: numbers and vectors to a vector, columns to a matrix, elements to an
- * array; or of `apply` a body behind which stand the values of its variables.
+ * Parts that are put together. Numbers and vectors make a vector, columns a matrix, and elements an
+ * array. For `apply`, the parts are a body and then the values of its variables.
  */
 export interface ComposedStep {
   op: "vector" | "matrix" | "array" | "apply";
@@ -329,7 +329,7 @@ export interface ConstantStep {
 }
 
 /**
- * What is the same for all materials and backends; a backend's own row says where its text differs.
+ * The conventions of all materials and backends. A backend's own row says where its text differs.
  */
 export interface Conventions {
   /** Clip space of the material's meaning. */
@@ -352,65 +352,58 @@ export interface CopyEnd {
   texture: number;
 }
 
-/**
- * A copy of a whole texture, where a step draws over something that others still need as it was.
- */
+/** A copy of a whole texture, before a step draws over a result that others need as it was. */
 export interface CopyStep {
   kind: "copy";
   /** The textures that are waited for. */
   barriers: BarrierRow[];
   /** The buffers of results that are waited for. */
   buffer_barriers: BufferBarrierRow[];
-  /** What is copied. */
+  /** Source of the copy. */
   copied: CopyEnd;
-  /** Where it is copied to. */
+  /** Destination of the copy. */
   into: CopyEnd;
-  /** Whether the first frame is enough. */
+  /** True if the first frame is enough. */
   only_first: boolean;
 }
 
-/**
- * Which fragments the depth test lets through, whether their depths are kept, and how far faces are
- * moved away from the eye before.
- */
+/** The depth test: its comparison, whether depths are kept, and the depth bias before it. */
 export interface DepthState {
   /**
-   * How the depth of a fragment, on the left, has to compare with the one that is there, so that it
-   * is drawn.
+   * The comparison of a fragment's depth, on the left, with the one in the attachment. The fragment
+   * is drawn if it holds.
    */
   compare: "never" | "less" | "equal" | "less_equal" | "greater" | "not_equal" | "greater_equal" | "always";
-  /** Whether the depths of the fragments that are drawn are kept. */
+  /** True if the depths of the fragments that are drawn are kept. */
   write: boolean;
-  /** What depths are before anything is drawn. */
+  /** The depth of all pixels before anything is drawn. */
   clear: number;
   /**
-   * In steps of the format, as it has them at the farthest corner of the face. Lines of a mesh are
+   * A constant bias, in steps of the format at the farthest corner of the face. Lines of a mesh are
    * never moved.
    */
   bias: number;
-  /** In times of what the depth changes from one pixel to the next. */
+  /** A bias as a multiple of the depth's change from one pixel to the next. */
   slope_bias: number;
-  /**
-   * How far both together move at most if it is positive, or at least if it is negative; 0 for any
-   * distance.
-   */
+  /** The limit of both together: an upper one if positive, a lower one if negative; 0 for none. */
   bias_clamp: number;
 }
 
 /**
- * A value that the host computes in double precision from stored parameters and rounds once; where
- * `layout` has a `count`, one for each element of an array.
+ * A value that the host computes in double precision from stored parameters and rounds once. Where
+ * `layout` has a `count`, there is one for each element of an array.
  */
 export interface DerivedRow {
   /**
-   * Name in its block; of a table's member with the table's name before it,
+   * Name in its block. For a table's member, the table's name stands before it,
    * `lamps_derived.falloff_cos`.
    */
   name: string;
   /** The type on the machine: `float`, `vec3`, `Lamp[8]`. */
   representation: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** Block that holds it; null where the program reads nothing of that block. */
@@ -429,29 +422,29 @@ export interface DerivedRow {
   steps: (ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[];
 }
 
-/** What is drawn, and how. */
+/** The draw call, and the primitives that it draws. */
 export interface DrawRow {
-  /** What the mesh consists of. */
+  /** Primitives of the mesh. */
   primitive: "point" | "line" | "triangle" | "line_adjacency" | "triangle_adjacency" | "patch";
-  /** How many vertices each of these has. */
+  /** Number of vertices of each of these primitives. */
   corners: number;
   /**
-   * What turns each primitive into others: the geometry stage, or a draw of one instance for each;
-   * null where they are drawn as they are.
+   * The means of expansion: the geometry stage, or a draw of one instance for each primitive. Null
+   * where primitives are drawn as they are.
    */
   expanded_by: "geometry" | "instances" | null;
   /**
-   * How many vertices a primitive, or a patch, turns into at most: of each instance, a list of
-   * triangles or lines; null where they are drawn as they are, or where the host makes the pattern.
-   * Where it makes the pattern and all parts of that are expanded, how many vertices each of these
-   * turns into.
+   * Largest number of vertices that a primitive, or a patch, turns into. For each instance, this is
+   * a list of triangles or lines. Null where they are drawn as they are, or where the host makes
+   * the pattern. Where it makes the pattern and all parts of that are expanded, it is the number
+   * for each of these parts.
    */
   vertices: number | null;
-  /** What the vertices of a draw call are, in turn: what the host tells the API. */
+  /** Primitives of a draw call's vertices, in turn, for the host to tell the API. */
   topology: "point" | "line" | "triangle" | "line_adjacency" | "triangle_adjacency" | "patch";
   /** The layers of the render targets; null where these are single pictures. */
   layers: LayersRow | null;
-  /** How each patch is divided; null where there are none. */
+  /** Division of each patch; null where there are none. */
   tessellation: TessellationRow | null;
 }
 
@@ -466,7 +459,7 @@ export interface DrawStep {
   barriers: BarrierRow[];
   /** The buffers of results that are waited for. */
   buffer_barriers: BufferBarrierRow[];
-  /** Whether it is needed in the first frame only. */
+  /** True if it is needed in the first frame only. */
   only_first: boolean;
   /** The targets, in the order of their locations. */
   targets: AttachmentRow[];
@@ -476,37 +469,37 @@ export interface DrawStep {
    */
   depth: AttachmentRow | null;
   /**
-   * The number of the value that says into which part of the targets the clip volume is drawn, in
-   * texels: an `ivec4` of left, top, width and height; null for all of it.
+   * Number of the value that says into which part of the targets the clip volume is drawn. It is an
+   * `ivec4` of left, top, width and height, in texels; null for all of the targets.
    */
   viewport: number | null;
   /**
-   * The number of the value that says to which part of the targets is drawn, likewise; what lies
-   * outside of the targets is cut off.
+   * Number of the value that says which part of the targets is drawn to, likewise. A part outside
+   * of the targets is cut off.
    */
   scissor: number | null;
   /** The number of the value, a `vec4`, that the factor `constant` means in all targets. */
   blend_constant: number | null;
-  /** What is drawn. */
+  /** The draws. */
   draws: DrawnRow[];
   source: PlaceRow;
   /**
-   * Whether it draws on to all that the step before has drawn to, and waits for nothing else, so
-   * that a host can draw both in one render pass, without storing and loading in between.
+   * True if it draws on to all attachments of the step before, and waits for nothing else. A host
+   * can then draw both in one render pass, without storing and loading in between.
    */
   continues: boolean;
 }
 
-/** What is drawn, one draw behind the other. */
+/** The draws, one behind the other. */
 export interface DrawnRow {
   /** Models, in the order of the scene; null for vertices without vertex inputs. */
   models: string | null;
   /** The number of the value that says how many vertices are drawn; null for models. */
   vertices: number | null;
   /**
-   * The entry of the rig for each of whose lights all of this is drawn once: of an array, for as
-   * many as its `count` says. The shader has the parameters of a single light of this name, which
-   * both documents may call by the name of the rig, too: `Studio.lamps`.
+   * The entry of the rig for each of whose lights all of this is drawn once. For an array, it is
+   * drawn for as many lights as its `count` says. The shader has the parameters of a single light
+   * of this name, which both documents may call by the name of the rig, too: `Studio.lamps`.
    */
   light: string | null;
   /** The shaders. */
@@ -536,17 +529,17 @@ export interface FoldStep {
   op: "fold";
   /** Type of the result. */
   type: string;
-  /** How many terms there are, the value to begin with, and the body that is a term. */
+  /** Number of terms, the value to begin with, and the body that is a term. */
   args: [number, number, number];
-  /** How terms are combined. */
+  /** Operator that combines the terms. */
   operator: "add" | "mul" | "min" | "max" | "and" | "or";
   /** The largest number of terms. */
   bound: number;
 }
 
 /**
- * What a host does to draw a frame: which textures it makes, and which steps it executes in which
- * order. Each shader has a reflection of its own.
+ * All that a host does to draw a frame: its textures, and the steps that it executes in order. Each
+ * shader has a reflection of its own.
  */
 export interface FramePlan {
   /** Version of this document's format. A host refuses versions that it does not know. */
@@ -559,9 +552,9 @@ export interface FramePlan {
   /** The rig of lights under which models are drawn. */
   rig: string;
   /**
-   * What the host sets for the whole frame, as in reflections. No block holds them. Those of the
-   * lights are among them, and are those of the same name in each shader, with or without the name
-   * of the rig before it; shaders get others through the values of inputs alone.
+   * Parameters that the host sets for the whole frame, as in reflections. No block holds them.
+   * Those of the lights are among them, and are those of the same name in each shader, with or
+   * without the name of the rig before it; shaders get others through the values of inputs alone.
    */
   parameters: ParameterRow[];
   /** The lights of the rig, as in reflections. */
@@ -570,58 +563,58 @@ export interface FramePlan {
   host_textures: HostTextureRow[];
   /** Storage buffers that the host binds for the whole frame. */
   host_buffers: BufferRow[];
-  /** Where everything is declared that the host sets, by name. */
+  /** Declarations of everything that the host sets, by name. */
   sources: Record<string, PlaceRow>;
   /** Models of the host's scene that passes draw. */
   models: ModelsRow[];
   /** The shaders; steps name them by their numbers here. */
   shaders: ShaderRow[];
   /**
-   * Numbers that the host computes once for each frame, before the first step, of the parameters,
-   * of those of the lights, and of the sizes of its textures; steps and textures name them by their
-   * numbers here.
+   * Numbers that the host computes once for each frame, before the first step. It computes them
+   * from the parameters, from those of the lights, and from the sizes of its textures. Steps and
+   * textures name them by their numbers here.
    */
   values: ValueRow[];
   /** The textures that the host makes, by number. Each serves one result after the other. */
   textures: FrameTextureRow[];
-  /** What the steps leave. */
+  /** Results of the steps. */
   results: FrameResultRow[];
-  /** What the host does, in this order. */
+  /** The steps of the host, in this order. */
   steps: (DrawStep | RunStep | CopyStep)[];
   /**
-   * What is waited for behind the last step and before the exchange of `kept`, so that the host can
-   * read the outputs and the next frame what is kept.
+   * The barriers behind the last step and before the exchange of `kept`. The host can then read the
+   * outputs, and the next frame the kept textures and buffers.
    */
   end: WaitingRow;
   /**
-   * What the next frame reads. Behind the last step the host exchanges each texture (or, where the
-   * numbers are null, the result's buffer) with the previous one. Before the first frame, these
-   * textures are transparent black, or depths of 1.
+   * Results that the next frame reads. Behind the last step the host exchanges each texture (or,
+   * where the numbers are null, the result's buffer) with the previous one. Before the first frame,
+   * these textures are transparent black, or depths of 1.
    */
   kept: KeptRow[];
-  /** What the frame gives, to be read behind the last step and before the exchange of `kept`. */
+  /** Outputs of the frame, to be read behind the last step and before the exchange of `kept`. */
   outputs: OutputRow[];
 }
 
-/** What a step leaves. */
+/** A result of a step. */
 export interface FrameResultRow {
   /** The step's name and that of its target. */
   name: string;
-  /** What it is. */
+  /** Kind of the result. */
   kind: "texture" | "buffer";
   /**
-   * The number of the texture that holds it; null of a buffer, which is the result's own, and of
+   * Number of the texture that holds it. Null for a buffer, which is the result's own, and for
    * samples that are not resolved.
    */
   texture: number | null;
   /** The step that makes it first. */
   first: number;
   /**
-   * The last step of the frame that needs it. An output, what is kept, and what a step with
-   * `only_first` left are needed after the frame, too.
+   * The last step of the frame that needs it. An output, a kept result, and a result of a step with
+   * `only_first` are needed after the frame, too.
    */
   last: number;
-  /** Its doc comment. */
+  /** Doc comment. */
   doc: string;
   source: PlaceRow;
 }
@@ -629,11 +622,11 @@ export interface FrameResultRow {
 /** A texture. */
 export interface FrameTextureRow {
   /**
-   * A format of render targets or of depths, as passes name them: `rgba16f` are floats, `rgba8`
+   * A format of render targets or of depths, as passes name them. `rgba16f` are floats, `rgba8`
    * numbers from 0 to 1.
    */
   format: string;
-  /** Its dimension. */
+  /** Dimension. */
   dimension: "2d" | "2d_array" | "cube";
   size: SizeRow;
   /** Layers, 6 of a cube. */
@@ -641,17 +634,17 @@ export interface FrameTextureRow {
   /** Mip levels. */
   levels: number;
   /**
-   * How many samples each texel has. A texture with several has one layer and one level, is drawn
+   * Number of samples of each texel. A texture with several has one layer and one level, is drawn
    * to, and is not read.
    */
   samples: 1 | 4;
   /**
-   * What steps use it as, and the host or the next frame behind them; of the two textures of a row
-   * of `kept`, what either is used as.
+   * Uses of the texture by steps, and by the host or the next frame behind them. For the two
+   * textures of a row of `kept`, these are the uses of either.
    */
   uses: ("target" | "depth" | "image" | "sampled" | "copied_from" | "copied_to")[];
   /**
-   * Whether a row of `kept` names it. Contents of others are needed in the next frame only where a
+   * True if a row of `kept` names it. Contents of others are needed in the next frame only where a
    * step with `only_first` drew them.
    */
   kept: boolean;
@@ -682,31 +675,31 @@ export interface GeometryRow {
 /** A texture or a buffer of the host. */
 export interface HostSource {
   kind: "host";
-  /** Its name. */
+  /** Name of the texture or buffer. */
   host: string;
 }
 
 /** A texture of the host. */
 export interface HostTextureRow {
-  /** Its name. */
+  /** Name of the texture. */
   name: string;
-  /** As it is declared. */
+  /** Type as declared. */
   type: string;
-  /** Its dimension. */
+  /** Dimension. */
   dimension: "2d" | "2d_array" | "3d" | "cube";
-  /** What it holds. */
+  /** Kind of its values. */
   sample: "float" | "depth" | "int" | "uint";
-  /** What it is until the host binds one. */
+  /** Texture until the host binds one. */
   default: string;
-  /** Its doc comment. */
+  /** Doc comment. */
   doc: string;
-  /** How often the host changes it. */
+  /** Parameter group, which says how often the host changes it. */
   group: string;
 }
 
 /**
- * Where a kernel captures vertices, or corners need more than 16 vertex inputs, the storage buffer
- * whose elements have its values, and the member that does; else null.
+ * The storage buffer whose elements have its values, and their member that has them. There is one
+ * where a kernel captures vertices, or corners need more than 16 vertex inputs; otherwise null.
  */
 export interface InBuffer {
   /** The buffer. */
@@ -728,17 +721,17 @@ export interface IndexStep {
 export interface InputRow {
   /** The parameter, texture or buffer, as the shader's reflection calls it. */
   name: string;
-  /** What it is set to. */
+  /** Source of its value. */
   source: ValueSource | ResultSource | HostSource | PreviousSource;
 }
 
-/** Something that the next frame reads. */
+/** A texture or a buffer that the next frame reads. */
 export interface KeptRow {
   /** The result. */
   result: string;
-  /** Its texture; null of a buffer. */
+  /** Texture; null of a buffer. */
   texture: number | null;
-  /** The texture that has what the last frame left; null of a buffer. */
+  /** Number of the texture that has the result of the last frame; null for a buffer. */
   previous: number | null;
 }
 
@@ -749,26 +742,26 @@ export type Lanes = number | boolean | null | Lanes[];
 
 /** The layers of the render targets; null where these are single pictures. */
 export interface LayersRow {
-  /** How many there are. */
+  /** Number of layers. */
   count: number;
   /**
-   * The parameter that says to which layer a draw belongs: there is one draw for each. Null where a
+   * Parameter that says to which layer a draw belongs: there is one draw for each. Null where a
    * single draw reaches all layers.
    */
   parameter: string | null;
 }
 
 /**
- * How lanes lie from the start of the value. A lane is 32 bits, little-endian; what does not apply
- * to the type is absent.
+ * The layout of lanes from the start of the value. A lane is 32 bits, little-endian; fields that do
+ * not apply to the type are absent.
  */
 export interface LayoutRow {
   /**
-   * The stored type: bools as uints, 2- and 3-row matrices with columns of four rows (`mat3x4`),
-   * arrays as arrays of `vec4`. Of a table's member that of one element.
+   * The stored type. Bools are uints, 2- and 3-row matrices have columns of four rows (`mat3x4`),
+   * and arrays are arrays of `vec4`. For a table's member, it is the type of one element.
    */
   stored: string;
-  /** What a lane is written as; bools are uints 0 and 1. Absent for structs. */
+  /** Kind of the lanes; bools are uints 0 and 1. Absent for structs. */
   kind?: "float" | "int" | "uint";
   /** Lanes of a scalar or vector, or of one column of a matrix, 4 bytes apart. */
   lanes?: number;
@@ -788,9 +781,7 @@ export interface LightRow {
   name: string;
   /** The declaration of the light: `Lantern`. */
   kind: string;
-  /**
-   * Which declaration of the library that is, `std.lights.Lantern`; null where it is none of them.
-   */
+  /** Declaration of the library that it is, `std.lights.Lantern`; null for others. */
   library: string | null;
   /** Doc comment of the rig's entry; empty where there is none. */
   doc: string;
@@ -799,7 +790,7 @@ export interface LightRow {
   /** Parameter with the number of lights in use; null where it is fixed. */
   count: string | null;
   /**
-   * The array's parameter, or a single light's parameters, of whatever groups: each has a row in
+   * The array's parameter, or a single light's parameters, of whatever groups. Each has a row in
    * `parameters` with its block and offset.
    */
   parameters: string[];
@@ -809,7 +800,7 @@ export interface LightRow {
 export interface MatrixColumn {
   /** The matrix. */
   of: string;
-  /** From 0. */
+  /** Number of the column, from 0. */
   index: number;
 }
 
@@ -827,10 +818,7 @@ export interface MemberRow {
   default: Lanes;
   /** Doc comment; empty where there is none. */
   doc: string;
-  /**
-   * Which declaration of the library it is, `std.skinning.Skinned.bones`; null where it is none of
-   * them.
-   */
+  /** Declaration of the library that it is, `std.skinning.Skinned.bones`; null for others. */
   library: string | null;
   /** Bytes from the start of the struct. */
   offset: number;
@@ -848,24 +836,23 @@ export interface MemberStep {
   type: string;
   /** The struct. */
   args: [number];
-  /** Its name. */
+  /** Name of the member. */
   member: string;
 }
 
-/**
- * Where each primitive of a mesh is drawn as an instance, what this is in the mesh; null elsewhere.
- */
+/** The meaning of this in the mesh, if each primitive is drawn as an instance; else null. */
 export interface MeshInputRow {
   /** The vertex input as declared, or the number that the host counts. */
   name: string;
   /**
-   * The corner of the primitive whose value it is, from 0, or of the pattern's triangle or line;
-   * null where a whole instance of the mesh has one value, or a point of the pattern.
+   * Number of the corner whose value it is, from 0. It is a corner of the primitive, or of the
+   * pattern's triangle or line. Null where a whole instance of the mesh has one value, or a point
+   * of the pattern.
    */
   corner: number | null;
-  /** Whether it is the number of a vertex, an instance or a primitive of the mesh. */
+  /** True if it is the number of a vertex, an instance or a primitive of the mesh. */
   is_number: boolean;
-  /** Whether it is where a point of the pattern lies in a patch. */
+  /** True if it is the place of a point of the pattern in a patch. */
   is_of_pattern: boolean;
 }
 
@@ -885,7 +872,7 @@ export interface ModelRow {
 
 /** Models of the host's scene. */
 export interface ModelsRow {
-  /** Their name, which is a tag in the host's scene; all models of the scene are called `scene`. */
+  /** Tag of these models in the host's scene; all models of the scene are called `scene`. */
   name: string;
   /** The materials that they may have. Every `uses` for them has a shader for each. */
   materials: string[];
@@ -894,15 +881,15 @@ export interface ModelsRow {
   source: PlaceRow;
 }
 
-/** What the frame gives. */
+/** An output of the frame. */
 export interface OutputRow {
-  /** Its name. */
+  /** Name of the output. */
   name: string;
   /** The result. */
   result: string;
-  /** Its texture; null of a buffer. */
+  /** Texture; null of a buffer. */
   texture: number | null;
-  /** Its doc comment. */
+  /** Doc comment. */
   doc: string;
   source: PlaceRow;
 }
@@ -985,18 +972,16 @@ export interface ParameterRow {
   default: Lanes;
   /** Doc comment; empty where there is none. */
   doc: string;
-  /**
-   * Which declaration of the library it is, `std.skinning.Skinned.bones`; null where it is none of
-   * them.
-   */
+  /** Declaration of the library that it is, `std.skinning.Skinned.bones`; null for others. */
   library: string | null;
   /**
-   * What a program that shows scenes has for it, such as `world_to_clip` of the camera; null where
-   * it is the material's own affair.
+   * Meaning for a program that shows scenes, such as `world_to_clip` of the camera. Null where it
+   * is the material's own affair.
    */
   role: string | null;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** Block that holds it; null where the program reads nothing of that block. */
@@ -1018,18 +1003,18 @@ export interface ParameterStep {
   /** Type of the result. */
   type: string;
   args: [];
-  /** Its name. */
+  /** Name of the parameter. */
   parameter: string;
 }
 
 /** The levels of that pattern; null where the texts compute them. */
 export interface PatchLevels {
   /**
-   * For each edge the steps that compute its level: of a triangle those across from its ends, of a
-   * quad those at u = 0, v = 0, u = 1 and v = 1.
+   * For each edge, the steps that compute its level. The edges of a triangle are those across from
+   * its ends; those of a quad are at u = 0, v = 0, u = 1 and v = 1.
    */
   edges: ((ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[])[];
-  /** Likewise for the inside; of a quad along u, and along v. */
+  /** The steps that compute the levels of the inside; of a quad along u, and along v. */
   inside: ((ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[])[];
 }
 
@@ -1059,7 +1044,7 @@ export interface PipelineRow {
   depth: GPUTextureFormat | null;
 }
 
-/** Where something is written; lines and columns count from 1. */
+/** The place in a file where something is written; lines and columns count from 1. */
 export interface PlaceRow {
   /** The file, from the folder of the compiled one; the library's files begin with `std/`. */
   file: string;
@@ -1071,14 +1056,14 @@ export interface PlaceRow {
   length: number;
 }
 
-/** What a step of the last frame has left. */
+/** A result of a step of the last frame. */
 export interface PreviousSource {
   kind: "previous";
   /** The result. */
   previous: string;
   /** The number of the texture that has it now; null of a buffer. */
   texture: number | null;
-  /** What is read in the first frame instead; null for a texture without contents. */
+  /** Source in the first frame; null for a texture without contents. */
   initially: ResultSource | HostSource | null;
 }
 
@@ -1086,7 +1071,7 @@ export interface PreviousSource {
 export interface PromiseRow {
   /** The vector as a formula in Burnish. */
   value: string;
-  /** It is at least so long. */
+  /** Least length of the vector. */
   least_length: number;
   /** The parameters that it depends on. */
   parameters: string[];
@@ -1105,8 +1090,7 @@ export interface Reflection {
   /** The material's doc comment; empty where there is none. */
   doc: string;
   /**
-   * What is the same for all materials and backends; a backend's own row says where its text
-   * differs.
+   * The conventions of all materials and backends. A backend's own row says where its text differs.
    */
   conventions: Conventions;
   /** Uniform blocks in binding order. */
@@ -1115,7 +1099,7 @@ export interface Reflection {
   parameters: ParameterRow[];
   /** Values of the derived blocks. */
   derived: DerivedRow[];
-  /** What the host promises by `nonzero`, besides ranges and directions. */
+  /** Promises of the host by `nonzero`, besides ranges and directions. */
   promises: PromiseRow[];
   /** Lights of the rig. */
   lights: LightRow[];
@@ -1124,14 +1108,11 @@ export interface Reflection {
   /** Storage buffers that a kernel writes, in order of declaration; none for a material. */
   results: ResultRow[];
   /**
-   * Of a kernel, steps that compute how many elements each of the results has, or the width and
-   * height of its images; null for a material.
+   * Steps that compute the number of elements of each of a kernel's results. For images, they
+   * compute the width and height. Null for a material.
    */
   extent: (ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[] | null;
-  /**
-   * How many invocations of a kernel stand side by side in a work group, along x, y and z; null for
-   * a material.
-   */
+  /** Size of a kernel's work group in invocations, along x, y and z; null for a material. */
   work_group: [number, number, number] | null;
   /** Textures in order of declaration. */
   textures: TextureRow[];
@@ -1139,47 +1120,45 @@ export interface Reflection {
   samplers: SamplerRow[];
   draw: DrawRow;
   /**
-   * Whether the position of a vertex is the same number, bit by bit, in all programs that compute
-   * it in the same way, so that their depths are equal. The texts say so.
+   * True if the position of a vertex is invariant. It is then the same number, bit by bit, in all
+   * programs that compute it in the same way, so that their depths are equal. The texts say so.
    */
   invariant_position: boolean;
-  /** What the host sets of the pipeline, as the pass asks for it. */
+  /** State of the pipeline that the host sets, as the pass asks for it. */
   render_state: RenderStateRow;
   /**
-   * What is written of each vertex to one buffer, instead of drawing; null for a pass that draws,
-   * and for a kernel.
+   * Values of each vertex that are written to one buffer, instead of drawing. Null for a pass that
+   * draws, and for a kernel.
    */
   capture: CaptureRow | null;
   /** Vertex inputs. */
   vertex_inputs: VertexInputRow[];
-  /**
-   * What each stage reads of the pipeline itself, by stage: one row for each stage that there is.
-   */
+  /** Inputs that the pipeline itself supplies, by stage: one row for each stage that there is. */
   pipeline_inputs: Record<string, string[]>;
   /** Varyings. */
   varyings: VaryingRow[];
   /**
-   * Render targets; of a kernel over images, its images in order of declaration, which are the
-   * render targets of its full-screen pass.
+   * Render targets. For a kernel over images, they are its images in order of declaration, which
+   * are the render targets of its full-screen pass.
    */
   targets: TargetRow[];
   /** Emitted profiles by name. */
   backends: Record<string, BackendRow>;
 }
 
-/** What the host sets of the pipeline, as the pass asks for it. */
+/** The state of the pipeline that the host sets, as the pass asks for it. */
 export interface RenderStateRow {
-  /** Which triangles are not drawn, by the side that is seen of them. */
+  /** Triangles that are not drawn, by the side that is seen of them. */
   cull: "none" | "back" | "front";
   /**
-   * How the corners of a triangle go around if its front is seen. What an API has to be told is the
-   * backend's `front_face`.
+   * Order of the corners of a triangle whose front is seen. An API has to be told the backend's
+   * `front_face`.
    */
   front: "counter_clockwise" | "clockwise";
-  /** What is drawn of a triangle: all of it, or its edges as lines. */
+  /** Part of a triangle that is drawn: all of it, or its edges as lines. */
   fill: "faces" | "lines";
   /**
-   * How many samples each pixel of the targets and of the depths has. With several, the targets are
+   * Number of samples of each pixel of the targets and of the depths. With several, the targets are
    * resolved at the end: each pixel becomes the mean of its samples.
    */
   samples: 1 | 4;
@@ -1192,13 +1171,13 @@ export interface RenderStateRow {
   stencil: StencilState | null;
 }
 
-/** Where the mean of each texel's samples is written behind the step. */
+/** The texture to which the mean of each texel's samples is written behind the step. */
 export interface ResolveRow {
   /** A texture with one sample, in which others find the result. */
   texture: number;
-  /** Its layer. */
+  /** Layer. */
   layer: number;
-  /** Its mip level. */
+  /** Mip level. */
   level: number;
 }
 
@@ -1208,13 +1187,13 @@ export interface ResourceStep {
   /** Type of the texture. */
   type: string;
   args: [];
-  /** Its name. */
+  /** Name of the texture. */
   texture: string;
 }
 
 /**
- * A storage buffer that a kernel writes: each element once, or, if it is scattered to, as often as
- * invocations choose it. What fills gaps is not written.
+ * A storage buffer that a kernel writes. It writes each element once or, if it scatters to the
+ * buffer, as often as invocations choose the element. Padding is not written.
  */
 export interface ResultRow {
   /** Name as the host says it, `lanterns` or `torch.bulbs`. */
@@ -1224,7 +1203,8 @@ export interface ResultRow {
   /** The type on the machine: `vec3[]`. */
   representation: string;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
   /** Bytes from one element to the next. */
@@ -1238,16 +1218,16 @@ export interface ResultRow {
   doc: string;
   /** Steps that compute how many elements it has. */
   count: (ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[];
-  /** How invocations join their values with elements; null if each writes its own. */
+  /** Operator by which invocations join values with elements; null if each writes its own. */
   scattered: "add" | "min" | "max" | "and" | "or" | null;
   /**
-   * What each element has to be before the kernel runs, so that it then has what was scattered;
-   * null if that does not matter.
+   * Value of each element before the kernel runs, so that it then has the joined ones alone. Null
+   * if that does not matter.
    */
   initial: number | null;
 }
 
-/** What a step of this frame has left. */
+/** A result of a step of this frame. */
 export interface ResultSource {
   kind: "result";
   /** The result. */
@@ -1265,9 +1245,9 @@ export interface RunStep {
   barriers: BarrierRow[];
   /** The buffers of results that are waited for. */
   buffer_barriers: BufferBarrierRow[];
-  /** Whether it is needed in the first frame only. */
+  /** True if it is needed in the first frame only. */
   only_first: boolean;
-  /** The kernel, and what the frame sets of it. */
+  /** The kernel, and its inputs that the frame sets. */
   use: UseRow;
   /** The images that it writes. */
   images: WrittenImage[];
@@ -1280,19 +1260,19 @@ export interface RunStep {
 export interface SamplerRow {
   /** The texture. */
   texture: string;
-  /** Its state: what is filtered and compared, and what lies beyond the edges. */
+  /** The state: filters, comparison, and the texels beyond the edges. */
   state: SamplerState;
 }
 
-/** Its state: what is filtered and compared, and what lies beyond the edges. */
+/** The state of a sampler: its filters, its comparison, and the texels beyond the edges. */
 export interface SamplerState {
-  /** How texels of a level are joined. */
+  /** Filter between the texels of a level. */
   filter: "linear" | "nearest";
-  /** How levels are joined; `none`: only the first one is read. */
+  /** Filter between levels; `none`: only the first one is read. */
   mip: "linear" | "nearest" | "none";
-  /** What lies beyond the edges. */
+  /** Texels beyond the edges. */
   wrap: "repeat" | "clamp" | "mirror";
-  /** How a reference, on the left, has to compare with a depth; null where none is compared. */
+  /** Comparison of a reference, on the left, with a depth; null where none is compared. */
   compare: "less" | "less_equal" | "greater" | "greater_equal" | null;
 }
 
@@ -1307,7 +1287,7 @@ export interface SelectStep {
 
 /** A shader. */
 export interface ShaderRow {
-  /** Its name. */
+  /** Name of the shader. */
   name: string;
   /** The file with its reflection. */
   reflection: string;
@@ -1325,16 +1305,16 @@ export interface ShaderTextRow {
   entry: string;
 }
 
-/** How large a texture is. */
+/** The size of a texture. */
 export interface SizeRow {
   /** The number of the value that says it, an `ivec2`; null where `extent_of` says it. */
   value: number | null;
   /**
-   * The name of the step whose kernel says it instead, by the `extent` of its reflection; null
-   * where `value` says it.
+   * Name of the step whose kernel says the size, by the `extent` of its reflection. Null where
+   * `value` says it.
    */
   extent_of: string | null;
-  /** How often both sides are halved then, rounded down, but not below 1. */
+  /** Number of times that both sides are halved then, rounded down, but not below 1. */
   level: number;
 }
 
@@ -1352,13 +1332,13 @@ export interface SlotRow {
   sampler?: GPUSamplerDescriptor;
 }
 
-/** What in Burnish text each statement of an emitted file computes, or is there for. */
+/** The text in Burnish that each statement of an emitted file computes, or is there for. */
 export interface SourceMapRow {
   /** Burnish files by name, as given to the compiler; those of the library begin with `std/`. */
   sources: string[];
   /**
-   * Rows of five numbers, in the order of the text: a line of it, then the number of a source
-   * counted from 0, the line and the column in it, and how many characters it is.
+   * Rows of five numbers, in the order of the text. They are a line of the text, then the number of
+   * a source counted from 0, the line and the column in it, and the number of characters.
    */
   lines: ([number, number, number, number, number])[];
 }
@@ -1372,25 +1352,25 @@ export interface SplatStep {
   args: [number];
 }
 
-/** What becomes of the stencil values beside depths, if there are any. */
+/** The handling of the stencil values beside depths, if there are any. */
 export interface StencilLoad {
-  /** Whether what is there is kept or cleared. */
+  /** Start of the step: keep the values, or clear them. */
   load: "load" | "clear";
-  /** Whether a later step finds them. */
+  /** True if a later step reads them. */
   store: boolean;
-  /** What they are cleared to. */
+  /** Value that they are cleared to. */
   clear: 0;
 }
 
-/** The stencil test of faces of which one side is seen, and what becomes of the values. */
+/** The stencil test of faces seen from one side, and the changes of the values. */
 export interface StencilSide {
-  /** How the reference, on the left, has to compare with the value, both masked. */
+  /** The comparison of the reference, on the left, with the value, both masked. */
   compare: "never" | "less" | "equal" | "less_equal" | "greater" | "not_equal" | "greater_equal" | "always";
-  /** Where that fails. */
+  /** The operation where that comparison fails. */
   fail_op: "keep" | "zero" | "replace" | "invert" | "increment_clamp" | "decrement_clamp" | "increment_wrap" | "decrement_wrap";
-  /** Where only the depth test fails. */
+  /** The operation where only the depth test fails. */
   depth_fail_op: "keep" | "zero" | "replace" | "invert" | "increment_clamp" | "decrement_clamp" | "increment_wrap" | "decrement_wrap";
-  /** Where both let the fragment through. */
+  /** The operation where both tests let the fragment through. */
   pass_op: "keep" | "zero" | "replace" | "invert" | "increment_clamp" | "decrement_clamp" | "increment_wrap" | "decrement_wrap";
 }
 
@@ -1399,7 +1379,7 @@ export interface StencilState {
   front: StencilSide;
   /** Lines have no back. */
   back: StencilSide;
-  /** What values are compared with, and what `replace` writes. */
+  /** The number that values are compared with, and that `replace` writes. */
   reference: number;
   /** The bits that are compared. */
   read_mask: number;
@@ -1429,7 +1409,7 @@ export interface StructRow {
   members: StructMember[];
 }
 
-/** Some lanes of a vector. */
+/** A swizzle: some lanes of a vector. */
 export interface SwizzleStep {
   op: "swizzle";
   /** Type of the result. */
@@ -1451,56 +1431,52 @@ export interface TargetRow {
   /** Pixel format, `rgba8`. */
   format: string;
   /**
-   * How colours are stored. The shader writes linear light. `srgb`: the hardware encodes it, and
-   * who shows the bytes as a picture shows them as they are. `linear`: nobody has encoded it, and
-   * who shows or saves it as a picture encodes it first, or it looks too dark.
+   * Encoding of colours. The shader writes linear light. `srgb`: the hardware encodes it, and who
+   * shows the bytes as a picture shows them as they are. `linear`: nobody has encoded it, and who
+   * shows or saves it as a picture encodes it first, or it looks too dark.
    */
   encoding: "linear" | "srgb";
-  /** How what is drawn is blended with what is there; null where it takes its place. */
+  /** Blending with the colour in the target; null where the new one takes its place. */
   blend: Blend | null;
   /**
-   * Which lanes are written of those that the format has: some of `rgba`, in this order, or `none`.
+   * Lanes that are written of those that the format has. Some of `rgba`, in this order, or `none`.
    */
   mask: string;
-  /**
-   * What is there before anything is drawn, in four lanes; null where that is the host's affair.
-   */
+  /** Value before anything is drawn, in four lanes; null where that is the host's affair. */
   clear: [number, number, number, number] | null;
   /** Doc comment; empty where there is none. */
   doc: string;
 }
 
-/** How each patch of a mesh is divided. */
+/** The division of each patch of a mesh. */
 export interface TessellationRow {
-  /** What is divided. */
+  /** Kind of patch. */
   kind: "triangle" | "quad" | "isoline";
   /**
-   * Which of a patch's control points are its corners. Those of a triangle have the weights x, y
+   * The control points of a patch that are its corners. Those of a triangle have the weights x, y
    * and z; those of a quad lie at (0, 0), (1, 0), (1, 1) and (0, 1); a line begins at the first
    * one.
    */
   ends: number[];
-  /**
-   * How edges are divided: equally, or so that two of an even or odd number of steps are shorter.
-   */
+  /** Spacing of the steps of edges: equal, or with two shorter ones of an even or odd number. */
   spacing: "equal" | "fractional_even" | "fractional_odd";
   /**
-   * What divides them: the tessellation stages, or a draw of one instance for each: its vertices
-   * are the points of a pattern that the host makes, or they find out by their numbers where they
-   * lie.
+   * The means of division: the tessellation stages, or a draw of one instance for each patch. The
+   * vertices of an instance are the points of a pattern that the host makes, or they compute their
+   * places from their numbers.
    */
   divided_by: "evaluation" | "instances";
   /** The levels of that pattern; null where the texts compute them. */
   levels: PatchLevels | null;
 }
 
-/** What a WebGPU bind group layout says of it, in WebGPU's words. */
+/** The entry of a WebGPU bind group layout for the texture, in WebGPU's words. */
 export interface TextureLayout {
   /** GPUTextureViewDimension. */
   viewDimension: "2d" | "2d-array" | "3d" | "cube";
   /**
-   * GPUTextureSampleType; `unfilterable-float` where nothing filters, so that formats fit that
-   * cannot be filtered.
+   * GPUTextureSampleType. It is `unfilterable-float` where nothing filters, so that formats fit
+   * that cannot be filtered.
    */
   sampleType: "float" | "unfilterable-float" | "depth" | "sint" | "uint";
   /** GPUSamplerBindingType; null where no sampler reads it. */
@@ -1516,27 +1492,28 @@ export interface TextureRow {
   /** Dimension. */
   dimension: "2d" | "2d_array" | "3d" | "cube";
   /**
-   * What it holds: colours, depths to compare with, or whole numbers. Whether colours are stored as
-   * sRGB is the format's business, and so the host's.
+   * Content: colours, depths to compare with, or whole numbers. The format says whether colours are
+   * stored as sRGB, which is the host's affair.
    */
   sample: "float" | "depth" | "int" | "uint";
-  /** What a WebGPU bind group layout says of it, in WebGPU's words. */
+  /** The entry of a WebGPU bind group layout for the texture, in WebGPU's words. */
   layout: TextureLayout;
   /**
-   * Group the host updates together: `frame`, `view`, `rig`, `material`, `draw` or a user's own.
+   * Parameter group, which the host updates together. It is `frame`, `view`, `rig`, `material`,
+   * `draw` or a user's own.
    */
   group: string;
-  /** What to bind before a host sets one, such as `white`. */
+  /** Texture to bind before a host sets one, such as `white`. */
   default: string;
   /** Stages that read it. */
   stages: string[];
   /** Doc comment; empty where there is none. */
   doc: string;
-  /** Which declaration of the library it is, as for parameters; null where it is none of them. */
+  /** Declaration of the library that it is, as for parameters; null where it is none of them. */
   library: string | null;
   /**
-   * Whether it is made by steps that a light brings to frames, such as its shadow map. Where there
-   * is no frame, a host that wants to see what they make binds a texture of its own.
+   * True if it is made by steps that a light brings to frames, such as its shadow map. Where there
+   * is no frame, a host that wants to see the result binds a texture of its own.
    */
   brought: boolean;
 }
@@ -1547,7 +1524,7 @@ export interface UseRow {
   material: string | null;
   /** The number of the shader. */
   shader: number;
-  /** What the frame sets. */
+  /** Inputs that the frame sets. */
   inputs: InputRow[];
 }
 
@@ -1559,7 +1536,7 @@ export type Value = number | boolean | null | Value[] | { [key: string]: Value }
 
 /** A number, vector or matrix. */
 export interface ValueRow {
-  /** Which numbers it consists of. */
+  /** Type without meaning: the numbers of the value. */
   representation: string;
   /** Steps that compute it, operands before users; the last one is the value. */
   steps: (ParameterStep | ConstantStep | ResourceStep | BoundStep | CallStep | ComposedStep | SplatStep | SwizzleStep | MemberStep | IndexStep | SelectStep | FoldStep)[];
@@ -1588,7 +1565,7 @@ export interface VaryingRow {
   to_stage: string;
 }
 
-/** How a vertex input is called. */
+/** The name of a vertex input. */
 export interface VertexInputNameRow {
   /** Name in the text. */
   identifier: string;
@@ -1607,26 +1584,23 @@ export interface VertexInputRow {
   /** Location; null where a buffer has its values. */
   location: number | null;
   /**
-   * Where a kernel captures vertices, or corners need more than 16 vertex inputs, the storage
-   * buffer whose elements have its values, and the member that does; else null.
+   * The storage buffer whose elements have its values, and their member that has them. There is one
+   * where a kernel captures vertices, or corners need more than 16 vertex inputs; otherwise null.
    */
   buffer: InBuffer | null;
-  /** Whether each vertex has a value of its own, or each instance. */
+  /** The step of its values: one for each vertex, or one for each instance. */
   step: "vertex" | "instance";
   /** The declared matrix that this is a column of, and which; null for others. */
   column: MatrixColumn | null;
-  /**
-   * Where each primitive of a mesh is drawn as an instance, what this is in the mesh; null
-   * elsewhere.
-   */
+  /** The meaning of this in the mesh, if each primitive is drawn as an instance; else null. */
   mesh: MeshInputRow | null;
   /** Doc comment; empty where there is none. */
   doc: string;
 }
 
 /**
- * What is waited for behind the last step and before the exchange of `kept`, so that the host can
- * read the outputs and the next frame what is kept.
+ * The barriers behind the last step and before the exchange of `kept`. The host can then read the
+ * outputs, and the next frame the kept textures and buffers.
  */
 export interface WaitingRow {
   /** The textures that are waited for. */
@@ -1663,6 +1637,6 @@ export interface WrittenImage {
   name: string;
   /** The result. */
   result: string;
-  /** Its texture. */
+  /** Texture. */
   texture: number;
 }
