@@ -26,7 +26,7 @@ class Need:
 
 
 def feature_of_stage(row: StageRow) -> str:
-    """What is missing where a profile lacks a stage."""
+    """The name of the missing feature, for a message, where a profile lacks a stage."""
     return f"{row.name} stage"
 
 
@@ -52,7 +52,7 @@ class Way:
 
     needs: tuple[Need, ...]
     how: str = ""
-    """What the compiler does if these are not the profile's own means: a sentence without its
+    """The compiler's replacement, if these are not the profile's own means: a sentence without its
     capital letter and its full stop."""
 
 
@@ -63,14 +63,14 @@ class Capability:
     name: str
     """In tables, and as a key of JSON."""
     doc: str
-    """What it is, and how a program says that it wants it."""
+    """Describes the capability, and how a program asks for it."""
     ways: tuple[Way, ...]
     """The first is by the profile's own means. Where these are not there, or are not asked for, the
     compiler takes the first of the others whose needs are met."""
     instead: str = ""
-    """What a user can write where there is no way: an imperative, behind "help:"."""
+    """Advice for a user where no way works: an imperative that follows "help:"."""
     on_request: bool = False
-    """Whether a profile's own means are used only with ``--native-stages``."""
+    """True if a profile's own means are used only with ``--native-stages``."""
 
 
 Kind = Literal["native", "lowered", "absent"]
@@ -83,9 +83,9 @@ class Standing:
 
     kind: Kind
     how: str = ""
-    """What the compiler does instead, if it is lowered."""
+    """The compiler's replacement, if the capability is lowered."""
     missing: tuple[str, ...] = ()
-    """What the profile has not got, unless it is native."""
+    """The features that the profile lacks; empty if the capability is native."""
 
 
 def standing(capability: Capability, profile: Profile) -> Standing:
@@ -98,12 +98,12 @@ def standing(capability: Capability, profile: Profile) -> Standing:
 
 
 def lowering(capability: Capability, profile: Profile) -> Way | None:
-    """What the compiler does in a profile if it does not use the profile's own means."""
+    """The way that a profile uses instead of its own means; ``None`` if there is none."""
     return next((way for way in capability.ways[1:] if not _missing(way, profile)), None)
 
 
 def is_only_on_request(capability: Capability, profile: Profile) -> bool:
-    """Whether a profile has a capability, but refuses it without ``--native-stages``."""
+    """True if a profile has a capability, but refuses it without ``--native-stages``."""
     is_native = not _missing(capability.ways[0], profile)
     return is_native and capability.on_request and lowering(capability, profile) is None
 

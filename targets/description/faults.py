@@ -38,7 +38,7 @@ def check(language: Language) -> None:
 
 
 def faults(language: Language) -> Iterator[str]:
-    """What is wrong with a language: sentences that say what to write, and in which row."""
+    """The faults of a language: sentences that say what to write, and in which row."""
     for profile in language.profiles:
         name, written = f"{language.name}:{profile.name}", language.under(profile)
         for asked in (_builtins, _inputs, _types, _textures, _stages, _uniforms):
@@ -170,7 +170,7 @@ def _form(name: str, text: str, forms: Forms) -> Iterator[str]:
 
 
 def _stages(language: Language, profile: Profile) -> Iterator[str]:
-    """What the stages of a profile write besides values."""
+    """Missing forms and words of the stages: for emitting, dividing, sharing and storing texels."""
     forms, stages = language.forms, profile.stages
     if GEOMETRY in stages:
         for field in ("emit_vertex", "end_strip", "deliver_position", "position"):

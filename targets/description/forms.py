@@ -77,7 +77,7 @@ class Forms:
     deliver_position: str = ""
     """Where it lands in clip space."""
     position: str = ""
-    """What then stands for that."""
+    """The variable that ``deliver_position`` assigns."""
     deliver_layer: str = ""
     """To which layer of the render targets it belongs."""
     store_texel: str = ""
@@ -120,10 +120,10 @@ class Forms:
     splat: str = "{type}({value})"
     """A scalar in every lane; ``{value:p}.{lanes}`` where that is a swizzle."""
     splat_constant: bool = True
-    """Whether a constant of equal lanes is written with one of them."""
+    """True if a constant whose lanes are equal is written with one of them."""
     matrix: str = "{type}({columns})"
     matrix_by_rows: bool = False
-    """Whether a matrix of constants lists its lanes row by row."""
+    """True if a constant matrix lists its lanes row by row."""
     product_of_tall: str = ""
     """A tall ``{matrix}`` times a ``{vector}``, where a tall matrix is written as a square one:
     ``{zeros}`` are the lanes that the vector has not got."""
@@ -148,9 +148,9 @@ class Forms:
     input: str = "{name}"
     """A stage's input: a global variable, or ``input.{name}``."""
     corner: str = "{name}[{corner}]"
-    """What a stage that gets whole primitives reads of one of their corners."""
+    """An input of one corner, in a stage that gets whole primitives."""
     of_patch: str = "{name}"
-    """What is read at the vertices of a divided patch that is the same all over it."""
+    """An input that is the same for a whole patch, read at a vertex of the divided patch."""
     edge_level: str = ""
     """Where a control stage writes the level of an edge, by its ``{number}``."""
     inner_level: str = ""
@@ -158,4 +158,4 @@ class Forms:
     lanes: str = "xyzw"
     """The letters of the lanes."""
     lane_words: tuple[str, ...] = ()
-    """What ``{lane}`` stands for, for each of the four lanes."""
+    """The texts that replace ``{lane}``, one for each of the four lanes."""

@@ -46,8 +46,8 @@ class Framebuffer:
     """The API's own clip y points down: a host turns the viewport over for a program that was not
     emitted flipped, and only for that, so that either comes out the right way round."""
     clip_control: tuple[str, ...] = ()
-    """What a host gives to OpenGL's ``glClipControl``, so that nothing has to be turned over: the
-    names of its constants. Empty: nobody calls it, as in all other APIs."""
+    """The constants that a host passes to OpenGL's ``glClipControl``, so that nothing has to be
+    flipped. Empty: the host does not call it, as in all other APIs."""
     rows_up: bool = False
     """The first row is the bottom one, unless the program was emitted flipped."""
     inputs: Mapping[str, PipelineInput] = EMPTY
@@ -61,18 +61,18 @@ class StreamOutput:
     """How a host captures vertices."""
 
     told: Literal["text", "names", "semantics"]
-    """What says which outputs are captured: the text itself, the names that a host gives before it
-    links (OpenGL's transform feedback), or their semantics (Direct3D's stream output)."""
+    """The place where the captured outputs are listed: the text itself, the names that a host gives
+    before it links (OpenGL's transform feedback), or semantics (Direct3D's stream output)."""
     indexed: bool = True
-    """Whether the vertices of a mesh may be drawn by their indices. Otherwise a host repeats them,
-    and they have other numbers."""
+    """True if the vertices of a mesh may be drawn by their indices. Otherwise a host repeats the
+    vertices, which then have other numbers."""
 
 
 @frozen
 class Limits:
-    """What every device and every compiler of a profile has, or takes, at least.
+    """Limits that every device and every compiler of a profile supports at least.
 
-    ``LIMITED`` says what messages and the manual call each of them.
+    ``LIMITED`` has the words for each of them in messages and in the manual.
     """
 
     varyings: int = 16
@@ -80,22 +80,22 @@ class Limits:
     attributes: int = 16
     """Locations of vertex inputs."""
     vertex_buffers: int = 8
-    """Storage buffers that a stage reads which computes vertices; 0 where it can read none."""
+    """Storage buffers that a stage reads which computes vertices; 0 if it can read none."""
     fragment_buffers: int = 8
-    """Those that the fragment stage reads; likewise."""
+    """Storage buffers that the fragment stage reads; 0 if it can read none."""
     kernel_buffers: int = 8
-    """Those that a kernel reads and writes; likewise."""
+    """Storage buffers that a kernel reads and writes; 0 if it can have none."""
     textures: int = 16
     """Textures with their samplers that one stage reads."""
     vertex_textures: int = 16
-    """Those that a stage reads which computes vertices."""
+    """Textures with their samplers that a stage reads which computes vertices."""
     block_bytes: int = 16384
     """Bytes of one uniform block."""
     vertex_uniforms: int | None = None
     """Vectors of loose uniforms that a stage reads which computes vertices, where blocks are loose
     uniforms (``Profile.loose_uniforms``)."""
     fragment_uniforms: int | None = None
-    """Those that the fragment stage reads; likewise."""
+    """Vectors of loose uniforms that the fragment stage reads, where blocks are loose uniforms."""
     render_targets: int = 8
     """Render targets that a pass writes."""
     nested_blocks: int = 240
@@ -131,10 +131,10 @@ def buffer_limit(row: StageRow) -> str:
 
 @frozen
 class Limited:
-    """What messages and the manual say of one limit."""
+    """The words for one limit in messages and in the manual."""
 
     what: str
-    """What there is a limited number of: behind a number."""
+    """The noun that follows the number: the limited thing, in the plural."""
     stage: StageRow | None = None
     """The stage that it is about, if it means nothing without."""
 
@@ -178,8 +178,8 @@ class Profile:
     name: str
     doc: str
     on_request: bool = False
-    """Whether it has to be named, and is neither among ``all`` nor proposed: one in which many
-    programs cannot be had."""
+    """True if the profile has to be named, and is neither among ``all`` nor proposed: it cannot
+    express many programs."""
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
     requires: Mapping[str, str] = EMPTY
@@ -187,38 +187,40 @@ class Profile:
     defaults: tuple[str, ...] = ()
     """Lines behind these two: default precisions, where extensions have to come first."""
     types: TypeNames | None = None
-    """How it writes types, where it does not do so as its language does."""
+    """The profile's own spelling of types, if it differs from its language's."""
     literals: Literals | None = None
-    """Its constants, likewise."""
+    """The profile's own spelling of constants, if it differs from its language's."""
     forms: Forms | None = None
-    """Its statements and expressions, likewise."""
+    """The profile's own statements and expressions, if they differ from its language's."""
     skeleton: Path | None = None
-    """Its skeleton, likewise."""
+    """The profile's own skeleton, if it differs from its language's."""
     stages: Chain = RASTERISED
-    """Those that it has, in any order."""
+    """The stages that the profile has, in any order."""
     stream_output: StreamOutput | None = None
-    """How vertices are captured, if they can be, that the last stage before the fragments makes."""
+    """How a host captures the vertices of the last stage before the fragments; ``None`` if it
+    cannot."""
     image_formats: frozenset[str] = frozenset()
     """The formats of images that kernels can write. Those of other formats are drawn: a kernel over
     them is a full-screen pass."""
     most_images: int = 4
     """How many images a kernel can write; one that has more is drawn, too."""
     draws_edges: bool = True
-    """Whether a host can have the edges of triangles drawn instead of them."""
+    """True if a host can draw the edges of triangles instead of filling them."""
     blending: TargetBlending = "apart"
     """How unlike each other the targets of one pass can be blended."""
     blends_floats: bool = True
-    """Whether targets of 32-bit floats can be blended."""
+    """True if render targets of 32-bit floats can be blended."""
     single_file: bool = False
     """All stages can stand in one text."""
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
     patch_winding: Literal["ccw", "cw"] = "ccw"
-    """What the API calls triangles of a patch that turn counter-clockwise where u points to the
-    right and v upwards. It is the other way round where the API has v point downwards."""
+    """The API's winding of a patch's triangles that turn counter-clockwise where u points to the
+    right and v upwards. It is the opposite one where the API has v point downwards."""
     invariant_inputs: bool = False
-    """What one stage delivers as invariant has to be called so where the next one reads it."""
+    """True if an input has to be declared invariant where the stage before delivers it as
+    invariant."""
     varyings_by_name: bool = False
     """Stages are matched by the names of varyings instead of their locations."""
     explicit_bindings: bool = True
@@ -240,17 +242,19 @@ class Profile:
     textures: frozenset[Texture] = frozenset(TEXTURES)
     """The types of textures that it has."""
     wide_integers: bool = True
-    """Whether integers have 32 bits, with or without a sign, and operations on these bits."""
+    """True if integers have 32 bits, signed and unsigned, and there are operations on their
+    bits."""
     integer_attributes: bool = True
-    """Whether vertex inputs can be integers."""
+    """True if vertex attributes can be integers."""
     flat_varyings: bool = True
-    """Whether fragments can read what one vertex of their triangle has, as integers have to be."""
+    """True if a varying can be flat: the value of one vertex of the triangle. Integers have to be
+    flat."""
     computed_indices: bool = True
-    """Whether any integer can be the place of an element or a lane. Otherwise it is made of
-    constants and of numbers of turns of the loops around it; only arrays of uniforms are read at
-    any place, where vertices are computed."""
+    """True if any integer can be the index of an element or a lane. Otherwise an index consists of
+    constants and of the counters of loops around it; only arrays of uniforms are read at any index,
+    and only where vertices are computed."""
     loose_uniforms: bool = False
-    """Whether the members of blocks are uniforms, each on its own, which a host sets by name."""
+    """True if each member of a block is a uniform of its own, which a host sets by name."""
     lacks: frozenset[str] = frozenset()
     """Builtins that the dialect has no word for: each becomes a function of the text, made from
     the builtin's ``definition``."""

@@ -26,14 +26,15 @@ from .spellings import Literals, PipelineInput, Spellings, TextureNames, TypeNam
 STAGE_STRUCTS = tuple(
     f"{name.capitalize()}{side}" for name in STAGES for side in ("Input", "Output")
 )
-"""What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
+"""The skeleton's names for the structs of a stage's inputs and outputs, where a language has
+any."""
 
 FieldRole = Literal["attribute", "varying", "control point", "of patch", "render target"]
 """Vertex input, value between the stages, that of a control point which is handed on to the stage
 after the next, what is the same all over a patch, or render target."""
 
 BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]
-"""What a host binds; a texture and a sampler in one are a texture."""
+"""The kinds of things that a host binds; a texture and a sampler in one are a texture."""
 
 
 def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:
@@ -61,8 +62,8 @@ class Language:
     """Why nobody should rely on its texts yet: "never compiled by …". Such a language is not among
     those that a material is compiled for when none is named, and is listed with this."""
     entry_point: str = "main"
-    """What a text of one stage calls its entry point; ``{entry}`` is what it is called where
-    several stages stand in one text."""
+    """The name of the entry point in a text of one stage. ``{entry}`` is its name in a text of
+    several stages."""
     reserved: Callable[[], Reserved]
     """Loads the words that compilers refuse as names; called on first use. The words that texts
     have themselves need not be among them: ``emit/own_words.py`` finds these."""
@@ -77,19 +78,20 @@ class Language:
     inputs: Mapping[str, PipelineInput] = EMPTY
     """How the inputs of the stages that its profiles have are spelled."""
     primitives: Mapping[str, str] = EMPTY
-    """What a geometry stage calls the primitives that it gets, where the language has one."""
+    """The language's words for the primitives that a geometry stage gets, if it has that stage."""
     patches: Mapping[Patch, str] = EMPTY
-    """What a tessellation stage calls the kinds of patches, where the language has one."""
+    """The language's words for the kinds of patches, if it has tessellation stages."""
     spacings: Mapping[Spacing, str] = EMPTY
-    """What it calls the ways in which their edges are divided."""
+    """The language's words for the ways in which the edges of patches are divided."""
     emitted: Mapping[str, str] = EMPTY
-    """What it calls the streams of points, lines and triangles that it emits."""
+    """The language's words for the streams of points, lines and triangles that a geometry stage
+    emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
-    """What marks a field in the text, from its role, name and location."""
+    """The semantic or attribute of a field in the text, from its role, name and location."""
     atomics: Mapping[ScatterOperator, str] = EMPTY
     """The functions by which kernels scatter."""
     registers: Mapping[BindingKind, str] = EMPTY
-    """What the language calls a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
+    """The language's own name of a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
     them."""
     resource_arguments: bool = False
     """Blocks, textures and samplers are no global variables: an entry point gets them as arguments,

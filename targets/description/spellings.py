@@ -103,6 +103,6 @@ class PipelineInput:
     read: str
     """Template; ``{name}`` is the declared name."""
     semantic: str = ""
-    """What marks its declaration; empty where it needs none."""
+    """The semantic or attribute of its declaration; empty if it needs none."""
     host_uniform: str = ""
     """A loose uniform of type float that ``read`` needs and the host has to set."""

@@ -25,7 +25,7 @@ class Context:
         rows_up = profile.framebuffer.rows_up and not flip_y
         self.program = program
         self.dialect = dialect(language, profile, rows_up)
-        """What is the same for all programs."""
+        """Everything that is the same for all programs of this language and profile."""
         self.language = language
         self.profile = profile
         self.names = names

@@ -46,7 +46,7 @@ class EmittedFile:
     """A finished text."""
 
     suffix: str
-    """What follows the material's name: ``vert.glsl``."""
+    """The end of the file's name, behind the material's name: ``vert.glsl``."""
     stage: StageName
     """``all`` for a text that holds all stages."""
     entries: Mapping[StageName, str]

@@ -34,9 +34,9 @@ DOCS: Mapping[GroupPart, str] = {
     "before": "What the values of the invocations before this one come to.",
 }
 _WORDS = ("value", "place", "present", "reach", "joined")
-"""What the functions call their parameters and variables: what an invocation has, its number in the
-work group, how many invocations of the group have an element, how far apart two are that join, and
-what comes of it."""
+"""The parameters and variables of the functions: an invocation's value, its number in the work
+group, how many invocations of the group have an element, the distance between two that join, and
+the joined value."""
 
 Use = tuple[str, Type]
 """A builtin that joins, and the type of its operand."""
@@ -70,7 +70,7 @@ class GroupFunctions(GroupCalls):
         """The condition under which it has an element to compute."""
 
     def __bool__(self) -> bool:
-        """Whether the stage joins anything."""
+        """True if the stage joins values of a work group."""
         return bool(self._names)
 
     @property
@@ -82,7 +82,7 @@ class GroupFunctions(GroupCalls):
         ]
 
     def call(self, node: Node, operand: Printed) -> Printed:
-        """What a builtin comes to at this invocation."""
+        """The expression for a builtin's result at this invocation."""
         builtin, type_ = NATIVE.data(node), node.type
         self._origins.setdefault((builtin, type_), node)
         arguments = [*separable([operand]), self._place]
@@ -173,7 +173,7 @@ class GroupFunctions(GroupCalls):
         yield forms.return_.format(value=joined)
 
     def _scan(self, use: Use, natives: Natives) -> Iterator[str]:
-        """What is before is joined from a distance of 1, then of 2, of 4 … (Hillis and Steele)."""
+        """Joins each value with those before it, at distances 1, 2, 4 … (Hillis and Steele)."""
         forms, array, type_ = self._forms, self._arrays[use[1]], use[1]
         place, reach, joined = (self._local[word] for word in ("place", "reach", "joined"))
         yield self._variable(joined, type_, self._local["value"])
@@ -191,7 +191,7 @@ class GroupFunctions(GroupCalls):
         yield forms.return_.format(value=joined)
 
     def _shifted(self, type_: Type, natives: Natives) -> Iterator[str]:
-        """What the invocation before has, and zero at the first one."""
+        """The value of the invocation before; zero at the first one."""
         forms, place, joined = self._forms, self._local["place"], self._local["joined"]
         yield from self._put(type_, joined)
         kind = scalar_kind(type_)

@@ -39,7 +39,7 @@ class Names:
     """By texture; only textures that are read by a sampler have one."""
     attributes: Mapping[str, str]
     semantics: Mapping[str, str]
-    """What marks each attribute in the text, where the language marks them."""
+    """The semantic of each attribute in the text, in languages that have semantics."""
     varyings: Mapping[str, str]
     points: Mapping[str, str]
     """By varying, what a stage between calls it that hands it on, and the stage behind."""
@@ -137,7 +137,7 @@ class _Naming:
         )
 
     def _supplied_parameters(self) -> Iterator[str]:
-        """What the pipeline supplies as parameters of an entry point: resources may be others."""
+        """The pipeline's values that are parameters of an entry point, as resources may be, too."""
         for stage in self._program.stages:
             for supplied in stage.row.inputs:
                 row = self._language.inputs.get(supplied.name)

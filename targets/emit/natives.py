@@ -68,11 +68,11 @@ class EmittedFunction:
 
 
 class GroupCalls(ABC):
-    """What prints the calls of builtins that join the values of a work group."""
+    """Prints the calls of builtins that join the values of a work group."""
 
     @abstractmethod
     def call(self, node: Node, operand: Printed) -> Printed:
-        """What such a call comes to, of its printed operand."""
+        """The expression for such a call, with its printed operand."""
 
 
 class Natives:

@@ -26,7 +26,7 @@ _FIELD = re.compile(r"\{[^{}\n]*\}")
 _PART = "\0"
 """Stands for what is filled in: a word that touches it is only a part of one."""
 _COUNTS = "234"
-"""What a number of lanes or columns can be."""
+"""The possible numbers of lanes or columns."""
 _OF_PARTS = frozenset(
     {"dimensions", "float_suffix", "lane_words", "lanes", "semantic", "type", "uint_suffix"}
 )
@@ -69,7 +69,7 @@ def _of_skeleton(language: Language) -> str:
 
 
 def _of_rows(language: Language) -> str:
-    """What stands in rows, with all that parts of its words can be."""
+    """The text of all rows, with every possible value of the fields that are parts of words."""
     dimensions = tuple(language.textures.dimensions.values())
     rows = (_rows(language), *map(_profile_rows, language.profiles))
     forms = chain.from_iterable(_expanded(form, dimensions) for form in _texts(rows))

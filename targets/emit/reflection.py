@@ -117,8 +117,10 @@ def backend_row(
 
 
 def _members(block: Block, names: Names, profile: Profile) -> dict[str, str]:
-    """What the members of a block are called, and those of structures, if hosts have to name them:
-    ``Lamp.place``."""
+    """The names of a block's members, for a host.
+
+    Those of structures are among them if hosts have to name them: ``Lamp.place``.
+    """
     found = {member.name: names.members[block.name, member.name] for member in _real(block)}
     if profile.loose_uniforms:
         found |= {

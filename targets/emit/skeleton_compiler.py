@@ -15,7 +15,7 @@ from jinja2 import nodes
 FILTERS = {"length": "len"}
 """Filters, and Python's functions that do the same."""
 PARAMETERS = ("file", "forms", "profile", "flip_y")
-"""What a skeleton is filled in with."""
+"""The variables of a skeleton."""
 GLOBALS = ("joiner",)
 """Functions of Jinja that ``templates.py`` supplies."""
 
@@ -130,7 +130,7 @@ def _joined(parts: Sequence[nodes.Node]) -> str:
 
 
 def _target(node: nodes.Node) -> str:
-    """What a value is assigned to: a variable, or several."""
+    """The left side of an assignment: a variable, or several."""
     match node:
         case nodes.Name(name=name):
             return _variable(name)

@@ -126,7 +126,7 @@ class StagePrinter:
         )
 
     def _expansion(self) -> ExpansionView | None:
-        """What a stage that emits vertices says of the primitives that it gets."""
+        """The declaration of the primitives that a geometry stage gets and emits; else ``None``."""
         expansion = self._context.program.expansion
         if not self._stage.emitted or expansion is None:
             return None
@@ -217,13 +217,13 @@ class StagePrinter:
 
     @property
     def _invocation(self) -> SystemInput | None:
-        """What tells a kernel's invocations apart; ``None`` in other stages."""
+        """The number or texel by which a kernel's invocations differ; ``None`` in other stages."""
         if self._context.program.work_group is None:
             return None
         return inputs_of((self._stage.row,))["texel" if self._stage.images else "index"]
 
     def _texels(self, expressions: Expressions) -> Iterator[str]:
-        """What is written to the images of a kernel."""
+        """The lines that write the texels of a kernel's images."""
         for output in self._stage.results:
             if output.image is not None:
                 text = self._language.forms.store_texel.format(
@@ -234,7 +234,7 @@ class StagePrinter:
                 yield self._marks.mark(text, output.value)
 
     def _stores(self, expressions: Expressions) -> Iterator[StoreView]:
-        """What is written at the end: outputs, and levels of a patch."""
+        """The assignments at the end of the entry point: outputs, and levels of a patch."""
         placed = [output for output in self._stage.results if output.field is not None]
         for field, output in zip(self._fields.delivered, placed, strict=True):
             yield StoreView(field.name, self._value(expressions, output.value))

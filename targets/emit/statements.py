@@ -200,7 +200,7 @@ class Statements:
         return self._mark(text, loop.node)
 
     def _enough(self, loop: Loop | Iterate, count: str) -> Lines:
-        """What leaves a loop behind its last turn, where its first line can only say the bound."""
+        """The line that leaves a loop after its last iteration, if the loop only has a bound."""
         if self._forms.enough and loop.count.op != "constant":
             index = self._expressions.formals[loop.index]
             yield self._mark(self._forms.enough.format(index=index, count=count), loop.node)

@@ -22,7 +22,7 @@ class Strips(Statements):
     """The statements of a body that emits vertices."""
 
     def emitted(self, stage: Stage, delivered: Delivered) -> list[str]:
-        """What all groups share, and then these, one after the other."""
+        """The statements that all groups share, and then the groups, one after the other."""
         return self.laid_out(self._all(stage, delivered))
 
     def _all(self, stage: Stage, delivered: Delivered) -> Lines:
@@ -31,7 +31,7 @@ class Strips(Statements):
             yield from self._where(part.condition, self._part(part, stage.results, delivered))
 
     def _where(self, condition: Node, block: Lines) -> Lines:
-        """What is done only where a condition holds; without a test if it always does."""
+        """A block inside an ``if`` with a condition; without the test if it always holds."""
         if condition.op == "constant":
             if condition.data:
                 yield from block
@@ -101,7 +101,9 @@ class Strips(Statements):
 
 
 def _stands_alone(group: EmittedGroup) -> bool:
-    """Whether there are several triangles that share no vertices, so that each is a strip of its
-    own; or points, which are in no strip."""
+    """True if no strip joins the group: several separate triangles, or points.
+
+    Each of the triangles is a strip of its own; points are in no strip.
+    """
     kind = group.strips.kind
     return not kind.is_joined and (kind.emits == "point" or group.strips.primitives > 1)

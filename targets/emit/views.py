@@ -18,7 +18,7 @@ class MemberView:
     typed: str
     comment: str = ""
     is_padding: bool = False
-    """Whether it only keeps the others at their places."""
+    """True if the member only keeps the others at their offsets."""
 
 
 @frozen
@@ -50,7 +50,7 @@ class BufferView:
 
     name: str
     block: str
-    """What the interface block around it is called, in languages where there is one."""
+    """The name of the interface block around the buffer, in languages that have one."""
     element: str
     """The type of its elements."""
     slot: BindingSlot
@@ -58,9 +58,10 @@ class BufferView:
     argument: str
     """The buffer as a parameter of a function."""
     written: bool
-    """Whether a kernel writes it; all others are only read."""
+    """True if a kernel writes the buffer; all others are only read."""
     scattered: bool
-    """Whether it does so by joining values with elements that are there already."""
+    """True if the kernel writes by combining values with elements that are there already
+    (atomics)."""
 
 
 @frozen
@@ -70,7 +71,7 @@ class ImageView:
     name: str
     type: str
     format: str
-    """That of its texels, in Burnish's word."""
+    """The format of the image's texels, in Burnish's word."""
     slot: BindingSlot
     register: str
 
@@ -95,16 +96,16 @@ class FieldView:
     location: int
     semantic: str
     crosses: bool
-    """Whether it goes from one stage to the next."""
+    """True if the field goes from one stage to the next."""
     flat: bool
     comment: str
     of_patch: bool = False
-    """Whether it is the same all over a patch."""
+    """True if the field is the same for a whole patch."""
     per_corner: bool = False
-    """Whether there is one for each corner of a primitive, or for each control point."""
+    """True if there is one value for each corner of a primitive, or for each control point."""
     invariant: bool = False
-    """Whether the text has to say that it is the same, bit by bit, in all shaders that compute it
-    in this way."""
+    """True if the text has to declare the field invariant: the same, bit by bit, in all shaders
+    that compute it in this way."""
     captured_at: str = ""
     """At which byte of a vertex it is captured, where the text says so."""
 
@@ -136,19 +137,19 @@ class StoreView:
 
 @frozen
 class ExpansionView:
-    """What a stage does that gets whole primitives and emits vertices."""
+    """The primitives that a geometry stage gets, and the vertices that it emits."""
 
     primitive: str
     """In the language's own word."""
     corners: int
     emitted: str
-    """What it emits: the language's word for streams of points, lines or triangles."""
+    """The language's word for the stream that the stage emits: points, lines or triangles."""
     places: bool
-    """Whether it says where vertices go; those that are captured go nowhere."""
+    """True if the stage delivers positions; captured vertices have none."""
     vertices: int
     """How many it emits at most."""
     is_layered: bool
-    """Whether it says to which layer of the render targets they belong."""
+    """True if the stage says to which layer of the render targets its vertices belong."""
 
 
 @frozen
@@ -156,9 +157,9 @@ class TessellationView:
     """How patches are divided, for the two stages that do it."""
 
     patch: str
-    """Their kind, in the language's own word."""
+    """The kind of the patches, in the language's own word."""
     lines: bool
-    """Whether they are divided into lines, and not into triangles."""
+    """True if patches are divided into lines, and not into triangles."""
     spacing: str
     """How edges are divided, likewise."""
     points: int
@@ -167,11 +168,12 @@ class TessellationView:
     """How many levels there are."""
     inner_levels: int
     is_control: bool
-    """Whether it is the stage that computes the levels."""
+    """True in the stage that computes the tessellation levels."""
     own: list[FieldView]
-    """What is the same all over a patch: this stage computes it, the other one reads it."""
+    """The fields that are the same for a whole patch: the control stage computes them, the
+    evaluation stage reads them."""
     handing: list[StoreView]
-    """What is handed on of each control point: the outputs, and the inputs that they are."""
+    """The outputs of each control point, with the inputs that they hand on."""
 
 
 @frozen
@@ -184,13 +186,13 @@ class EntryView:
     pipeline_inputs: list[InputView]
     outputs: list[FieldView]
     blocks: list[BlockView]
-    """What this stage reads of the file's blocks."""
+    """The file's blocks that this stage reads."""
     buffers: list[BufferView]
-    """Likewise."""
+    """The file's buffers that this stage reads or writes."""
     images: list[ImageView]
-    """Those that it writes."""
+    """The images that this stage writes."""
     textures: list[TextureView]
-    """What it reads of the file's textures."""
+    """The file's textures that this stage reads."""
     functions: list[FunctionView]
     lines: list[str]
     stores: list[StoreView]
@@ -201,8 +203,8 @@ class EntryView:
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
     invariant: bool
-    """Whether positions are the same, bit by bit, in all shaders that compute them in this way:
-    where they are delivered, and how finely patches are divided."""
+    """True if positions, and the tessellation levels, have to be the same, bit by bit, in all
+    shaders that compute them in this way."""
     opening: list[str]
     """The statements that tell a kernel's invocations apart; none in other stages."""
     guard: str

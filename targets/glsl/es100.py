@@ -46,7 +46,7 @@ FORMS = Forms(
 
 
 def is_float(facts: tuple[Fact, ...]) -> bool:
-    """Whether the operands are floats."""
+    """True if the operands are floats."""
     return facts[0].kind == "float"
 
 

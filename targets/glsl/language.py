@@ -174,7 +174,7 @@ FRAG_COORD_FROM_TOP = PipelineInput(
 
 
 def is_float(facts: tuple[Fact, ...]) -> bool:
-    """Whether the operands are floats."""
+    """True if the operands are floats."""
     return facts[0].kind == "float"
 
 
@@ -182,11 +182,11 @@ AGREES: Mapping[str, Domain] = {"dot": is_float}
 """GLSL has no inner product of integers."""
 
 COUNTS = frozenset({"count_bits", "first_leading_bit", "first_trailing_bit"})
-"""What came with GLSL 4.00 and ES 3.10. In ES the results are ``lowp``: a device may compute
-``1000 * bitCount(x)`` in nine bits."""
+"""Builtins that came with GLSL 4.00 and ES 3.10. In ES the results are ``lowp``: a device may
+compute ``1000 * bitCount(x)`` in nine bits."""
 
 LACKS = COUNTS | {"reverse_bits"}
-"""What came with them, too, and is ``highp`` in ES."""
+"""All builtins that came with GLSL 4.00 and ES 3.10; ``reverse_bits`` is ``highp`` in ES."""
 
 WITHOUT_FMA = {"fma": "({0:p} * {1:p} + {2:p})"}
 
@@ -218,7 +218,7 @@ VULKAN = Profile(
 )
 
 NO_LEVELS = frozenset({"texture_levels"})
-"""It came with GLSL 4.30; no version of ES has it."""
+"""The builtin that came with GLSL 4.30; no version of ES has it."""
 
 CANNOT = NO_LEVELS | {"gather", "gather_compare"}
 """``textureGather`` came with GLSL 4.00 and ES 3.10."""

@@ -143,7 +143,7 @@ COUNTS: Mapping[Dimension, tuple[str, str]] = {
     "3d": ("width, height, depth", "int3(width, height, depth)"),
     "cube": ("width, height", "int2(width, height)"),
 }
-"""What `GetDimensions` answers before the levels, and a size of that."""
+"""The results of `GetDimensions` before the levels, and the size that is made of them."""
 
 
 def asking(head: str, level: str, answer: str) -> Mapping[Dimension, str]:
@@ -237,7 +237,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
 
 
 def is_unsigned(facts: tuple[Fact, ...]) -> bool:
-    """Whether the first operand is a `uint`."""
+    """True if the first operand is a `uint`."""
     return facts[0].kind == "uint"
 
 

@@ -116,7 +116,7 @@ class _Owned:
 
 
 def _by_group(program: Program) -> dict[str, _Owned]:
-    """What each group has; groups are in the order of the program."""
+    """The blocks, buffers and textures of each group; groups are in the order of the program."""
     found: defaultdict[str, _Owned] = defaultdict(lambda: _Owned([], [], []))
     for block in program.blocks:
         owned = found[block.group].blocks

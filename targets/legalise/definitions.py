@@ -70,10 +70,10 @@ def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterable[Use]:
 
 
 def has_meaning(profile: Profile, use: Use) -> bool:
-    """Whether the profile's own operation means what the builtin does, for operands of some types.
+    """True if the profile's own operation means what the builtin does, for operands of these types.
 
-    Types decide about builtins that have a definition. Those of which values decide have been
-    proven, or have a guard, where they are used.
+    Types decide about builtins that have a definition. Those whose meaning depends on values have
+    been proven, or have a guard, where they are used.
     """
     name, types = use
     domain = profile.agrees.get(name) if BUILTINS[name].definition else None

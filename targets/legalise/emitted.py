@@ -69,7 +69,7 @@ class _Writing:
         return [self._program[value] for value in values]
 
     def notes(self, given: Notes) -> Notes:
-        """What ``given`` says of the program's nodes, for their copies."""
+        """The notes of ``given`` about the program's nodes, moved to their copies."""
         notes = Notes()
         notes.take_over(given, {old.id: new.id for old, new in self._program.items()})
         for function in self._definitions.values():

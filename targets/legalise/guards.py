@@ -49,7 +49,7 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
 
 
 def keeps(profile: Profile, guard: Guard) -> bool:
-    """Whether a guard stays in the texts for a profile."""
+    """True if a guard stays in the texts for a profile."""
     domain = profile.agrees.get(guard.builtin, BUILTINS[guard.builtin].domain)
     return not (guard.by_profile and domain(guard.facts))
 

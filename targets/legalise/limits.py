@@ -41,13 +41,13 @@ class Excess:
     block: str = ""
     """The host's own block that is the reason."""
     of_expansion: bool = False
-    """Whether the reason is what the material turns its primitives into."""
+    """True if the reason is the material's expansion or tessellation."""
     instead: str = ""
-    """What a user can do, if it is no matter of other profiles alone."""
+    """A hint, if there is one besides compiling for another profile."""
 
     @property
     def what(self) -> str:
-        """What there is too much of, behind its number."""
+        """The noun for the limited things, which follows their number."""
         return LIMITED[self.limit_name].what
 
 
@@ -209,4 +209,4 @@ BY_CORNER = (
     "`--native-stages` for one that has the stage"
 )
 INSTEAD = {"inlined_operations": INLINED}
-"""What a user can do about a limit that no profile has more of."""
+"""Advice about a limit that is the same in all profiles."""

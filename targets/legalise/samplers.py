@@ -14,5 +14,5 @@ def texture_type(resource: Resource) -> Texture:
 
 
 def sampler_use(resource: Resource) -> SamplerUse:
-    """Whether the sampler of a texture filters or compares."""
+    """The use of a texture's sampler: it filters or compares."""
     return "comparison" if texture_type(resource).sample == "depth" else "filtering"

@@ -208,7 +208,7 @@ def semantic(role: FieldRole, _name: str, location: int) -> str:
 
 
 def is_float(facts: tuple[Fact, ...]) -> bool:
-    """Whether the first operand is of floats."""
+    """True if the first operand has floats."""
     return facts[0].kind == "float"
 
 
