@@ -98,13 +98,13 @@ class _Compared:
     """The vertices that are compared, and what was captured of them."""
 
     kept: Bools
-    """Which of those that are listed: the ones whose places in the buffer are known."""
+    """The listed vertices that are compared: those whose offsets in the buffer are known."""
     got: list[Floats]
     """Of each member a picture of one row; NaN where a wrong number of vertices was captured."""
 
     @classmethod
     def of(cls, listed: Listed, got: Vertices) -> _Compared:
-        """What can be compared of a list with what was captured."""
+        """The part of a list that can be compared with what was captured."""
         tipping = np.flatnonzero(listed.possible & ~listed.certain)
         place = np.arange(len(listed.certain))
         first, last = (tipping[0], tipping[-1]) if len(tipping) else (len(place), len(place))

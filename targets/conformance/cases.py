@@ -65,7 +65,7 @@ class Series:
     """Cases that one pipeline draws, one after the other."""
 
     exact: bool
-    """Whether the targets are float32 without blending and with one sample for each pixel, which
+    """True if the targets are float32 without blending and with one sample for each pixel, which
     shows exactly what shaders write. Otherwise they have the formats, the blending and the samples
     that the pass declares."""
     cases: tuple[Case, ...]

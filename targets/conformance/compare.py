@@ -44,7 +44,7 @@ CANCELLED = 2.0**-8
 their rounding counts instead of its own."""
 
 Level = Literal["measured", "guaranteed"]
-"""Which bounds hold: those of what was measured of the driver, or of what specifications
+"""The bounds that are used: those that were measured of the driver, or those that specifications
 guarantee."""
 
 
@@ -103,12 +103,12 @@ class Comparison:
 
     @property
     def blames_compiler(self) -> bool:
-        """Whether the program that was emitted means something else than the material."""
+        """True if the program that was emitted means something else than the material."""
         return self.changed > 0
 
     @property
     def agrees(self) -> bool:
-        """Whether the pictures agree, as far as this comparison can tell."""
+        """True if the pictures agree, as far as this comparison can tell."""
         return not (self.wrong or self.changed or self.overflowing)
 
 
@@ -180,7 +180,7 @@ def ends_of(expected: Expected) -> tuple[Floats, Floats, Floats]:
 
 
 def proves_little(comparisons: Sequence[Comparison]) -> bool:
-    """Whether agreement of a material's pictures proves little: too few pixels can be compared."""
+    """True if agreement of a material's pictures proves little: too few pixels can be compared."""
     seen = any(one.proven > SEEN_SHARE * one.pixels for one in comparisons)
     covered = sum(one.covered for one in comparisons)
     unproven = sum(max(one.covered - one.proven, one.undecided) for one in comparisons)

@@ -75,7 +75,7 @@ def planned(
     draw: Draw = expected,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Planned]:
-    """What is to be drawn of each labelled material, kernel or frame.
+    """The draws that are planned for each labelled material, kernel or frame.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random

@@ -55,7 +55,7 @@ def causes(explanation: Explanation) -> Iterator[str]:
 
 
 def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
-    """Those that change the pixel by themselves."""
+    """The causes that change the pixel by themselves."""
     for large in explanation.overflows[:1]:
         yield _with_place(_overflow(large), large.span)
     for loss in explanation.losses[:1]:
@@ -70,7 +70,7 @@ def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
 
 
 def small(explanation: Explanation, width: float) -> str:
-    """What is said of a pixel whose bounds are wide although nothing in it loses precision."""
+    """The sentence about a pixel whose bounds are wide although nothing in it loses precision."""
     return (
         f"no expression magnifies rounding much: at ({explanation.x}, {explanation.y}) it amounts "
         f"to {short(explanation.error)}, to first order, but the bounds are {short(width)} wide, "

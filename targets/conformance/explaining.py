@@ -69,9 +69,9 @@ def explanation_lines(
     pixel: Pixel,
     case: str | None,
 ) -> Iterator[str]:
-    """What there is to say of one pixel of a material, whose rows these are.
+    """The lines that explain one pixel of a material, from the material's rows.
 
-    Without a case, the one that is the least certain there is taken. Raises ``PixelError``.
+    Without a case, the one in which the pixel is the least certain is taken. Raises ``PixelError``.
     """
     if not is_shader(subject):
         assert is_frame(subject)

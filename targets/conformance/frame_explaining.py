@@ -33,7 +33,7 @@ _LARGE_PART = 0.5
 def frame_lines(
     subject: FrameSubject, rows: Sequence[Row], pixel: Pixel, case: str | None
 ) -> Iterator[str]:
-    """What there is to say of one pixel of a frame, whose rows these are. Raises ``PixelError``."""
+    """The lines that explain one pixel of a frame, from the frame's rows. Raises ``PixelError``."""
     plan = FramePlan(subject.name, subject, SIZE)
     seen = chosen(list(_seen(plan, rows)), pixel, case, "output")
     row, level = seen.leading, seen.result.comparison.level

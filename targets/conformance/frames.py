@@ -38,7 +38,7 @@ from .rows import CaseResult
 Floats = NDArray[np.float64]
 
 MESH = "torus"
-"""What the models of a frame are."""
+"""The mesh of all models of a frame."""
 SEVERAL = 2
 """How many frames are drawn where one reads what the last one left."""
 
@@ -70,7 +70,7 @@ def _turned_over(bounds: Bounds) -> Bounds:
 
 @dataclass(frozen=True, slots=True)
 class _Pictures:
-    """What the reference has drawn."""
+    """The pictures that the reference has drawn."""
 
     frames: list[dict[str, Drawn]]
     """Of each frame the outputs, by name."""
@@ -171,8 +171,10 @@ class FramePlan:
     def _drawn(
         self, profile: str | None, rules: RasterRules, errors: Errors | None
     ) -> list[dict[str, Drawn]]:
-        """What the reference draws of a profile's texts, or of the source: within bounds, or what
-        is meant."""
+        """The reference's pictures of a profile's texts, or of the source.
+
+        They have bounds if there are ``errors``, and otherwise the values that are meant.
+        """
         programs = self._programs_for(profile)
 
         def made() -> _Pictures:

@@ -1,5 +1,4 @@
-"""What all pages have in common that Burnish writes: how they are made of templates, and what a
-browser may do in them.
+"""Parts of all HTML pages of Burnish: templates, and restrictions for the browser.
 
 ``report.py`` makes the page of a conformance run, and ``burnish gallery`` those of a folder. Both
 show texts that may come from anybody, and are opened from disk or from any server.
@@ -36,8 +35,10 @@ def environment(folder: Path) -> Environment:
 
 
 def _visible(value: object) -> object:
-    """What a template shows in place of a value. Markup comes from Burnish, which has seen to it
-    already."""
+    """The text that a template shows for a value.
+
+    Markup comes from Burnish, which has made it harmless already.
+    """
     if isinstance(value, str) and not isinstance(value, Markup):
         return harmless_lines(value)
     return value

@@ -120,7 +120,7 @@ class KernelPlan:
     def _computed(
         self, program: Program, run: Run, rules: RasterRules, errors: Errors | None
     ) -> Sequence[Lane]:
-        """What the reference computes: once for all routes whose texts are the same graph."""
+        """The reference's values, computed once for all routes whose texts are the same graph."""
         # No kernel compares neighbouring pixels, so it does not matter which rows make a quad.
         rules = replace(rules, bottom_up=False)
         key = program.text, run.name, rules, errors
@@ -175,7 +175,7 @@ def _undecided(lanes: Sequence[Lane], width: int) -> NDArray[np.bool_]:
 
 
 def _got(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> list[Floats]:
-    """What was written to each part."""
+    """The values that a driver has written to each part of an element."""
     found = []
     for part in _parts(lanes):
         store = part[0].store

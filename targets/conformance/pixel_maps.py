@@ -57,7 +57,7 @@ def difference_map(result: CaseResult, target: int) -> tuple[Floats, float]:
 
 
 def decision_map(result: CaseResult) -> Floats:
-    """What can be said of each pixel: one colour for each answer."""
+    """A picture of the verdict on each pixel: one colour for each answer."""
     expected = result.expected
     values, low, high = ends_of(expected)
     decided = expected.covered & ~expected.undecided

@@ -47,7 +47,7 @@ FLOATS = "rgba32f"
 
 @dataclass(frozen=True, slots=True)
 class Bounds:
-    """What the reference allows a device: how it rasterises, and how far functions may be off."""
+    """The tolerance for a device: its rasterisation rules, and the errors of its functions."""
 
     level: Level
     rules: RasterRules
@@ -170,7 +170,7 @@ def _compared(
     bounds: Bounds,
     possible: Expected | None = None,
 ) -> Comparison:
-    """What ``compare`` finds for the formats to which the source draws."""
+    """The result of ``compare`` for the formats to which the source draws."""
     targets = [result.state.format for result in source.shader.results if result.state]
     pairs = list(zip(targets, meant.targets, strict=True))
     return compare(
@@ -197,7 +197,7 @@ def summed_up(found: Sequence[Comparison]) -> Comparison:
 
 
 class Sized2d(Protocol):
-    """What has the size of a picture."""
+    """Anything with a width and a height in pixels."""
 
     @property
     def width(self) -> int:
@@ -229,7 +229,7 @@ def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...
 
 
 def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
-    """What a device reports, and what is assumed of the rest."""
+    """The properties that a device reports, and the assumed ones for the rest."""
     return replace(
         assumed,
         subtexel_bits=device.subtexel_bits or assumed.subtexel_bits,

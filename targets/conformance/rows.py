@@ -72,5 +72,5 @@ class Row:
 
     @property
     def proven(self) -> int:
-        """Those of them whose bounds say something."""
+        """The number of covered pixels whose bounds are narrow enough to prove something."""
         return sum(result.comparison.proven for result in self.results)

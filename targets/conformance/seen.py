@@ -1,4 +1,4 @@
-"""What routes have made of one case, and the choice of the case in which a pixel is explained.
+"""The results of all routes for one case, and the choice of the case that explains a pixel.
 
 ``explaining.py`` and ``frame_explaining.py`` are about pixels of these.
 """
@@ -20,11 +20,11 @@ from .rows import CaseResult, Row
 T = TypeVar("T")
 S = TypeVar("S", bound="Seen")
 Pixel = tuple[int, int]
-"""Its column and its row, from the upper left corner of the picture."""
+"""A pixel's column and row, from the upper left corner of the picture."""
 
 _TRIED = (0.5, 0.75, 0.25, 0.9)
-"""Which pixels are explained until one shows where precision is lost, in the order of how wide
-their bounds are, from 0 to 1."""
+"""The pixels that are explained until one shows where precision is lost: ranks, from 0 to 1, in the
+order of how wide their bounds are."""
 
 
 class PixelError(Exception):
@@ -43,7 +43,7 @@ class Seen:
 
     @property
     def result(self) -> CaseResult:
-        """What the leading row has drawn."""
+        """The result of the leading row."""
         return self.results[self.leading.route.name]
 
     @property
@@ -54,7 +54,7 @@ class Seen:
 
 
 def results_of(case: str, rows: Iterable[Row]) -> dict[str, CaseResult]:
-    """What the rows that drew a case have made of it, by the route's name."""
+    """The results of a case in the rows that drew it, by the route's name."""
     found = ((row.route.name, result) for row in rows for result in row.results)
     return {route: result for route, result in found if result.case == case}
 

@@ -47,7 +47,7 @@ def unproven(row: Row) -> str:
 
 
 def is_failure(row: Row, *, strict: bool) -> bool:
-    """Whether the row is one that must not be; with ``strict``, what proves little is one."""
+    """True if the row fails; with ``strict``, a row that proves little fails, too."""
     return row.status in FAILURES or (strict and row.status == "proves little")
 
 
@@ -99,10 +99,9 @@ def lacking(rows: Iterable[Row]) -> Mapping[str, Sequence[str]]:
 
 
 def messages(rows: Sequence[Row]) -> Iterator[tuple[Sequence[Row], Sequence[str]]]:
-    """What there is to say of the rows of one material: the rows of which it is said, and the
-    lines.
+    """The messages about one material's rows: the rows that each is about, and its lines.
 
-    What proves little does so on all routes, for the same reason, and is said once: of the route
+    Rows that prove little do so on all routes, for the same reason; that is said once, of the route
     that proves the least.
     """
     weak = [row for row in rows if row.status == "proves little"]
@@ -125,7 +124,7 @@ def details(row: Row) -> Iterator[str]:
 
 
 def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
-    """What is wrong with one case, or ``weak``."""
+    """The sentences about one case that fails, or that proves little if it is ``weak``."""
     comparison = result.comparison
     covered = comparison.covered
     if (change := comparison.change) is not None:

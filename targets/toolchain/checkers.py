@@ -55,9 +55,9 @@ class Checker:
     together: int = 1
     """How many jobs one call takes even where others could be made at the same time."""
     has_directives: bool = True
-    """Whether its language has directives, of which texts may have only those that are emitted."""
+    """True if the language has directives. Its texts may have only those that Burnish emits."""
     headers: tuple[str, ...] = ()
-    """What a text may include."""
+    """The headers that a text may include."""
 
     def refusal(self, job: Job) -> Verdict | None:
         """The verdict on a text that no compiler may have; ``None`` for other texts."""

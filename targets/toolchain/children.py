@@ -65,7 +65,7 @@ class Child:
 
     @property
     def pid(self) -> int:
-        """Its number."""
+        """The number (PID) of the process."""
         return self.process.pid
 
     def kill(self) -> None:

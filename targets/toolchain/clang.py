@@ -60,7 +60,7 @@ def check_against(
 
 
 def headers_in(declarations: Path) -> tuple[str, ...]:
-    """What texts may include that are checked against the folder ``declarations``."""
+    """The headers that texts may include that are checked against the folder ``declarations``."""
     return tuple(sorted(header.stem for header in declarations.glob("*.h")))
 
 

@@ -19,7 +19,7 @@ _SPLICE = re.compile(r"(\\|\?\?/)\s*$")
 """The end of a line that goes on in the next one; some compilers allow spaces there."""
 _SEEN = re.compile(r"[\x21-\x7e]")
 _HARMLESS = re.compile(r"#(version|line|extension)\b")
-"""What Burnish emits; but there are extensions with which texts include files."""
+"""The directives that Burnish emits. There are extensions with which texts include files."""
 
 
 def foreign_directive(text: str, headers: Sequence[str] = ()) -> tuple[int, str] | None:

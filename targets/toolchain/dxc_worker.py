@@ -80,7 +80,7 @@ class Compiler:
             raise RuntimeError(f"DxcCreateInstance failed: {failure & 0xFFFFFFFF:#x}")
 
     def compile(self, text: str, arguments: list[str]) -> tuple[bool, bytes, str]:
-        """Whether DXC accepted the text, the object file, and DXC's messages."""
+        """Compile a text: returns True if DXC accepted it, the object file, and DXC's messages."""
         words = (ctypes.c_wchar_p * len(arguments))(*arguments)
         count = ctypes.c_uint32(len(arguments))
         no_includes = ctypes.c_void_p()

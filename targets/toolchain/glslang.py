@@ -30,8 +30,8 @@ APPENDIX_A: Mapping[str, int] = {
     "MaxVaryingVectors": 8,
     "MaxDrawBuffers": 1,
 }
-"""What Appendix A of the specification of GLSL ES 1.00 lets devices leave out, and what its section
-7.4 promises of their resources."""
+"""The features that devices may leave out by Appendix A of the specification of GLSL ES 1.00, and
+the resources that its section 7.4 promises."""
 _TO_VULKAN = ("-V", "--target-env", "vulkan1.1")
 
 

@@ -120,7 +120,7 @@ def _ensure(tool: Tool) -> bool:
 
 
 def _is_there(tool: Tool) -> bool:
-    """Whether a tool needs no installing. One with a pinned version must be in the cache itself."""
+    """True if a tool need not be installed. A pinned version must be in the cache itself."""
     pinned = isinstance(tool.source, OwnInstaller)
     state = judge(tool, tool.find_installed() if pinned else tool.find())
     if state.problem is None:

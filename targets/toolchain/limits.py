@@ -22,7 +22,7 @@ GB = 10**9
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What each process of a program may take; whatever it starts has the same limits."""
+    """Limits of each process of a program; the processes that it starts have the same limits."""
 
     memory: int
     """Bytes of memory that it may write to, whether or not it ever does. Address space that is only
@@ -32,12 +32,12 @@ class Limits:
     output: int
     """Bytes of its output that are read before it is stopped."""
     of: str = ""
-    """Which programs these are, for the manual."""
+    """The programs that have these limits, for the manual."""
     draws: bool = False
-    """Whether it may take more if ``--budget memory`` allows more to be drawn."""
+    """True if the program may take more if ``--budget memory`` allows more to be drawn."""
 
     def scaled(self) -> Limits:
-        """These limits, as far as they were raised."""
+        """The limits, raised as far as the budget of memory was raised."""
         raised = allowed(_BUDGET) / LIMITS[_BUDGET].most if self.draws else 1
         if raised <= 1:
             return self
@@ -73,7 +73,7 @@ _NO_MEMORY = re.compile(
     r"|Cannot allocate memory|0x8007000e",
     re.IGNORECASE,
 )
-"""What programs say when they are given no more memory."""
+"""The messages of programs that are given no more memory."""
 
 
 def limit(process: int, limits: Limits, seconds: int | None) -> None:
@@ -101,9 +101,9 @@ def limit(process: int, limits: Limits, seconds: int | None) -> None:
 
 
 def exhausted(log: str, limits: Limits) -> str:
-    """What is to be said of a program that has failed, if it got no more memory.
+    """The message about a program that failed since it got no more memory; else empty.
 
-    That is all there is to say, instead of where in the program it was noticed.
+    The message replaces the program's own ones, which only say where the lack was noticed.
     """
     if not _NO_MEMORY.search(log):
         return ""

@@ -119,9 +119,9 @@ def vulkan_files(name: str) -> tuple[str, ...]:
 
 
 def is_trusted(folder: Path) -> bool:
-    """Whether a folder is there, and nobody but this user and root can put a program into it.
+    """True if a folder exists, and only this user and root can put a program into it.
 
-    It may be a link, but not one that somebody else could turn to another folder.
+    A folder may be a link, but not one that somebody else could turn to another folder.
     """
     try:
         link, status = folder.lstat(), folder.stat()

@@ -39,9 +39,9 @@ class Outcome:
     code: int
     """The exit code: negative for a signal, 0 if the program never ended by itself."""
     output: bytes
-    """Its standard output."""
+    """The program's standard output."""
     log: str
-    """Its standard output, followed by its standard error, as text."""
+    """The program's standard output, followed by its standard error, as text."""
 
 
 def run(
@@ -77,7 +77,7 @@ def run(
 
 @contextmanager
 def _input(data: bytes) -> Iterator[int | IO[bytes]]:
-    """What a program reads: a file, so that nobody has to wait until it is read."""
+    """The standard input of a program: a file, so that nobody has to wait until it is read."""
     if not data:
         yield subprocess.DEVNULL
         return
@@ -144,7 +144,7 @@ class _Reader(Thread):
 
 
 def crashed(code: int) -> bool:
-    """Whether an exit code means that the program crashed instead of answering."""
+    """True if an exit code means that the program crashed instead of answering."""
     return code < 0 or code == RUST_PANIC or code > BY_SIGNAL
 
 

@@ -1,4 +1,4 @@
-"""What a program that Burnish starts sees of its surroundings, and where programs are looked for.
+"""The environment and the folder of programs that Burnish starts, and where it looks for programs.
 
 The current folder may be somebody else's: a repository that was cloned, an archive that was
 unpacked. Nothing that lies there may become code or configuration of a program that is started. So

@@ -15,7 +15,7 @@ HERE = Path(__file__).parent
 
 
 class Toolbox:
-    """What the ``check`` functions of checkers use to run tools."""
+    """Runs tools for the ``check`` functions of checkers."""
 
     def __init__(self, parallel: int, time_limit: float) -> None:
         self.time_limit = time_limit

@@ -40,7 +40,7 @@ def browser_beside(programs: tuple[str, ...]) -> Version:
 
 
 def refuses_sandbox() -> bool:
-    """Whether a browser of Chromium's family certainly does not start with its sandbox: as root."""
+    """True if Chromium certainly does not start with its sandbox: as root."""
     return os.name == "posix" and os.geteuid() == 0
 
 
