@@ -41,7 +41,7 @@ class DrawsByFrames(ABC):
 
     @abstractmethod
     def draw_frame(self, job: FrameJob) -> Found:
-        """What the job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
 
     def accept_job(self, job: Job) -> None:  # noqa: B027
         """Raise ``DriverError`` if the device cannot draw a job that is consistent."""
@@ -61,7 +61,7 @@ class DrawsByFrames(ABC):
         ]
 
     def compute(self, job: KernelJob) -> Sequence[Written]:
-        """What each dispatch of the job writes. Raises ``DriverError``."""
+        """Do a kernel job: returns what each dispatch writes. Raises ``DriverError``."""
         check_kernel(job)
         self.accept_kernel(job)
         found = self.draw_frame(frame_of_dispatches(job))
@@ -103,16 +103,16 @@ class _Canvas:
     """Textures of one size, to which draws with a pipeline draw in turn."""
 
     read: tuple[int, ...]
-    """The numbers of those that are read back."""
+    """The numbers of the textures that are read back."""
     drawn: tuple[int, ...]
-    """The numbers of the targets: others, if these have several samples."""
+    """The numbers of the render targets: other textures if the targets have several samples."""
     depth: int
     use: TextureUse = "undefined"
-    """Of those that are read, before the next draw."""
+    """The use of the textures that are read back, before the next draw."""
 
     @classmethod
     def of(cls, pipeline: Pipeline, size: tuple[int, int], textures: list[FrameTexture]) -> _Canvas:
-        """Those that a pipeline needs, which are added to ``textures``."""
+        """The textures that a pipeline needs, which are added to ``textures``."""
         if pipeline.layers and pipeline.samples > 1:
             raise DriverError("targets with layers have one sample for each pixel")
         one = FrameTexture("r8unorm", *size)

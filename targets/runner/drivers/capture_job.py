@@ -21,7 +21,7 @@ class CaptureJob:
 
 @dataclass(frozen=True, slots=True)
 class Captured:
-    """What was captured by one draw."""
+    """The vertices that one draw has captured."""
 
     count: int
     """The number of vertices."""

@@ -1,4 +1,4 @@
-"""What drivers say of themselves, and how they say that they could not draw."""
+"""The description that a driver gives of its device, and the error of a driver that cannot draw."""
 
 from __future__ import annotations
 

@@ -39,9 +39,9 @@ class Draw:
     """The contents of all storage buffers, in the pipeline's order."""
     clear_depth: float = 1.0
     blend_constant: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-    """What the factor ``constant`` means, in all targets."""
+    """The colour of the blend factor ``constant``, for all targets."""
     layers: tuple[tuple[bytes, ...], ...] = ()
-    """For each layer of the picture, what stands in place of ``blocks``, if every layer is a draw
+    """For each layer of the picture, the contents that replace ``blocks``, if every layer is a draw
     of its own. Drivers get these draws one by one."""
 
 

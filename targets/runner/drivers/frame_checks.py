@@ -53,7 +53,7 @@ def _all_in(what: str, numbers: Sequence[int], there: Sequence[object]) -> None:
 
 
 def _check_captures(job: FrameJob, step: FrameStep) -> None:
-    """What captures has one draw, whose pipeline does so, and nothing to draw to."""
+    """Check that a step that captures has one draw with a stream output, and no targets."""
     if step.captures is None:
         return
     streams = [job.pipelines[each.pipeline].stream_output for each in step.draws]
@@ -90,7 +90,7 @@ def _check_attachments(job: FrameJob, step: FrameStep) -> None:
 
 
 def _check_resolve(job: FrameJob, target: Attachment) -> None:
-    """What gets the mean of the samples has the format and the size of what is drawn to."""
+    """Check that a resolve target has the attachment's format and size, and one sample."""
     if target.resolve is None:
         return
     drawn, resolve = job.textures[target.texture], target.resolve

@@ -73,13 +73,13 @@ def _check_buffers(job: FrameJob, buffers: list[_Buffer], step: FrameStep) -> No
 
 
 class _Buffer:
-    """What is known of a storage buffer between two steps."""
+    """The state of a storage buffer between two steps, as the checks follow it."""
 
     def __init__(self, name: str) -> None:
         self._name = name
         self._use: BufferUse = "undefined"
         self._is_changed = False
-        """Whether it was written since the last barrier."""
+        """True if the buffer was written since the last barrier."""
 
     def wait(self, before: BufferUse, after: BufferUse) -> None:
         """A barrier."""
@@ -102,7 +102,7 @@ class _Buffer:
 
 
 class _Texture:
-    """What is known of a texture between two steps."""
+    """The state of a texture between two steps, as the checks follow it."""
 
     def __init__(self, job: FrameJob, number: int) -> None:
         made = job.textures[number]
@@ -161,7 +161,7 @@ class _Texture:
         self._held.update(parts)
 
     def _parts(self, levels: int | None = None) -> Iterator[Part]:
-        """Those of the first levels, or all."""
+        """The parts of the texture: of the first ``levels``, or of all levels."""
         for level in range(self._levels if levels is None else levels):
             for layer in range(self._layers):
                 yield layer, level

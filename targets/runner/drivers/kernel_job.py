@@ -21,8 +21,8 @@ class Dispatch:
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     buffers: tuple[bytes, ...]
-    """What all storage buffers hold before it, in the pipeline's order: also those that it
-    writes."""
+    """The contents of all storage buffers before the dispatch, in the pipeline's order. Those that
+    the kernel writes are among them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class KernelJob:
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """What a dispatch has written: all bytes of each buffer that the pipeline writes, in order."""
+    """The output of a dispatch: all bytes of each buffer that the pipeline writes, in order."""
 
     buffers: tuple[bytes, ...]
     images: tuple[bytes, ...] = ()

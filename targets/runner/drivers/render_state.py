@@ -1,4 +1,4 @@
-"""What no text of a pipeline says: which triangles are drawn, blending, depths, stencils."""
+"""The fixed state of a pipeline, which no shader text has: culling, blending, depth, stencil."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ Compare = Literal[
 """How the reference, or the depth of a fragment, on the left, is compared with a depth."""
 
 Cull = Literal["none", "back", "front"]
-"""Which triangles are not drawn."""
+"""The triangles that are culled."""
 
 Winding = Literal["ccw", "cw"]
 """How the corners of a front go around."""
 
 Fill = Literal["faces", "lines"]
-"""What is drawn of triangles: all of them, or their edges."""
+"""The fill mode of triangles: whole faces, or their edges."""
 
 Factor = Literal[
     "zero", "one", "src", "one_minus_src", "src_alpha", "one_minus_src_alpha", "dst",
@@ -40,7 +40,7 @@ Operation = Literal["add", "subtract", "reverse_subtract", "min", "max"]
 
 @dataclass(frozen=True, slots=True)
 class BlendEquation:
-    """What is kept of two colours, or of two alphas."""
+    """The blending of two colours, or of two alphas."""
 
     source: Factor = "one"
     destination: Factor = "zero"
@@ -66,10 +66,10 @@ class RenderTarget:
     blend: Blend | None = None
     """``None`` where what is drawn takes the place of what is there."""
     mask: str = ALL_LANES
-    """Which lanes are written: some of these letters, or ``none``."""
+    """The lanes that are written: some of these letters, or ``none``."""
 
     def writes(self, lane: str) -> bool:
-        """Whether a lane is written."""
+        """True if a lane is written."""
         return self.mask != "none" and lane in self.mask
 
 
@@ -91,7 +91,7 @@ StencilOperation = Literal[
     "keep", "zero", "replace", "invert",
     "increment_clamp", "decrement_clamp", "increment_wrap", "decrement_wrap",
 ]  # fmt: skip
-"""What becomes of a stencil value."""
+"""The operation on a stencil value."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ TextureFormat = Literal[
 ]  # fmt: skip
 Dimension = Literal["2d", "2d_array", "3d", "cube"]
 Sample = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
-"""What a shader reads from a texture; ``unfilterable-float`` promises that it never filters."""
+"""The sample type of a texture; a shader never filters an ``unfilterable-float``."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 
 DEPTH = "depth32float"
 FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
-"""What not every device can blend."""
+"""The formats of render targets that not every device can blend."""
 VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
 
 DRAWN, COMPUTED = 0x3, 0x4
@@ -33,8 +33,7 @@ _ADDRESS_MODES = {"repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirro
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """What is bound at one place: a block, a buffer, an image, a texture, or the sampler of a
-    texture."""
+    """One entry of a bind group: a block, buffer, image or texture, or the sampler of a texture."""
 
     slot: BlockSlot | BufferSlot | ImageSlot | TextureSlot
     number: int
@@ -43,7 +42,7 @@ class Bound:
 
 
 Groups = list[dict[int, Bound]]
-"""What is bound, by group and binding."""
+"""The bind groups: the entries by binding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +56,7 @@ class Buffer:
 
 
 def primitive(pipeline: Pipeline) -> Mapping[str, Any]:
-    """What vertices are, and which triangles are drawn."""
+    """The primitive state: topology, culling and winding."""
     return {
         "topology": f"{pipeline.primitive}-list",
         "cull_mode": pipeline.cull,
@@ -171,7 +170,7 @@ def interleaved(buffer: Buffer, vertices: Sequence[bytes]) -> bytes:
 
 
 def bound(pipeline: Pipeline) -> Groups:
-    """What is bound where, with an empty group for each unused number."""
+    """The bind groups of a pipeline, with an empty one for each unused number."""
     groups: Groups = []
 
     def add(group: int | None, binding: int | None, what: Bound) -> None:
@@ -216,7 +215,7 @@ def _entry(what: Bound) -> Mapping[str, Any]:
 # --- for web pages -------------------------------------------------------------------------------
 
 Names = Mapping[type, Sequence[str]]
-"""What the slots of each class are called, in the order of the pipeline."""
+"""The names of the slots of each class, in the order of the pipeline."""
 
 
 def for_pages(pipeline: Pipeline, visibility: int, names: Names) -> dict[str, Any]:

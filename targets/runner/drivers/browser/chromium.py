@@ -48,7 +48,7 @@ _NO_HOME = dict.fromkeys(("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA
 """Where nothing can be: the browser keeps nothing, and has none of the user's settings."""
 
 CANVAS_FLAGS = ("--enable-features=Vulkan", "--use-vulkan=swiftshader")
-"""What it takes besides, without a GPU, for a canvas to show what WebGPU draws to it."""
+"""Further flags: without a GPU, a canvas needs them to show what WebGPU draws to it."""
 
 
 def launch(

@@ -70,7 +70,7 @@ def _names(slots: Sequence[object]) -> list[str]:
 
 
 def _reflection(number: int, pipeline: Pipeline, profile: str) -> dict[str, Any]:
-    """What the renderers read of a reflection."""
+    """The part of a reflection that the renderers read."""
     textures = list(zip(_names(pipeline.textures), pipeline.textures, strict=True))
     return {
         "material": f"pipeline {number}",

@@ -36,7 +36,7 @@ from .vertices import MODES, vertices
 
 
 def draw_frame(context: moderngl.Context, functions: Functions, job: FrameJob) -> Found:
-    """What is read back, step by step. Raises ``DriverError``."""
+    """Do a frame job: returns what it reads back, step by step. Raises ``DriverError``."""
     with ExitStack() as owned:
         try:
             found = _Frame(owned, context, functions, job).found()
@@ -188,7 +188,7 @@ class _Frame:
             array.render(MODES[pipeline.primitive], instances=draw.instance_count)
 
     def _captured(self, drawn: FrameDraw, most: int) -> Captured:
-        """What a draw captures, of so many vertices at most."""
+        """The vertices that a draw captures: ``most`` at most."""
         draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]
         assert draw is not None
         program = self._program(drawn)

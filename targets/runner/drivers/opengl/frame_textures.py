@@ -45,7 +45,7 @@ class MadeTexture:
 
     @property
     def target(self) -> int:
-        """What OpenGL calls its type."""
+        """The target by which OpenGL binds the texture: the constant of its type."""
         if self.description.samples > 1:
             return GL_TEXTURE_2D_MULTISAMPLE
         return TARGETS[self.description.dimension]
@@ -56,7 +56,7 @@ class MadeTexture:
         return max(made.width >> level, 1), max(made.height >> level, 1)
 
     def point(self, number: int) -> int:
-        """What it is attached as, if it is a target that of this number."""
+        """The attachment point of the texture, if it is the render target of this number."""
         match self.description.format:
             case "depth32float" | "depth32float-stencil8" as depths:
                 return DEPTHS[depths][1]

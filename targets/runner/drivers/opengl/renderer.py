@@ -18,7 +18,7 @@ class Renderer:
         self._context = create_context(wanted)
         self._functions = Functions()
         self._nowhere = self._context.simple_framebuffer((1, 1))
-        """What is bound while vertices are captured: OpenGL wants something to draw to, although
+        """The framebuffer that is bound while vertices are captured: OpenGL wants one, although
         nothing is drawn."""
 
     def device(self) -> Device:

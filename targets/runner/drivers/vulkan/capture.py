@@ -89,7 +89,7 @@ class Captures:
         )  # fmt: skip
 
     def captured(self) -> Captured:
-        """What was captured, after the commands were run. Raises ``DriverError``."""
+        """The captured vertices, after the commands were run. Raises ``DriverError``."""
         (written,) = struct.unpack("<I", bytes(self.counter.mapped[0:COUNTER_SIZE]))
         if written > self.vertices.size or written % self.stride:
             raise DriverError(f"{written} bytes were captured, into {self.vertices.size}")

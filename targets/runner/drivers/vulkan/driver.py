@@ -68,8 +68,10 @@ class VulkanDriver(DrawsByFrames, Closing):
         check_dispatches(gpu, job)
 
     def draw_frame(self, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``, also for any message of the
-        validation layer."""
+        """Do a frame job: returns what it reads back.
+
+        Raises ``DriverError``, also for any message of the validation layer.
+        """
         gpu = self._opened()
         from . import errors
         from .frame import draw_frame

@@ -39,8 +39,10 @@ DEPTH_BYTES, INDEX_SIZE = 4, 4
 
 
 def draw_frame(gpu: Gpu, job: FrameJob) -> Found:
-    """What is read back, step by step. Raises ``DriverError``, and ``VkError`` for calls that
-    fail."""
+    """Do a frame job: returns what it reads back, step by step.
+
+    Raises ``DriverError``, and ``VkError`` for calls that fail.
+    """
     with ExitStack() as owned:
         return _Frame(owned, gpu, job).found()
 

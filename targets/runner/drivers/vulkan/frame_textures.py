@@ -29,7 +29,7 @@ TESTS = (
 
 @dataclass(frozen=True, slots=True)
 class BufferAccess:
-    """What Vulkan has to be told of how a buffer is used."""
+    """The pipeline stages and memory accesses of one use of a buffer, for barriers."""
 
     stages: int
     access: int
@@ -114,7 +114,7 @@ class MadeTexture:
         return view
 
     def barrier(self, before: TextureUse, after: TextureUse) -> Any:
-        """What waits between two uses."""
+        """The image barrier between two uses."""
         return vk.VkImageMemoryBarrier(
             oldLayout=USES[before].layout,
             newLayout=USES[after].layout,
@@ -128,8 +128,7 @@ class MadeTexture:
 
     @property
     def _writes(self) -> int:
-        """What may have been written where it lies before it has contents: by whatever other
-        texture has had the memory."""
+        """Accesses to wait for before the first use: writes of textures that share the memory."""
         is_shared = self.description.memory is not None
         return vk.VK_ACCESS_MEMORY_WRITE_BIT if is_shared else 0
 

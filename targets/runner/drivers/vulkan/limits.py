@@ -154,7 +154,7 @@ def _texture_problems(gpu: Gpu, slot: TextureSlot, image: Image) -> Iterator[str
 
 
 def _filters(slot: TextureSlot) -> bool:
-    """Whether texels are filtered; results of comparisons may be filtered with any format."""
+    """True if texels are filtered; results of comparisons may be filtered with any format."""
     return slot.sampling == "filtering" and "linear" in (slot.filter, slot.mip)
 
 

@@ -22,7 +22,7 @@ class Buffer:
     handle: Any
     size: int
     mapped: Any
-    """Its bytes, writable."""
+    """The buffer's bytes, mapped and writable."""
 
     def write(self, data: bytes) -> None:
         """Replace the first bytes. Nothing may be drawing with the buffer."""
@@ -65,11 +65,11 @@ class ImageSpec:
     samples: int = vk.VK_SAMPLE_COUNT_1_BIT
     """A ``VK_SAMPLE_COUNT`` bit, which is the number itself."""
     read_aspect: int = 0
-    """What the view shows, if that is not all of it: shaders read depths without stencil values."""
+    """The aspect that the view shows, if not all: shaders read depths without stencil values."""
 
     @property
     def is_volume(self) -> bool:
-        """Whether it is a 3D texture, which has a single layer."""
+        """True for a 3D texture, which has a single layer."""
         return bool(self.view == vk.VK_IMAGE_VIEW_TYPE_3D)
 
     @property

@@ -18,7 +18,7 @@ from .textures import make_sampler, make_view
 
 @dataclass(slots=True)
 class Uploads:
-    """What the draws of one job bring along; equal bytes are uploaded once."""
+    """Buffers and textures with the data that draws carry; equal bytes are uploaded once."""
 
     gpu: Gpu
     _buffers: dict[tuple[int, bytes], Any] = field(default_factory=dict)

@@ -16,7 +16,7 @@ BACKENDS = ("D3D12", "Metal", "Vulkan")
 """The APIs that it may draw with. Its OpenGL cannot do all that a job may ask for."""
 
 FEATURES = ("float32-blendable", "float32-filterable", "depth32float-stencil8")
-"""What float32 targets and textures need, and stencil values beside float32 depths."""
+"""The features for float32 targets and textures, and for stencil values beside float32 depths."""
 
 SUBPIXEL_BITS = 8
 """WebGPU does not report it. Direct3D 12 demands 8 bits, and so do Metal's GPUs and Mesa."""

@@ -42,7 +42,7 @@ class Wgpu(DrawsByFrames):
         check_groups(job, [int(self._opened().device.limits[MOST_GROUPS])] * 3)
 
     def draw_frame(self, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
         gpu = self._opened()
         from .frame import draw_frame
 

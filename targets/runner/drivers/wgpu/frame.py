@@ -23,7 +23,7 @@ _LOADS = {True: "load", False: "clear"}
 
 
 def draw_frame(gpu: Gpu, job: FrameJob) -> Found:
-    """What is read back, step by step. Raises ``DriverError``."""
+    """Do a frame job: returns what it reads back, step by step. Raises ``DriverError``."""
     with explained(), ExitStack() as owned:
         return _Frame(gpu, job, owned).found()
 
